@@ -1,12 +1,15 @@
 """How far one temperature flatters: ISO 7902 set against films with temperatures, walls and housing of their own.
 
-    python benchmarks/one_temperature.py [number [seed]]
+    python benchmarks/one_temperature.py [number [seed [set]]]
 
-Random ordinary bearings: diameters 60 to 300 mm, B/D 0.5 to 1, 0.8 to 5 MPa, 2 to 35 m/s, clearances 1 to 1.5
-times those of Vogelpohl's rule, spans of 360 to 120 deg, pockets at both sides of 0.5 to 0.7 of the width, oils
-ISO VG 22 to 68 at 40 to 50 degC and 1 to 3 bar, tin and copper alloys. The film is `thermal: full`. Held against
-each other are the thinnest film, and the hottest bush against the outlet, with the flow that the supply delivers
-where that is less. One line a bearing; quartiles, ends and twentieths; verdicts by both.
+Random bearings of a set, `ordinary` (0.8 to 5 MPa, 2 to 35 m/s, spans of 360 to 120 deg), `fast` (1.5 to 5 MPa,
+15 to 60 m/s) or `short` (as ordinary, spans of 120 and 90 deg): diameters 60 to 300 mm, B/D 0.5 to 1, clearances
+1 to 1.5 times those of Vogelpohl's rule, pockets at both sides of 0.5 to 0.7 of the width, oils ISO VG 22 to 68
+at 40 to 50 degC and 1 to 3 bar, tin and copper alloys. The film is `thermal: full`. Held against each other are
+the thinnest film, the hottest bush against the outlet, and outlet against outlet, with the flow that the supply
+delivers where that is less; the rise of the hottest bush above the inlet in K over the root of specific load
+times speed in MPa m/s; and the Reynolds number. One line a bearing; quartiles, ends and twentieths; verdicts by
+both.
 """
 
 import math
@@ -22,10 +25,19 @@ from babbitt.solving import solve
 Random = np.random.Generator
 
 
-def bearing(rng: Random, number: int) -> str:
+SETS = {
+    "ordinary": ((2.0, 35.0), (0.8, 5.0), (360, 180, 150, 120)),
+    "fast": ((15.0, 60.0), (1.5, 5.0), (360, 180, 150, 120)),
+    "short": ((2.0, 35.0), (0.8, 5.0), (120, 90)),
+}
+"""Ranges of speed (m/s) and specific load (MPa), and the spans (deg)."""
+
+
+def bearing(rng: Random, number: int, chosen: str = "ordinary") -> str:
+    speeds, loads, spans = SETS[chosen]
     diameter = float(rng.choice([60, 80, 100, 120, 150, 200, 300]))
     width = rng.uniform(0.5, 1.0) * diameter
-    speed = math.exp(rng.uniform(math.log(2.0), math.log(35.0)))
+    speed = math.exp(rng.uniform(*(math.log(one) for one in speeds)))
     clearance = rng.uniform(1.0, 1.5) * 0.8 * speed**0.25
     return f"""
 kind: journal
@@ -33,12 +45,12 @@ name: bearing {number}
 diameter: {diameter:g} mm
 width: {width:.1f} mm
 clearance: {{kind: relative, mean: {clearance:.3f} permille}}
-span: {rng.choice([360, 180, 150, 120])} deg
+span: {rng.choice(spans)} deg
 supply_element: {{kind: pocket, width: {rng.uniform(0.5, 0.7) * width:.1f} mm, place: both_sides}}
 lubricant: ISO VG {rng.choice([22, 32, 46, 68])}
 supply: {{temperature: {rng.choice([40, 45, 50])} degC, pressure: {rng.choice([0.1, 0.2, 0.3])} MPa}}
 materials: {{bearing_metal: {rng.choice(["SnSb8Cu4", "CuSn8P", "B83"])}, bearing: C10, journal: C45}}
-specific_load: {rng.uniform(0.8, 5.0):.3f} MPa
+specific_load: {rng.uniform(*loads):.3f} MPa
 surface_speed: {speed:.2f} m/s
 """
 
@@ -49,11 +61,11 @@ def worse(result: Result, name: str, better: float) -> float:
     return better * min(better * value for value in known)
 
 
-def main(wanted: int = 48, seed: int = 3) -> None:
+def main(wanted: int = 48, seed: int = 3, chosen: str = "ordinary") -> None:
     rng, number, rows, verdicts = np.random.default_rng(seed), 0, [], Counter()
     while len(rows) < wanted and number < 10 * wanted:
         number += 1
-        text = bearing(rng, number)
+        text = bearing(rng, number, chosen)
         (iso,) = solve(parse_case(text)).results
         (film, *_) = solve(parse_case(f"{text}method: film\nthermal: full\n")).results
         if not (iso.outcome.solved and film.outcome.solved):
@@ -61,7 +73,10 @@ def main(wanted: int = 48, seed: int = 3) -> None:
             continue
         thin = film.minimum_film_thickness / worse(iso, "minimum_film_thickness", 1.0)
         hot = film.maximum_bush_temperature - worse(iso, "outlet_temperature", -1.0)
-        rows.append((thin, hot))
+        outlet = film.outlet_temperature - worse(iso, "outlet_temperature", -1.0)
+        fast = math.sqrt(iso.specific_load * iso.surface_speed * 1e-6)
+        rise = (film.maximum_bush_temperature - iso.supply_temperature) / fast
+        rows.append((thin, hot, outlet, rise, film.film_reynolds_number / iso.film_reynolds_number))
         near = "W191" in {notice.code for notice in iso.warnings}
         verdicts[(iso.verdict.value, "near" if near else "", film.verdict.value)] += 1
         print(
@@ -69,11 +84,18 @@ def main(wanted: int = 48, seed: int = 3) -> None:
             f"{iso.verdict.value}{' (W191)' if near else ''}, film {film.verdict.value}",
             flush=True,
         )
-    for said, column in zip(("h_film/h_iso", "bush less outlet in K"), np.array(rows).T, strict=True):
+    names = (
+        "h_film/h_iso",
+        "bush less outlet in K",
+        "outlet less outlet in K",
+        "rise over sqrt(pU)",
+        "Re_film/Re_iso",
+    )
+    for said, column in zip(names, np.array(rows).T, strict=True):
         print(said, *(f"{value:.2f}" for value in np.percentile(column, (0, 5, 25, 50, 75, 95, 100))))
     for (iso_says, near, film_says), count in sorted(verdicts.items()):
         print(f"{count:3d}: ISO 7902 {iso_says} {near}, film {film_says}")
 
 
 if __name__ == "__main__":
-    main(*(int(one) for one in sys.argv[1:3]))
+    main(*(int(one) for one in sys.argv[1:3]), *sys.argv[3:4])

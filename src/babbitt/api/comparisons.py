@@ -186,5 +186,5 @@ def compared(case: Case) -> Comparisons:
 
 def _line(comparison: Comparison) -> str:
     """Name of a bearing, and the verdict of each method."""
-    told = ", ".join(f"{one.label} {one.result.verdict.value}" for one in comparison if one.is_method)
-    return f"  {comparison.name}: {told}"
+    verdicts = ", ".join(f"{one.label} {one.result.verdict.value}" for one in comparison if one.is_method)
+    return f"  {comparison.name}: {verdicts}"

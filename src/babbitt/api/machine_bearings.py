@@ -8,6 +8,7 @@ from typing import Any
 from babbitt.case.part import Part
 from babbitt.case.parts.cooling import Cooling
 from babbitt.case.parts.materials import Materials
+from babbitt.case.parts.shared import replaced_by
 from babbitt.case.parts.supply import Supply
 
 __all__ = ["by_itself"]
@@ -43,8 +44,8 @@ def by_itself(bearing: Mapping[str, Any], machine: Mapping[str, Any]) -> dict[st
 
 
 def _joined(part: type[Part], own: Any, shared: Any) -> Any:
-    """A part of which the bearing gives single fields, as `babbitt.case.parts.shared.merged` joins it."""
+    """A part of which the bearing gives single fields."""
     if own is None or not (isinstance(own, Mapping) and isinstance(shared, Mapping)):
         return shared if own is None else own
-    replaced = {one for group in part.alternatives if own.keys() & set(group) for one in group}
+    replaced = replaced_by(part, own.keys())
     return {**{name: value for name, value in shared.items() if name not in replaced}, **own}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from typing import TypeVar
 
 from pydantic import Field
@@ -35,8 +36,13 @@ def merged(own: SharedPart | None, shared: SharedPart | None) -> SharedPart | No
     if own is None or shared is None:
         return own or shared
     given = {name: getattr(own, name) for name in own.model_fields_set}
-    for alternatives in own.alternatives:
-        # An air speed of the bearing replaces a heat transfer coefficient of the machine, not only its air speed.
-        if given.keys() & set(alternatives):
-            given = dict.fromkeys(alternatives) | given
-    return shared.model_copy(update=given)
+    return shared.model_copy(update=dict.fromkeys(replaced_by(type(own), given)) | given)
+
+
+def replaced_by(part: type[Part], given: Collection[str]) -> set[str]:
+    """Fields of a shared part that those given by a bearing replace: themselves, and their alternatives.
+
+    An air speed of the bearing replaces a heat transfer coefficient of the machine, not only its air speed.
+    """
+    chosen = (group for group in part.alternatives if set(group) & set(given))
+    return set(given).union(*chosen)

@@ -138,7 +138,7 @@ JOURNAL: dict[str, Explanation] = {
         "Limit kept by less than one temperature can tell",
         "ISO 7902 knows one temperature of the film and that at its outlet. A film with temperatures of its own "
         "may miss a limit where the film thickness keeps it by less than 45 %, the Reynolds number by less than a "
-        "factor of 2, or where the outlet and 15 K, or the inlet and 6.2 K times the root of specific load times "
+        "factor of 2.1, or where the outlet and 15 K, or the inlet and 6.2 K times the root of specific load times "
         "speed in MPa m/s, pass that of the metal: nineteen of twenty random bearings stay within that, each.",
         "`method: film` with `thermal: adiabatic` or `full`; more margin by less load, more or cooler oil.",
     ),
@@ -214,7 +214,8 @@ JOURNAL: dict[str, Explanation] = {
     "W185": Explanation(
         "Nothing tells that oil reaches the film",
         "No supply element is given, or the supply delivers nothing: a groove all around without pressure, tubes "
-        "or holes without pressure. The heat balance takes the film to draw its side flow all the same. Without "
+        "or holes without pressure; or elements closer to the load than 90 deg give so little that the heat "
+        "balance has no answer. The heat balance takes the film to draw its side flow all the same. Without "
         "oil no film and no temperature of it is known.",
         "Give the `supply_element` and the pressure of the supply; or `method: film`.",
         effect=Effect.NO_VERDICT,

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 from babbitt.core.notices import Notice
 from babbitt.core.result import Bound, Check
-from babbitt.design import checks as design_checks
-from babbitt.design.checks import clearance_check, limit_checks
+from babbitt.design.checks import checks_not_made, clearance_check, limit_checks
 from babbitt.kinds.journal.iso7902.model import DesignCase
 
-__all__ = ["checks_not_made", "checks_of"]
+__all__ = ["checks_not_made", "checks_of", "whirl_not_checked"]
 
 
 def checks_of(case: DesignCase, values: Mapping[str, float]) -> tuple[Check, ...]:
@@ -25,15 +24,10 @@ def checks_of(case: DesignCase, values: Mapping[str, float]) -> tuple[Check, ...
     return (*limit_checks(case, values), _whirl_screening(values), clearance_check(case, values))
 
 
-def checks_not_made(case: DesignCase, values: Mapping[str, float]) -> tuple[Notice, ...]:
-    """The checks that lack data, and that of the rotor's mass, for which the standard has no coefficients."""
-    missing = design_checks.checks_not_made(case, values)
-    if case.rotor_mass is None:
-        return missing
-    return (
-        *missing,
-        Notice("C115", "ISO 7902 has neither stiffness nor damping; `method: film` compares rotor_mass"),
-    )
+def whirl_not_checked(case: DesignCase) -> Iterator[Notice]:
+    """Say why the mass of a rotor is not compared with a critical one."""
+    if case.rotor_mass is not None:
+        yield Notice("C115", "ISO 7902 has neither stiffness nor damping; `method: film` compares rotor_mass")
 
 
 def _whirl_screening(values: Mapping[str, float]) -> Check:

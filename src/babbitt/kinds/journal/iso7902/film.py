@@ -65,6 +65,16 @@ class Film:
         """Side flow and supply flow together, m³/s."""
         return self.side_flow + self.supply_flow
 
+    @property
+    def supply_flow_at_place(self) -> float:
+        """Flow in m³/s that the supply pressure drives through the elements where they stand."""
+        return self.feed_at_place.flow if self.feed_at_place else 0.0
+
+    @property
+    def stands_closer(self) -> bool:
+        """Whether elements closer to the load than the formula has them give less."""
+        return self.supply_flow_at_place < self.supply_flow
+
 
 def curves_of(case: DesignCase) -> BearingCurves:
     """The characteristics the case asks for, of one half bearing where a groove parts it."""
@@ -219,10 +229,8 @@ def _film(temperature: float, case: DesignCase, shape: BearingCurves, limited: b
         side_flow = min(side_flow, sheared)
     fed_with = partial(feed, case, eccentricity, psi, viscosity)
     share = part_of_supply_flow(case, eccentricity, attitude)
-    fed = fed_with(side_flow)
-    at_place = fed if share >= 1.0 else fed_with(side_flow, share)
-    if limited:
-        fed = at_place
+    at_place = fed_with(side_flow, share)
+    fed = at_place if limited or share == 1.0 else fed_with(side_flow)
     if limited and fed is not None and fed.limit is not None:
         side_flow = fed.limit  # tubes and holes pass no more; nothing is left to press oil through the element
     return Film(

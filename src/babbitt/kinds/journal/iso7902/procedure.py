@@ -22,7 +22,7 @@ from babbitt.design.values import (
     oil_values,
     supply_values,
 )
-from babbitt.kinds.journal.iso7902.checks import checks_not_made, checks_of
+from babbitt.kinds.journal.iso7902.checks import checks_not_made, checks_of, whirl_not_checked
 from babbitt.kinds.journal.iso7902.film import Film, curves_of, film_at
 from babbitt.kinds.journal.iso7902.model import DesignCase
 from babbitt.kinds.journal.iso7902.screening import Transition, orlov_relative_clearance, transition
@@ -123,6 +123,11 @@ def _result(case: DesignCase, found: Equilibrium[Film], start: float) -> Result:
         warnings = (*(one for one in of_film if one.code not in worse), *about_supply)
     values["iterations"] = float(found.evaluations)
     values["wall_time"] = perf_counter() - start
+    not_checked = (
+        *checks_not_made(case, values),
+        *whirl_not_checked(case),
+        *capacity_not_checked(case, found.film),
+    )
     return Result(
         case.name,
         case.kind,
@@ -131,7 +136,7 @@ def _result(case: DesignCase, found: Equilibrium[Film], start: float) -> Result:
         values,
         checks if found.outcome.solved else (),
         warnings,
-        (*checks_not_made(case, values), *capacity_not_checked(case, found.film)) if found.outcome.solved else (),
+        not_checked if found.outcome.solved else (),
         (*case.lubricant.assumptions, *case.assumptions, *assumptions_about_capacity(case, found.film)),
         "" if found.outcome.solved else failure(case, found),
         _settings(case),
@@ -181,8 +186,8 @@ def _values(case: DesignCase, film: Film, change: Transition | None) -> dict[str
         values["hole_loss"] = film.feed.hole_loss
         if film.feed.limit is not None:
             values["supply_limit"] = film.feed.limit
-    if film.feed_at_place is not None and film.feed_at_place != film.feed:
-        values["supply_flow_at_place"] = film.feed_at_place.flow
+    if film.stands_closer:
+        values["supply_flow_at_place"] = film.supply_flow_at_place
     if film.supply_capacity is not None:
         values["supply_capacity"] = film.supply_capacity
     values |= cooling_values(case, film) | limit_values(case)

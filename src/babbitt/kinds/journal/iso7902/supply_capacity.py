@@ -77,7 +77,7 @@ def lacks_oil(film: Film) -> bool:
 
 def gets_less(film: Film) -> bool:
     """Whether the film gets less than Q₃ and Q_p of the standard: for want of oil, or as elements stand closer."""
-    return lacks_oil(film) or film.feed_at_place != film.feed
+    return lacks_oil(film) or film.stands_closer
 
 
 def starved_equilibrium(case: DesignCase, film: Film) -> Equilibrium[Film] | None:
@@ -95,7 +95,7 @@ def starved_equilibrium(case: DesignCase, film: Film) -> Equilibrium[Film] | Non
 
 def assumptions_about_capacity(case: DesignCase, film: Film) -> Iterator[str]:
     """What the limited heat balance takes for granted, where it is made."""
-    if film.feed_at_place != film.feed:
+    if film.stands_closer:
         yield "Q_p of elements at the ends of the arc goes with the mean cube of the gaps where they stand."
     if not lacks_oil(film):
         return
@@ -184,7 +184,9 @@ def warnings_about_capacity(
         yield Notice(code, f"{said}; no heat balance is made that would tell the consequence")
         return
     if not starved.outcome.solved:
-        yield Notice("W123", f"{said}; with that flow {starved.outcome.value}: {failure(case, starved)}")
+        # Where Q₃ is delivered, C117 is no miss that would decide.
+        code = "W123" if lacks_oil(film) else "W185"
+        yield Notice(code, f"{said}; with that flow {starved.outcome.value}: {failure(case, starved)}")
         return
     hot, thin = values["effective_temperature"] - ZERO_CELSIUS, values["minimum_film_thickness"] * 1e6
     reached = f"T_eff = {hot:.1f} °C, h_min = {thin:.3g} µm"
@@ -201,9 +203,9 @@ def warnings_about_capacity(
 def _lack(case: DesignCase, film: Film) -> tuple[str, str]:
     """What the film lacks of the flows of the standard, and the code of its warning."""
     at_place = ""
-    if film.feed is not None and film.feed_at_place is not None and film.feed_at_place != film.feed:
-        taken, given = film.feed.flow, film.feed_at_place.flow
-        at_place = f"Q_p = {_litres(taken)} holds at 90° to the load; where the arc ends it is {_litres(given)}"
+    if film.stands_closer:
+        taken, given = _litres(film.supply_flow), _litres(film.supply_flow_at_place)
+        at_place = f"Q_p = {taken} holds at 90° to the load; where the elements stand it is {given}"
     capacity, wanted = film.supply_capacity, film.side_flow
     if capacity is None or not lacks_oil(film):
         return at_place, "W195"

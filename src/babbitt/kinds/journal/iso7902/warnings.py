@@ -48,18 +48,18 @@ with temperatures of their own and walls that conduct differ by less."""
 RISE_OF_METAL = 6.2e-3
 """K over the root of Pa m/s: rise of the hottest bush above the inlet over sqrt(p̄ U), fast and loaded bearings.
 
-Assumption by measurement (docs/theory/procedure.md) at 15 to 60 m/s and 1.5 to 5 MPa: of 19 of 20 it is less."""
+Assumption by the same measurement, at 15 to 60 m/s and 1.5 to 5 MPa: of nineteen of twenty it is less."""
 
-TURBULENT_SOONER = 2.0
+TURBULENT_SOONER = 2.1
 """Reynolds number of films with temperatures of their own over that of one temperature.
 
-Assumption by the same measurement, 19 of 20 lie below: their oil is thinner where it carries no load."""
+Assumption by the same measurement, nineteen of twenty lie below: their oil is thinner where it carries no load."""
 
 SURELY_SCREENED = 0.1
 """Margin of Orlov's screening from which a rotor of the mass that the bearing carries does not whirl.
 
-Assumption: of 193 random bearings of 2 to 35 m/s and 0.8 to 5 MPa that kept it by more, no film of one temperature
-whirls under its load as a mass; one that kept it by 0.3 % does (docs/theory/screening.md)."""
+Assumption: of 400 random bearings that kept it (``benchmarks/whirl_screening.py``) no film of one temperature whirls
+under its load as a mass; one of another 194 does, which kept it by 0.3 % (docs/theory/screening.md)."""
 
 USUAL_DIFFERENCE = (
     "films with temperatures of their own are typically 8 to 19 % thinner, their bush in one of twenty hotter "
