@@ -37,9 +37,8 @@ def main(wanted: int = 200, seed: int = 5) -> None:
         whirl = next((one for one in film.checks if one.code == "C115"), None)
         ends["no critical mass" if whirl is None else "stable" if whirl.ok else "whirls"] += 1
         if whirl is not None and not whirl.ok:
-            print(
-                f"{number}: C112 kept by {screening.margin:.1%}, eps {iso.eccentricity_ratio:.2f}, C115 {whirl.margin:.0%}"
-            )
+            kept_by = f"C112 kept by {screening.margin:.1%}, eps {iso.eccentricity_ratio:.2f}"
+            print(f"{number}: {kept_by}, C115 {whirl.margin:.0%}")
     print(f"{kept} kept the screening: {dict(ends)}")
 
 

@@ -58,8 +58,8 @@ Assumption by the same measurement, nineteen of twenty lie below: their oil is t
 SURELY_SCREENED = 0.1
 """Margin of Orlov's screening from which a rotor of the mass that the bearing carries does not whirl.
 
-Assumption: of 400 random bearings that kept it (``benchmarks/whirl_screening.py``) no film of one temperature whirls
-under its load as a mass; one of another 194 does, which kept it by 0.3 % (docs/theory/screening.md)."""
+Assumption: of 400 random bearings that kept it (``benchmarks/whirl_screening.py``) no film of one temperature
+whirls under its load as a mass; one of another 194 does, which kept it by 0.3 % (docs/theory/screening.md)."""
 
 USUAL_DIFFERENCE = (
     "films with temperatures of their own are typically 8 to 19 % thinner, their bush in one of twenty hotter "
