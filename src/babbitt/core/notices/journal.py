@@ -139,7 +139,7 @@ JOURNAL: dict[str, Explanation] = {
         "ISO 7902 knows one temperature of the film and that at its outlet. A film with temperatures of its own "
         "may miss a limit where the film thickness keeps it by less than 45 %, the Reynolds number by less than a "
         "factor of 2.1, or where the outlet and 15 K, or the inlet and 6.2 K times the root of specific load "
-        "times speed in MPa m/s, pass that of the metal: nineteen of twenty random bearings stay within that, each.",
+        "times speed in MPa m/s, pass that of the metal: 19 of 20 random bearings stay within that, each.",
         "`method: film` with `thermal: adiabatic` or `full`; more margin by less load, more or cooler oil.",
     ),
     "W192": Explanation(
