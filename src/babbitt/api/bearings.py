@@ -7,9 +7,8 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from babbitt.api.case import Case
 from babbitt.api.machine_bearings import by_itself
-from babbitt.api.methods import MethodOptions
 from babbitt.api.own_bore import Gap, with_own_bore, with_own_bore_in_words, without_own_bore
-from babbitt.api.words import of_machine, with_method, with_method_in_words
+from babbitt.api.words import of_machine
 from babbitt.case.case_file import CaseFile
 from babbitt.core.solution import Calculation
 from babbitt.kinds.coupling.case.overhung_coupling import OverhungCouplingCase
@@ -57,21 +56,19 @@ class JournalBearing(Case, files.JournalCase):
 
     @classmethod
     def in_words(cls, given: Mapping[str, Any]) -> dict[str, Any]:
-        """What was given, its method as a name and fields of the bearing, an own bore as a table."""
-        return with_own_bore_in_words(with_method_in_words(given))
+        """What was given, an own bore as a table."""
+        return with_own_bore_in_words(given)
 
     def _in_order(self, changes: Mapping[str, Any]) -> Mapping[str, Any]:
         """An own bore comes last: it is sampled across the new width."""
         return dict(sorted(changes.items(), key=lambda change: isinstance(change[1], Gap)))
 
     def _given_with(self, given: dict[str, Any], path: str, value: Any) -> dict[str, Any]:
-        if path == "method" and isinstance(value, MethodOptions):
-            return with_method(given, value)
         if path == "bore":
             if isinstance(value, Gap):
                 return with_own_bore(given, value)
             given = without_own_bore(given)
-        return super()._given_with(given, path.removeprefix("method."), value)
+        return super()._given_with(given, path, value)
 
 
 class Machine(Case, files.Machine):

@@ -325,12 +325,12 @@ class HeatExchange(OwnPart, heat_exchange.HeatExchangeInput):
         self,
         *,
         nusselt: Quantity | Mapping[str, Any] | Part | None = ...,
+        discretisation: Literal["consistent", "published_mean", "published_literal"] | Enum | None = ...,
+        exchange_zone: Literal["liquid_fraction", "all_around", "film"] | Enum | None = ...,
         bush: Mapping[str, Any] | Part | None = ...,
         ambient: Mapping[str, Any] | Part | None = ...,
         shaft_conductance: Quantity | None = ...,
-        discretisation: Literal["consistent", "published_mean", "published_literal"] | Enum | None = ...,
         supply_angle: Quantity | None = ...,
-        exchange_zone: Literal["liquid_fraction", "all_around", "film"] | Enum | None = ...,
     ) -> None: ...
 
 class SegmentOptions(OwnPart, grooved_segments.SegmentsInput):

@@ -18,6 +18,7 @@ from babbitt.core.notices import Notice
 from babbitt.core.solution import Calculation
 from babbitt.core.units import si, written
 from babbitt.kinds.footstep.case.footstep_parts import (
+    METHOD_MAPPING,
     FigureRanges,
     FootstepOilInput,
     FootstepOptionsInput,
@@ -61,7 +62,7 @@ class FootstepCase(CaseFile):
 
     kind: Literal["screw_heel"] = Field(description="Footstep with a smooth or screw-grooved heel.")
     name: Name = Field(description="Name of the footstep.")
-    method: Literal["superposition", "narrow_groove"] = Field(
+    method: Annotated[Literal["superposition", "narrow_groove"], METHOD_MAPPING] = Field(
         "superposition",
         description="The study's equations (adiabatic groove beside a full slit), or narrow-groove theory.",
     )

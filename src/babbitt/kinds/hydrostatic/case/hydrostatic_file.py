@@ -18,6 +18,7 @@ from babbitt.case.parts.lubricant import LubricantInput
 from babbitt.core.notices import Notice
 from babbitt.core.solution import Calculation
 from babbitt.core.units import si
+from babbitt.kinds.hydrostatic.case.methods import METHOD_MAPPING, FilmChoices
 from babbitt.kinds.hydrostatic.case.recess_parts import Frequency, GapLimits, HydrostaticOil, Load, RecessOil
 from babbitt.kinds.hydrostatic.case.restrictors import (
     ConstantFlowInput,
@@ -31,7 +32,7 @@ from babbitt.kinds.hydrostatic.methods import METHODS
 from babbitt.kinds.hydrostatic.model import HydrostaticCase, Oil, OperatingConditions, Recesses, Shape, beyond_data
 
 
-class HydrostaticFile(CaseFile):
+class HydrostaticFile(FilmChoices, CaseFile):
     """What all hydrostatic bearings have."""
 
     shaped_by: ClassVar[tuple[str, ...]] = ("recesses",)
@@ -46,13 +47,8 @@ class HydrostaticFile(CaseFile):
 
     kind: str = Field(description="What the file describes.")
     name: Name = Field(description="Name of the bearing.")
-    method: Literal["film", "quick"] = Field(
+    method: Annotated[Literal["film", "quick"], METHOD_MAPPING] = Field(
         "film", description="The film in two dimensions with the recess network, or closed forms and lumped lands."
-    )
-    accuracy: Literal["draft", "engineering", "reference"] = Field(
-        "engineering",
-        description="Grid of the film. A full film of reference accuracy is solved on half the lines as well and "
-        "extrapolated.",
     )
     restrictor: RestrictorInput | None = Field(None, description="The restrictor before every recess.")
     restrictors: tuple[RestrictorInput, ...] = Field(

@@ -12,7 +12,9 @@ from pydantic import Field
 from babbitt.case.aliases import FormerWords
 from babbitt.case.case_file import CaseFile
 from babbitt.case.grouped_digits import about_grouped_digits
-from babbitt.case.part import Issue, Part, exactly_one, not_read, rule
+from babbitt.case.method_choices import MethodChoices, MethodInput
+from babbitt.case.method_mapping import MethodMapping
+from babbitt.case.part import Issue, exactly_one, not_read, rule
 from babbitt.case.parts.fields import Name, Prose
 from babbitt.case.parts.lubricant import LubricantInput
 from babbitt.case.parts.supply import SuppliedAt
@@ -47,7 +49,30 @@ USUAL_FILM_LIMIT = 10e-6
 INERTIAS = ("pads.inertia_radial", "pads.inertia_along")
 
 
-class ThrustBearingInputs(Part):
+class ThrustFilmChoices(MethodChoices):
+    """Choices of the film of thrust pads."""
+
+    thermal: Literal["isothermal", "global", "adiabatic"] | None = Field(
+        None,
+        description="Temperature of the films: one that is given (isothermal, with oil of kind viscosity or "
+        "temperature), one per pad from its own heat balance (global), or one that varies along the pads and "
+        "across "
+        "the gap with no heat to pads and collar (adiabatic), the two with oil of kind heat_balance. None: global "
+        "where the oil is of that kind, else isothermal.",
+    )
+    radial_temperature: Literal["mean", "resolved"] = Field(
+        "mean", description="Whether the temperature of an adiabatic film varies across the pads, too."
+    )
+    turbulence: Literal["none", "ng_pan", "constantinescu"] = Field("none", description="Turbulence of the films.")
+
+
+class ThrustFilmMethod(ThrustFilmChoices, MethodInput):
+    """The film in two dimensions on every pad."""
+
+    kind: Literal["film"] = Field(description="The film in two dimensions.")
+
+
+class ThrustBearingInputs(ThrustFilmChoices):
     """What bearing and oil of a thrust bearing are, alone or in a shaft line."""
 
     former_words: ClassVar[FormerWords] = {
@@ -58,6 +83,9 @@ class ThrustBearingInputs(Part):
         "temperature_limit": "limits.temperature",
     }
 
+    method: Annotated[Literal["film"], MethodMapping((ThrustFilmMethod,))] = Field(
+        "film", description="The film in two dimensions on every pad."
+    )
     pads: ThrustPads = Field(description="The pads.")
     speed: Annotated[float, either_sense("rad/s", "0.01 rpm", "1000000 rpm")] = Field(
         description="Speed of the collar, positive counter-clockwise, towards growing pad numbers. Negative: "
@@ -72,22 +100,10 @@ class ThrustBearingInputs(Part):
         default_factory=lambda: OilByBalance(kind="heat_balance"),
         description="How viscous the films are. By their heat balance if not given.",
     )
-    thermal: Literal["isothermal", "global", "adiabatic"] | None = Field(
-        None,
-        description="Temperature of the films: one that is given (isothermal, with oil of kind viscosity or "
-        "temperature), one per pad from its own heat balance (global), or one that varies along the pads and "
-        "across "
-        "the gap with no heat to pads and collar (adiabatic), the two with oil of kind heat_balance. None: global "
-        "where the oil is of that kind, else isothermal.",
-    )
-    radial_temperature: Literal["mean", "resolved"] = Field(
-        "mean", description="Whether the temperature of an adiabatic film varies across the pads, too."
-    )
     ring_stiffness: Stiffness | None = Field(
         None, description="Stiffness of the backing ring under each pad, c. None: rigid."
     )
     tilt: Tilt | None = Field(None, description="Tilt of the housing against the collar.")
-    turbulence: Literal["none", "ng_pan", "constantinescu"] = Field("none", description="Turbulence of the films.")
     materials: PadMaterials | None = Field(None, description="Materials of the pads.")
     limits: ThrustLimits | None = Field(None, description="Limits of your own.")
     assumptions: tuple[Prose, ...] = Field(
