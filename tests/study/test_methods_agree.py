@@ -17,7 +17,12 @@ from babbitt.kinds.journal.case.journal import JournalBearing
 
 REASONS = {"iso7902": unknown_to_iso7902, "long_film": unknown_to_long_film}
 """Why compare leaves a method out; empty where it does not."""
-OF_ONE_METHOD = {"walls": "film", "pressure_viscosity": "film", "heat_exchange": "long_film", "segments": "segments"}
+OF_ONE_METHOD = {
+    "walls": "film",
+    "pressure_viscosity": "film",
+    "heat_exchange": "long_film",
+    "segments": "segments",
+}
 """Fields beside `method` that one method reads alone."""
 TWO_DIMENSIONAL = [name for name in JOURNALS if name not in ("long film", "segments")]
 

@@ -14,7 +14,16 @@ from decimal import Decimal
 from typing import TYPE_CHECKING, Any
 
 from babbitt.case.error_messages import Path
-from babbitt.case.method_mapping import KIND, METHOD, every_choice, in_mapping, method_models, read_method
+from babbitt.case.method_mapping import (
+    KIND,
+    METHOD,
+    choices_of,
+    every_choice,
+    in_mapping,
+    method_models,
+    named_method,
+    read_method,
+)
 from babbitt.case.nested import values_at, with_value, without_value
 from babbitt.case.reading import Reading
 
@@ -23,10 +32,12 @@ if TYPE_CHECKING:
 
 __all__ = [
     "FormerWords",
+    "Move",
     "Moved",
     "in_former_words",
     "in_method_mappings",
     "in_todays_words",
+    "moves",
     "read_former",
     "read_given",
     "scaled",
@@ -66,6 +77,34 @@ class Moved:
     def path(self) -> tuple[str, ...]:
         """Path of the word of today."""
         return tuple(self.to.split("."))
+
+
+@dataclass(frozen=True)
+class Move:
+    """A value of a file that is written elsewhere today.
+
+    Attributes
+    ----------
+    base : tuple
+        Path of the part that tells of it.
+    former, today : tuple
+        Paths of the value from the part.
+    kind : str
+        Of the mapping that holds it today, where that has a `kind`.
+    scale : float
+        The value of today over the former one.
+    """
+
+    base: Path
+    former: tuple[str, ...]
+    today: tuple[str, ...]
+    kind: str = ""
+    scale: float = 1.0
+
+    @property
+    def path(self) -> Path:
+        """Where it stands in the file."""
+        return (*self.base, *self.former)
 
 
 FormerWords = Mapping[str, str | Moved]
@@ -129,6 +168,35 @@ def in_method_mappings(cls: type[Part], given: Any) -> Any:
         return given
     within = {name: _within(_parts_of(cls, name), value, in_method_mappings) for name, value in given.items()}
     return in_mapping(cls, within)
+
+
+def moves(cls: type[Part], given: Any, base: Path = ()) -> Iterator[Move]:
+    """What of a part, and of the parts within, is not written as it is today.
+
+    Choices of another method than that of the part stay where they are: a comparison reads them.
+
+    Parameters
+    ----------
+    cls : type
+    given : object
+        As it stands in the file.
+    base : tuple
+        Path of the part.
+    """
+    if not isinstance(given, Mapping):
+        return
+    for former, one in _steps(cls.former_words):
+        if any(one.where(value) for value in values_at(given, former)):
+            yield Move(base, former, one.path, one.kind, one.scale)
+    method = named_method(cls, given)
+    for name, path in choices_of(cls, method).items():
+        if any(True for _ in values_at(given, path)):
+            yield Move(base, path, (METHOD, name), method)
+    for name, value in given.items():
+        several = enumerate(value) if isinstance(value, list | tuple) else ()
+        for at, one in (((name,), value), *(((name, index), piece) for index, piece in several)):
+            parts = (part for part in _parts_of(cls, name) if isinstance(one, Mapping) and _may_be(part, one))
+            yield from dict.fromkeys(move for part in parts for move in moves(part, one, (*base, *at)))
 
 
 def todays_path(cls: type[Part], steps: Sequence[str]) -> tuple[str, ...]:

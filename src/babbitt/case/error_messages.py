@@ -149,8 +149,13 @@ def _say(cls: type[Part], path: Path, details: ErrorDetails) -> tuple[str, str, 
             return MISSING, "", _described(cls, name)
         case "extra_forbidden":
             meant = meant_field(name, cls)
-            hint = _asked(f"method.{meant}" if meant in every_choice(cls) else meant)
-            return "is not a field here", "" if hint else _listed(cls.model_fields), hint
+            moved = every_choice(cls)
+            hint = _asked(f"method.{meant}" if meant in moved else meant)
+            return (
+                "is not a field here",
+                "" if hint else _listed(n for n in cls.model_fields if n not in moved),
+                hint,
+            )
         case "union_tag_not_found" | "union_tag_invalid":
             return _say_branch(cls, path, given)
         case "model_attributes_type" | "model_type" if path and len(_branches(cls, str(path[0]))) > 1:

@@ -30,10 +30,10 @@ __all__ = [
     "Choices",
     "MethodMapping",
     "choices_of",
-    "default_method",
     "every_choice",
     "in_mapping",
     "method_models",
+    "named_method",
     "read_method",
 ]
 
@@ -122,17 +122,21 @@ def in_mapping(cls: type[Part], given: Mapping[str, Any]) -> dict[str, Any]:
         In the words of the model; it is not changed.
     """
     made, chosen = dict(given), {}
-    method = given.get(METHOD, default_method(cls))
-    for name, path in choices_of(cls, method).items() if isinstance(method, str) else ():
+    method = named_method(cls, given)
+    for name, path in choices_of(cls, method).items():
         for value in values_at(given, path):
             chosen[name] = value
             made = without_value(made, path)
     return made | {METHOD: {KIND: method, **chosen}} if chosen else made
 
 
-def default_method(cls: type[Part]) -> Any:
-    """The method of a part that names none; None where there is no method."""
-    return cls.model_fields[METHOD].default if method_models(cls) else None
+def named_method(cls: type[Part], given: Mapping[str, Any]) -> str:
+    """The method that a part names, or that of a part that names none; empty where it has no method."""
+    if not method_models(cls):
+        return ""
+    method = given.get(METHOD)
+    named = method.get(KIND) if isinstance(method, Mapping) else method
+    return str(cls.model_fields[METHOD].default if named is None else named)
 
 
 def _has_room(given: Mapping[str, Any], path: tuple[str, ...]) -> bool:

@@ -17,8 +17,8 @@ class FilmChoices(MethodChoices):
 
     accuracy: Literal["draft", "engineering", "reference"] = Field(
         "engineering",
-        description="Grid of the film. Under pads, rings and turning journals a full film of reference accuracy is "
-        "solved on half the lines as well and extrapolated.",
+        description="Grid of the film. Under pads, rings and turning journals a full film of reference accuracy "
+        "is solved on half the lines as well and extrapolated.",
     )
 
 
