@@ -9,7 +9,7 @@ import pytest
 
 from babbitt import parse_case
 from babbitt.cli import main
-from babbitt.core.notices import EXPLANATIONS, Effect, Notice, Subject
+from babbitt.core.notices import Effect, Notice, Subject, explanations
 from babbitt.core.result import Bound, Check, Outcome, Result, Verdict
 from babbitt.solving import solve
 
@@ -36,7 +36,7 @@ NAMED = CASE + "materials: {bearing_metal: SnSb8Cu4, bearing: C10, journal: C45}
 
 
 def code_with(effect: Effect) -> str:
-    return next(code for code, one in EXPLANATIONS.items() if code.startswith("W") and one.effect is effect)
+    return next(code for code, one in explanations().items() if code.startswith("W") and one.effect is effect)
 
 
 @pytest.mark.parametrize(
@@ -144,7 +144,7 @@ def test_one_rule_screens_for_whirl_and_it_changes_nothing() -> None:
     assert [check.ok for check in screened] == [False]
     assert screened[0].advisory
     assert light.verdict is Verdict.PASS
-    assert {"W108", "C113"}.isdisjoint(EXPLANATIONS)
+    assert {"W108", "C113"}.isdisjoint(explanations())
 
 
 def status_of(arguments: list[str]) -> int:

@@ -9,7 +9,7 @@ import pytest
 
 import babbitt
 from babbitt.case import CaseError, parse_case
-from babbitt.core.notices import EXPLANATIONS, InputError
+from babbitt.core.notices import InputError, explanations
 from babbitt.core.result import Outcome
 from babbitt.design.conditions import OilSupply, PrescribedEccentricity, PrescribedLoad
 from babbitt.kinds.journal.infinitely_long_bearing.check import long_film_check
@@ -324,7 +324,7 @@ def test_a_narrow_bearing_is_doubted(width, duty, words):
 
 def test_shares_of_the_load_of_a_wide_film_that_the_doubt_tells():
     """Full bearings of one viscosity at an eccentricity of 0.8 against the film of infinite width."""
-    told = EXPLANATIONS["W158"].meaning
+    told = explanations()["W158"].meaning
     gap = Gap.of(0.8, 720)
     wide = math.hypot(*divergence_form(gap, np.ones(721)).load(gap.step)) / 2.0
     for ratio in (1.5, 1.0, 0.5, 0.125):

@@ -5,7 +5,7 @@ import math
 import pytest
 
 from babbitt import parse_case
-from babbitt.core.notices import EXPLANATIONS, Effect
+from babbitt.core.notices import Effect, explanations
 from babbitt.core.result import Bound, Check, Verdict
 from babbitt.kinds.journal.iso7902.warnings import HOTTER, THINNER, warnings_about_margins
 from babbitt.solving import solve
@@ -177,5 +177,5 @@ def test_a_clearance_of_no_plain_bearing_has_no_verdict_and_is_told_once():
 
 
 def test_the_codes_act_as_they_say():
-    assert EXPLANATIONS["W193"].effect is Effect.NO_VERDICT
-    assert EXPLANATIONS["W190"].effect is Effect.INFORMATION
+    assert explanations()["W193"].effect is Effect.NO_VERDICT
+    assert explanations()["W190"].effect is Effect.INFORMATION

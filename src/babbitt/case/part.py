@@ -42,7 +42,7 @@ class Issue:
     says, allowed, hint : str
         What is wrong, what would do, what to try.
     code : str
-        A code of `babbitt.core.notices.EXPLANATIONS`.
+        A code of `babbitt.core.notices.explanations`.
     lacks : tuple, optional
         From `path` to the field to add, empty where they are the same. None where something is wrong, unless
         `says` is that it is missing.

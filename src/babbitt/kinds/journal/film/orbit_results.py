@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from babbitt.core.notices import EXPLANATIONS, Notice
+from babbitt.core.notices import Notice, explanations
 from babbitt.core.progress import ProgressCallback, no_progress
 from babbitt.core.result import Check, Matrix, Outcome
 from babbitt.design.conditions import PrescribedLoad, sliding_speed
@@ -128,7 +128,7 @@ TABLE_REMEDY = "A steady load besides, more oil, or less load."
 
 def orbit_failure(case: FilmCase, orbit: Orbit) -> str:
     """How far an orbit came that does not close, and what to try of what the case has."""
-    remedy = EXPLANATIONS[orbit.outcome.code].remedy
+    remedy = explanations()[orbit.outcome.code].remedy
     if orbit.outcome is Outcome.NOT_PERIODIC and not case.moving_mass:
         remedy = MASSLESS_REMEDY
     if orbit.outcome is Outcome.SQUEEZED_OUT and isinstance(case.changing_load, TabulatedLoad):

@@ -8,7 +8,7 @@ from time import perf_counter
 
 import numpy as np
 
-from babbitt.core.notices import EXPLANATIONS, Notice
+from babbitt.core.notices import Notice, explanations
 from babbitt.core.result import Check, Matrix, Outcome, Result
 from babbitt.core.units import ZERO_CELSIUS
 from babbitt.design.bounds import NO_BOUNDS
@@ -264,5 +264,5 @@ def _failure(case: LongFilmCase, outcome: Outcome, capacity: float | None, state
         )
     elif outcome is Outcome.NOT_CONVERGED and not case.discretisation.conserves_flow:
         far = f"the local flow of {case.discretisation.value} is not positive in every sector: no heat balance"
-    remedy = EXPLANATIONS[outcome.code].remedy
+    remedy = explanations()[outcome.code].remedy
     return f"{far}. Try: {remedy[0].lower()}{remedy[1:]}"
