@@ -78,7 +78,7 @@ def of_notice(place: str, node: ast.Call) -> Site:
 
 
 MAKERS = {"Notice": of_notice}
-DONE = ("kinds/footstep",)
+DONE = ("kinds/footstep", "kinds/hydrostatic")
 SITES = tuple(sites())
 
 

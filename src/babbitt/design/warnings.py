@@ -80,7 +80,7 @@ def warnings_about_heating(hottest: float, supplied: float | None, lubricant: Lu
 def warnings_about_heat_balance(error: float) -> Iterator[Notice]:
     """Whether the heat balance closes, by its error over the friction power."""
     if not abs(error) < OPEN_HEAT:
-        yield Notice("W325", f"{abs(error):.2g} of the heat of the film is not accounted for")
+        yield Notice("W325", values={"energy_balance_error": abs(error)})
     elif abs(error) > SETTLED:
         yield Notice("W146", f"{abs(error):.2g} of the friction power is not accounted for")
 

@@ -170,9 +170,9 @@ class HydrostaticFile(CaseFile):
         if self.lubricant is None or self.supply.temperature is None:
             return
         lubricant = self.lubricant.lubricant()
-        yield from beyond_data(lubricant, self.supply.temperature, "the oil before the restrictors")
+        yield from beyond_data(lubricant, self.supply.temperature, "supply")
         if self.film_temperature is not None:
-            yield from beyond_data(lubricant, self.film_temperature, "the film")
+            yield from beyond_data(lubricant, self.film_temperature, "film")
 
     def calculations(self) -> tuple[Calculation, ...]:
         """Give the one calculation of the file."""
