@@ -58,8 +58,6 @@ def constants(node: ast.expr) -> tuple[str, ...] | None:
 
 def sites() -> Iterator[Site]:
     for path in sorted(SOURCE.rglob("*.py")):
-        if not str(path.relative_to(SOURCE)).startswith(DONE):
-            continue
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             name = getattr(node.func, "id", "") if isinstance(node, ast.Call) else ""
             if name in MAKERS:
@@ -78,11 +76,11 @@ def of_notice(place: str, node: ast.Call) -> Site:
 
 
 MAKERS = {"Notice": of_notice}
-DONE = ("kinds/footstep", "kinds/hydrostatic")
+DONE = ("kinds/footstep", "kinds/hydrostatic", "kinds/thrust", "kinds/shaft_line", "kinds/coupling")
 SITES = tuple(sites())
 
 
-@pytest.mark.parametrize("site", SITES, ids=lambda site: site.place)
+@pytest.mark.parametrize("site", [one for one in SITES if one.place.startswith(DONE)], ids=lambda site: site.place)
 def test_a_notice_has_its_sentence_with_exactly_its_values(site):
     meant = site.messages()
     assert meant, f"no message of {site.codes} {site.variants} has the placeholders {sorted(site.values)}"

@@ -22,11 +22,10 @@ Assumption: a white metal of Brinell hardness 30, the hardest on board, yields a
 (D. Tabor, The Hardness of Metals, 1951: a hardness is some three times the yield strength)."""
 
 
-def warnings_about_pressure(pressure: float, where: str = "in the film") -> Iterator[Notice]:
-    """Whether a film pressure in Pa is one that plain bearings know."""
+def warnings_about_pressure(pressure: float, where: str = "film") -> Iterator[Notice]:
+    """Whether a film pressure in Pa is one that plain bearings know; `where` is the variant of the message."""
     if pressure > PLAIN_BEARING_UP_TO:
-        limit = f"{PLAIN_BEARING_UP_TO * 1e-6:.0f} MPa, about what soft bearing metals withstand (assumption)"
-        yield Notice("W142", f"{pressure * 1e-6:.3g} MPa {where} > {limit}")
+        yield Notice("W142", where, {"maximum_pressure": pressure, "limit": PLAIN_BEARING_UP_TO})
 
 
 LARGEST_RISE = 100.0
@@ -64,17 +63,10 @@ def warnings_about_heating(hottest: float, supplied: float | None, lubricant: Lu
     lubricant : Lubricant
     """
     if supplied is not None and hottest - supplied > LARGEST_RISE:
-        yield Notice(
-            "W127",
-            f"{hottest - ZERO_CELSIUS:.1f} °C, {hottest - supplied:.0f} K warmer than the oil that enters, "
-            f"> {LARGEST_RISE:.0f} K",
-        )
+        yield Notice("W127", "oil", {"hottest": hottest, "rise": hottest - supplied, "limit": LARGEST_RISE})
     end = lubricant.temperature_range[1]
     if hottest > end + BESIDE_THE_END:
-        yield Notice(
-            "W128",
-            f"{hottest - ZERO_CELSIUS:.1f} °C > {end - ZERO_CELSIUS:.0f} °C, end of the data of {lubricant.name}",
-        )
+        yield Notice("W128", values={"hottest": hottest, "end": end, "lubricant": lubricant.name})
 
 
 def warnings_about_heat_balance(error: float) -> Iterator[Notice]:

@@ -247,11 +247,7 @@ class ThrustBearingInputs(Part):
     def _assumed_crown(self) -> Iterator[Notice]:
         """Tell of the crown that plane pads on a pivot in their middle are taken to have."""
         if self.pads.crowned_by_heat:
-            yield Notice(
-                "W214",
-                f"crown {1e6 * self.pads.crown_at_work():.1f} µm, {ASSUMED_DIFFERENCE:g} K through pads a third "
-                "as thick as long",
-            )
+            yield Notice("W214", values={"crown": self.pads.crown_at_work(), "difference": ASSUMED_DIFFERENCE})
 
 
 class ThrustCase(ThrustBearingInputs, CaseFile):
