@@ -46,7 +46,10 @@ class Words:
 
     def message(self, code: str, variant: str) -> str:
         """The sentence of a variant, with its placeholders."""
-        return self.messages.get((code, variant)) or self.messages.get((SHARED, variant), variant)
+        said = self.messages.get((code, variant)) or self.messages.get((SHARED, variant))
+        if said is None:
+            raise KeyError(f"{code} has no message {variant!r}")
+        return said
 
 
 @cache
