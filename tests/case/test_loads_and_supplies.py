@@ -149,5 +149,5 @@ def test_a_film_colder_than_the_data_of_its_oil_is_told():
         for temperature in ("-20 degC", "20 degC")
     )
     (said,) = [one.message for one in frost.warnings if one.code == "W145"]
-    assert "ISO VG 46 is described from 0 to 120 °C" in said
+    assert "ISO VG 46 is described from 0.0 °C to 120.0 °C" in said
     assert "W145" not in [one.code for one in mild.warnings]

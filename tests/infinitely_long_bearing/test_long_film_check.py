@@ -282,8 +282,8 @@ def test_a_film_without_sides_is_never_judged_thick_enough():
     assert result.minimum_film_thickness > result.empirical_film_limit > finite.minimum_film_thickness
     made, unmade = judged(result)
     assert "C101" not in made
-    assert "B/D = 0.1" in unmade["C101"]
-    assert f"{result.minimum_film_thickness * 1e6:.3g} µm" in unmade["C101"]
+    assert "B/D = 0.100" in unmade["C101"]
+    assert f"{result.minimum_film_thickness * 1e6:.1f} µm" in unmade["C101"]
     assert judged(finite)[0]["C101"] is False
 
 
@@ -309,8 +309,8 @@ def test_the_surfaces_are_no_more_kept_apart_for_sure():
 @pytest.mark.parametrize(
     ("width", "duty", "words"),
     [
-        (0.008, PrescribedLoad(500.0), "B/D = 0.1 < 2: the film shown is thicker"),
-        (0.105, PrescribedEccentricity(0.5), "B/D = 1.31 < 2: the load shown is larger"),
+        (0.008, PrescribedLoad(500.0), "B/D = 0.100 < 2: the film shown is thicker"),
+        (0.105, PrescribedEccentricity(0.5), "B/D = 1.312 < 2: the load shown is larger"),
         (0.17, PrescribedLoad(15e3), None),
     ],
 )
