@@ -21,7 +21,7 @@ from babbitt.case import load_case
 from babbitt.case.part import Part
 from babbitt.cli.app import NO_SOLUTION, NOT_PASSED, SOLVED, UNUSABLE_INPUT
 from babbitt.cli.interruption import INTERRUPTED
-from babbitt.core.notices import EXPLANATIONS
+from babbitt.core.notices import explanations
 from babbitt.core.quantities import QUANTITIES, Quantity
 from babbitt.core.quantities.dynamics import DYNAMICS
 from babbitt.core.quantities.footstep import FOOTSTEP
@@ -88,10 +88,10 @@ def reachable_parts() -> set[type[Part]]:
 # -- what is generated ----------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("code", EXPLANATIONS)
+@pytest.mark.parametrize("code", explanations())
 def test_every_code_is_explained(code: str) -> None:
     assert f"({code.lower()})=\n### {code} " in notices.page()
-    explanation = EXPLANATIONS[code]
+    explanation = explanations()[code]
     for said in (explanation.title, explanation.meaning, explanation.remedy):
         assert len(said) > 5, f"{code} says too little: {said!r}"
 

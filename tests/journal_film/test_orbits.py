@@ -322,4 +322,5 @@ def test_a_film_force_that_the_grid_blurs_is_told(ratio, told):
     assert (result.orbit_load_error > 0.05) is told
     assert ("W133" in warnings) is told
     if told:
-        assert f"changes the force by {result.orbit_load_error:.0%}" in warnings["W133"]
+        error = f"{100.0 * result.orbit_load_error:.2f} %"
+        assert f"changes the force by {error}" in warnings["W133"]

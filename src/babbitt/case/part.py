@@ -45,7 +45,7 @@ class Issue:
     says, allowed, hint : str
         What is wrong, what would do, what to try.
     code : str
-        A code of `babbitt.core.notices.EXPLANATIONS`.
+        A code of `babbitt.core.notices.explanations`.
     lacks : tuple, optional
         From `path` to the field to add, empty where they are the same. None where something is wrong, unless
         `says` is that it is missing.
@@ -186,9 +186,18 @@ def is_given(part: Part, name: str) -> bool:
 
 
 def not_read(part: Part, why: str, *paths: str) -> Iterator[Notice]:
-    """Tell of fields that are given and that nothing reads, by their paths from a piece, such as ``pads.mass``."""
-    if given := [path for path in paths if _is_given_at(part, path)]:
-        yield Notice("W183", f"{', '.join(given)}: {why}")
+    """Tell of fields that are given and that nothing reads.
+
+    Parameters
+    ----------
+    part : Part
+    why : str
+        The variant of the message of W183.
+    *paths : str
+        From the part, such as ``pads.mass``.
+    """
+    if given := tuple(path for path in paths if _is_given_at(part, path)):
+        yield Notice("W183", why, {"fields": given})
 
 
 def _is_given_at(part: Part, path: str) -> bool:

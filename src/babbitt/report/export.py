@@ -93,11 +93,13 @@ def bearing_record(result: Result) -> dict[str, Any]:
     return record
 
 
-def _notices(notices: Iterable[Notice]) -> list[dict[str, str]]:
-    return [{"code": notice.code, "message": notice.message} for notice in notices]
+def _notices(notices: Iterable[Notice]) -> list[dict[str, Any]]:
+    return [
+        {"code": notice.code, "message": notice.message, "values": notice.plain_values()} for notice in notices
+    ]
 
 
-def _warnings(notices: Iterable[Notice]) -> list[dict[str, str]]:
+def _warnings(notices: Iterable[Notice]) -> list[dict[str, Any]]:
     effects = [notice.effect.name.lower() for notice in notices]
     return [{**told, "effect": effect} for told, effect in zip(_notices(notices), effects, strict=True)]
 

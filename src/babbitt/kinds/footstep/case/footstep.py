@@ -246,11 +246,9 @@ def heel_cases(case: FootstepCase) -> tuple[FootstepProblem, ...]:
 
 def _fields_not_read(case: FootstepCase) -> Iterator[Notice]:
     """Tell of limits of the clearance, and of what makes no difference to a smooth heel computed alone."""
-    yield from not_read(case, "the footstep is computed at its mean clearance", *LIMITS)
+    yield from not_read(case, "mean_footstep", *LIMITS)
     if case.variants == "smooth":
-        yield from not_read(
-            case, "a smooth heel has no groove", "groove", *(f"options.{one}" for one in OF_GROOVES)
-        )
+        yield from not_read(case, "smooth_heel", "groove", *(f"options.{one}" for one in OF_GROOVES))
 
 
 def _given(case: FootstepCase) -> Iterator[tuple[str, str]]:

@@ -142,12 +142,11 @@ class HydrostaticFile(FilmChoices, CaseFile):
     def _fields_not_read(self) -> Iterator[Notice]:
         """Tell of fields that make no difference to this bearing."""
         if self.method == "quick":
-            yield from not_read(self, "closed forms and lumped lands have no grid", "accuracy")
+            yield from not_read(self, "no_grid", "accuracy")
         if self.lubricant is not None:
-            yield from not_read(self, "a lubricant has its own", "oil.density", "oil.heat_capacity")
+            yield from not_read(self, "own_of_lubricant", "oil.density", "oil.heat_capacity")
         else:
-            why = "viscosity is given as it is in film and restrictors"
-            yield from not_read(self, why, "supply.temperature", "film_temperature")
+            yield from not_read(self, "given_viscosity", "supply.temperature", "film_temperature")
 
     def oils(self) -> tuple[Oil, Oil]:
         """Give the oil in the film and that in the restrictors."""
@@ -166,9 +165,9 @@ class HydrostaticFile(FilmChoices, CaseFile):
         if self.lubricant is None or self.supply.temperature is None:
             return
         lubricant = self.lubricant.lubricant()
-        yield from beyond_data(lubricant, self.supply.temperature, "the oil before the restrictors")
+        yield from beyond_data(lubricant, self.supply.temperature, "supply")
         if self.film_temperature is not None:
-            yield from beyond_data(lubricant, self.film_temperature, "the film")
+            yield from beyond_data(lubricant, self.film_temperature, "film")
 
     def calculations(self) -> tuple[Calculation, ...]:
         """Give the one calculation of the file."""

@@ -98,12 +98,12 @@ class JackingPocketCase(FilmChoices, CaseFile):
 
     def _fields_not_read(self) -> Iterator[Notice]:
         """Tell of fields that make no difference to these pockets."""
-        yield from not_read(self, "the bearing is computed at its mean clearance", *LIMITS)
+        yield from not_read(self, "mean_clearance", *LIMITS)
         if self.method == "quick":
-            yield from not_read(self, "strips around a pocket have no grid and end at no groove",
+            yield from not_read(self, "strips",
                                 "accuracy", "pockets.drain_groove")  # fmt: skip
         if self.pockets.number == 1:
-            yield from not_read(self, "a single pocket gets the flow of the pump either way", "own_restrictors")
+            yield from not_read(self, "single_pocket", "own_restrictors")
 
     def calculations(self) -> tuple[Calculation, ...]:
         """Give the one calculation of the file."""

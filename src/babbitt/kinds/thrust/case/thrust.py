@@ -252,22 +252,17 @@ class ThrustBearingInputs(ThrustFilmChoices):
         """Tell of fields that make no difference to this bearing."""
         pivot = self.pads.pivot
         if not isinstance(pivot, TiltingPivot):
-            yield from not_read(self, "fixed pads do not tilt", *INERTIAS)
+            yield from not_read(self, "fixed_pads", *INERTIAS)
         elif pivot.kind == "line":
-            yield from not_read(self, "pads on a line pivot do not tilt along the radius", INERTIAS[0])
+            yield from not_read(self, "line_pivot", INERTIAS[0])
         if isinstance(self.oil, PrescribedViscosity):
-            why = "the viscosity of the films is given, and no temperature is known that could be held against it"
-            yield from not_read(self, why, "limits.temperature")
-            yield from not_read(self, "the viscosity of the films is given", "lubricant", "supply.temperature")
+            yield from not_read(self, "no_temperature", "limits.temperature")
+            yield from not_read(self, "films_given", "lubricant", "supply.temperature")
 
     def _assumed_crown(self) -> Iterator[Notice]:
         """Tell of the crown that plane pads on a pivot in their middle are taken to have."""
         if self.pads.crowned_by_heat:
-            yield Notice(
-                "W214",
-                f"crown {1e6 * self.pads.crown_at_work():.1f} µm, {ASSUMED_DIFFERENCE:g} K through pads a third "
-                "as thick as long",
-            )
+            yield Notice("W214", values={"crown": self.pads.crown_at_work(), "difference": ASSUMED_DIFFERENCE})
 
 
 class ThrustCase(ThrustBearingInputs, CaseFile):
@@ -291,7 +286,7 @@ class ThrustCase(ThrustBearingInputs, CaseFile):
 
     def _fields_not_read(self) -> Iterator[Notice]:
         """As of every thrust bearing; a mass swings in a shaft line alone."""
-        yield from not_read(self, "films of a steady thrust do not feel the mass of a pad", "pads.mass")
+        yield from not_read(self, "steady_thrust", "pads.mass")
         yield from super()._fields_not_read()
 
     def calculations(self) -> tuple[Calculation, ...]:
