@@ -31,6 +31,7 @@ class Pads(NamedTuple):
     loads: Array  # table of a pivot, (pads, points or 0)
     displacements: Array  # table of a pivot, (pads, points or 0)
     centred: NDArray[bool_]  # whether it unloads exactly where e falls below zero, (pads,)
+    plain: NDArray[bool_]  # whether its bore is a circle and no pressure stands at its edges, (pads,)
 
 
 class PadPlaces(NamedTuple):

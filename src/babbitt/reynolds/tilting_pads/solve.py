@@ -85,7 +85,7 @@ def kernel_pads(bearing: TiltingPadBearing, scales: PadScales) -> Pads:
     points = max(len(pad.pivot.curve().loads) for pad in bearing.pads)
     loads, displacements = np.zeros((count, points)), np.zeros((count, points))
     kappa, weight, angle, offset, rotational, neutral = np.zeros((6, count))
-    centred = np.zeros(count, dtype=bool)
+    plain, centred = np.zeros((2, count), dtype=bool)
     for k, pad in enumerate(bearing.pads):
         width = bearing.width if pad.width is None else pad.width
         thickness = 1.0 if pad.viscosity is None else pad.viscosity / bearing.viscosity
@@ -99,14 +99,15 @@ def kernel_pads(bearing: TiltingPadBearing, scales: PadScales) -> Pads:
         rotational[k] = tangential_spring(bearing, pad) * scales.length / scales.force
         neutral[k] = bearing.sense * bearing.lever(pad) * pad.rest_tilt / scales.length
         fill_curve(pad, scales, curves[k], loads[k], displacements[k])
-        centred[k] = abs(pad.pivot_fraction - 0.5) < 1e-12 and not pad.profile and bearing.groove_pressure == 0.0
+        plain[k] = not pad.profile and bearing.groove_pressure == 0.0
+        centred[k] = plain[k] and abs(pad.pivot_fraction - 0.5) < 1e-12
         if pad.profile:
             samples = np.asarray(pad.profile)[:: int(bearing.sense)]
             places = np.linspace(0.0, 1.0, profiles.shape[1])
             profiles[k] = np.interp(places, np.linspace(0.0, 1.0, samples.size), samples) / scales.length
     return Pads(
         Bearing(lands, profiles, math.nan, 1.0, 0.0, False, True, 1.0), kappa, weight, np.cos(angle),
-        np.sin(angle), offset, rotational, neutral, curves, loads, displacements, centred,
+        np.sin(angle), offset, rotational, neutral, curves, loads, displacements, centred, plain,
     )  # fmt: skip
 
 
@@ -363,7 +364,8 @@ class Fold:
     Attributes
     ----------
     outcome : Outcome
-        Read this first: not converged where a tilt was not found on the way, and the numbers are nan.
+        Read this first: not converged where a tilt was not found on the way, or the pad carries nowhere; the
+        numbers are nan.
     eccentricity_ratio : float
         eps_p below which the pad has no equilibrium; minus infinity where it carries down to `LOWEST`.
     load : float
