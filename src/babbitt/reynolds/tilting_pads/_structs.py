@@ -47,4 +47,7 @@ class PadPlaces(NamedTuple):
     stiffness: Array  # condensed stiffness in (n, tau), row by row, (pads, 4)
     gain: Array  # how far e follows the journal along n, (pads,)
     rigid: Array  # e with a rigid pivot, (pads,)
+    fold: Array  # e at which a free pad on an elastic pivot unloads, nan where it is not known, (pads,)
+    need: Array  # load that a pad at its limit would have to carry, (pads,)
+    least: Array  # the least that it can, (pads,)
     films: NDArray[int64]  # solutions of a film so far, (1,)

@@ -65,7 +65,7 @@ class PadState:
     stiffness, damping : ndarray, shape (2, 2)
         Of the film in (xi, eta): d(force) = -(K d(xi, eta) + C d(xi, eta)'), N/m and N s/m.
     pivot_stiffness : float
-        dP/du at the load, N/m; infinite where rigid.
+        dP/du at the load, N/m; infinite where rigid, nan where the load is beyond the law of the pivot.
     minimum_film_thickness, maximum_pressure : float
         m and Pa, on the lines of the film.
     inflow, outflow, side_flow : float
