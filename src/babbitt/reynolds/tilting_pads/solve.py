@@ -25,6 +25,7 @@ from babbitt.reynolds.lands._integrals import (
 )
 from babbitt.reynolds.lands.axial import even_axial_operator
 from babbitt.reynolds.lands.operators import kernel_operator
+from babbitt.reynolds.lands.profiles import common_profiles
 from babbitt.reynolds.model import ENGINEERING, Resolution
 from babbitt.reynolds.tilting_pads._pads import CLOSED, CONVERGED, LIMIT, TOUCH, WORK, find_pads
 from babbitt.reynolds.tilting_pads._pivot_curve import CURVE_COLUMNS
@@ -82,7 +83,7 @@ def kernel_pads(bearing: TiltingPadBearing, scales: PadScales) -> Pads:
     """Pads in the frames and units of the kernels."""
     count = len(bearing.pads)
     lands, curves = np.zeros((count, LAND_COLUMNS)), np.zeros((count, CURVE_COLUMNS))
-    profiles = np.zeros((count, max(len(pad.profile) for pad in bearing.pads)))
+    profiles = common_profiles([pad.profile[:: int(bearing.sense)] for pad in bearing.pads]) / scales.length
     points = max(len(pad.pivot.curve().loads) for pad in bearing.pads)
     loads, displacements = np.zeros((count, points)), np.zeros((count, points))
     kappa, weight, angle, offset, rotational, neutral = np.zeros((6, count))
@@ -102,10 +103,6 @@ def kernel_pads(bearing: TiltingPadBearing, scales: PadScales) -> Pads:
         fill_curve(pad, scales, curves[k], loads[k], displacements[k])
         plain[k] = not pad.profile and bearing.groove_pressure == 0.0
         centred[k] = plain[k] and abs(pad.pivot_fraction - 0.5) < 1e-12
-        if pad.profile:
-            samples = np.asarray(pad.profile)[:: int(bearing.sense)]
-            places = np.linspace(0.0, 1.0, profiles.shape[1])
-            profiles[k] = np.interp(places, np.linspace(0.0, 1.0, samples.size), samples) / scales.length
     return Pads(
         Bearing(lands, profiles, math.nan, 1.0, 0.0, False, True, 1.0), kappa, weight, np.cos(angle),
         np.sin(angle), offset, rotational, neutral, curves, loads, displacements, centred, plain,
