@@ -55,6 +55,8 @@ class PadCoefficients:
         What makes a length of the tilt in rad, m: the lever of the pivot; 1 for all other motions.
     speed : float
         Angular speed of the journal, rad/s, without its sign.
+    sense : float
+        1 for a journal that turns counter-clockwise, -1 for a clockwise one.
     """
 
     labels: tuple[str, ...]
@@ -63,6 +65,7 @@ class PadCoefficients:
     damping: Array
     levers: Array
     speed: float
+    sense: float = 1.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -142,7 +145,9 @@ def full_coefficients(solution: TiltingPadSolution) -> PadCoefficients:
         levers[first] = bearing.lever(pad)
         labels += [f"pad {number} {name}" for name in own]
         first = last
-    return PadCoefficients(tuple(labels), mass, stiffness, damping, levers, abs(bearing.angular_speed))
+    return PadCoefficients(
+        tuple(labels), mass, stiffness, damping, levers, abs(bearing.angular_speed), bearing.sense
+    )
 
 
 def own_motions(pad: TiltingPad, state: PadState) -> tuple[str, ...]:
