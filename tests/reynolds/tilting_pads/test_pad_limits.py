@@ -267,7 +267,13 @@ def test_turning_and_relabelling_turns_the_answer():
 
 def test_a_mirror_reverses_everything():
     profile = (0.0, 0.01, 0.05)
-    more = {"inertia": 0.05 * LEVER**2, "mass": 0.1, "mass_offset": 0.3, "law": SpringPivot(15.0)}
+    more = {
+        "inertia": 0.05 * LEVER**2,
+        "mass": 0.1,
+        "mass_offset": 0.3,
+        "mass_inset": 0.2,
+        "law": SpringPivot(15.0),
+    }
     flexed = {"rotational_stiffness": 0.3 * LEVER**2, "tangential_stiffness": 5.0}
     first = bearing(
         (pad(a, 75.0, 0.55, 0.4, profile=profile, rest_tilt=0.03, **more, **flexed) for a in (-90, 0, 90, 180)),
@@ -294,6 +300,34 @@ def test_a_mirror_reverses_everything():
     sign = np.diag([1.0, -1.0, *(1.0 if name.endswith("pivot") else -1.0 for name in full_one.labels[2:])])
     for name in ("mass", "damping", "stiffness"):
         assert getattr(full_two, name) == pytest.approx(sign @ getattr(full_one, name) @ sign, rel=1e-9, abs=1e-9)
+
+
+@pytest.mark.parametrize("speed", [1.0, -1.0])
+def test_the_mass_matrix_is_the_kinetic_energy_of_a_rigid_pad(speed):
+    """m v^2/2 of the centre of gravity and J_cg delta'^2/2, its velocity from turning it about the pivot."""
+    own = {"inertia": 0.9, "mass": 2.0, "mass_offset": 0.3, "mass_inset": 0.5}
+    elastic = {"law": SpringPivot(15.0), "rotational_stiffness": 0.3 * LEVER**2, "tangential_stiffness": 5.0}
+    chosen = bearing((pad(30.0, 75.0, 0.55, 0.4, **own, **elastic),), 0.7, speed)
+    found = tilting_pads_at(chosen, (0.2, 0.1), Resolution(4, 48))
+    full = full_coefficients(found)
+    assert full.labels[2:] == ("pad 1 tilt", "pad 1 pivot", "pad 1 tangential")
+    n, tau = chosen.pads[0].normal(), chosen.pads[0].tangent()
+    arm = -0.5 * n + speed * 0.3 * tau  # from the pivot to the centre of gravity
+    for s, u, v in np.random.default_rng(2).normal(size=(5, 3)):
+        turning = s / chosen.lever(chosen.pads[0])
+        velocity = u * n + v * tau + turning * np.array([-arm[1], arm[0]])
+        energy = 0.5 * 2.0 * velocity @ velocity + 0.5 * (0.9 - 2.0 * arm @ arm) * turning**2
+        rate = np.array([0.0, 0.0, s, u, v])
+        assert 0.5 * rate @ full.mass @ rate == pytest.approx(energy, rel=1e-12)
+
+
+@pytest.mark.parametrize("pressure", [0.05, 1.0])
+def test_loaded_pads_between_full_grooves_are_a_bearing_of_lobes(pressure):
+    fed, grid = replace(four_pads(), groove_pressure=pressure), Resolution(4, 192)
+    found = solve_tilting_pads(fed, FOUR_LOAD, grid)
+    assert found.loaded == (0, 1, 2, 3)
+    lobed = film_at_position(film_of(fed, pad_positions(found)), tuple(found.position), resolution=grid)
+    assert lobed.force == pytest.approx(found.force, abs=3e-4 * found.load)
 
 
 def test_a_centred_pad_without_preload_unloads_at_the_root_of_its_eccentricity():

@@ -1,5 +1,6 @@
 """Pads and bearings that cannot be."""
 
+import math
 from dataclasses import replace
 
 import pytest
@@ -25,8 +26,22 @@ def test_impossible_bearings_are_refused(change, word):
 
 @pytest.mark.parametrize(
     "change",
-    [{"extent": 0.0}, {"assembled_clearance": 0.0}, {"pivot_fraction": 1.0}, {"mass": -1.0}, {"inertia": -1.0}],
+    [
+        {"extent": 0.0},
+        {"assembled_clearance": 0.0},
+        {"pivot_fraction": 1.0},
+        {"mass": -1.0},
+        {"inertia": -1.0},
+        {"mass_offset": math.nan},
+        {"rest_tilt": math.inf},
+        {"profile": (0.0, math.nan)},
+        {"inertia": 0.0199, "mass": 2.0, "mass_offset": 0.08, "mass_inset": 0.06},
+    ],
 )
 def test_impossible_pads_are_refused(change):
     with pytest.raises(InputError, match=next(iter(change))):
         replace(pad(0.0, 80.0), **change)
+
+
+def test_a_pad_that_is_a_point_of_mass_is_allowed():
+    assert replace(pad(0.0, 80.0), inertia=0.02, mass=2.0, mass_offset=-0.08, mass_inset=0.06).inertia == 0.02

@@ -174,8 +174,9 @@ def pad_matrices(
 ) -> tuple[Array, Array, Array]:
     """Mass, damping and stiffness of a pad and its pivot in its own motions, those of the film left out.
 
-    With b_g the distance of the centre of gravity from the pivot along tau, a tilt moves it outward by -b_g delta:
-    M = (J, -m b_g; -m b_g, m) in (delta, u).
+    With b_g and a_g the distances of the centre of gravity from the pivot along tau and towards the centre of the
+    bearing, a tilt moves it outward by -b_g delta and along tau by -a_g delta:
+    M = (J, -m b_g, -m a_g; -m b_g, m, 0; -m a_g, 0, m) in (delta, u, v).
     """
     lever = bearing.lever(pad)
     size = len(own)
@@ -189,6 +190,7 @@ def pad_matrices(
             mass[0, place] = mass[place, 0] = -bearing.sense * pad.mass * pad.mass_offset / lever
             damping[place, place], stiffness[place, place] = pad.pivot_damping, state.pivot_stiffness
         else:
+            mass[0, place] = mass[place, 0] = -pad.mass * pad.mass_inset / lever
             damping[place, place], stiffness[place, place] = pad.tangential_damping, pad.tangential_stiffness
     return mass, damping, stiffness
 

@@ -32,7 +32,7 @@ class PadPosition:
     Attributes
     ----------
     tilt : float
-        rad, counter-clockwise.
+        rad, counter-clockwise; nan for a pad that does not carry.
     pivot_displacement : float
         Outward, m.
     tangential_displacement : float
@@ -53,7 +53,7 @@ class PadState:
     status : PadStatus
         An unloaded pad has no tilt of its own; its film stands for the pad concentric with its bore (eta = 0).
     position : PadPosition
-        ``tilt`` is nan where the pad is unloaded.
+        ``tilt`` is nan where the pad is unloaded or at its limit.
     radial, tangential : float
         xi and eta of the module, m.
     eccentricity_ratio : float
