@@ -42,7 +42,7 @@ JOURNAL = {
         ("effective_temperature", 333, "effective_temperature: 333 has no unit; .* write '333 K'"),
         ("rotor_mass", 2, "rotor_mass: 2 has no unit"),
         ("supply", {"temperature": 50, "pressure": "0.2 MPa"}, "supply.temperature: 50 has no unit"),
-        ("supply", {"temperature": "50 degC", "pressure": 2e5}, "supply.pressure: 200000 has no unit; .* write '200000 Pa'"),
+        ("supply", {"temperature": "50 degC", "pressure": 2e5}, "supply.pressure: 200000 .* write '200000 Pa'"),
         ("supply", {"temperature": "50 degC", "flow": 26}, "supply.flow: 26 has no unit; .* write '26 L/min'"),
         ("lubricant", {"name": "Own", "density": 870, "viscosity": 0.02}, "lubricant"),
     ],
