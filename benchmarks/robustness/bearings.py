@@ -24,6 +24,7 @@ from harness import (
     BY_DIFFERENCES,
     OF_THERMAL_FILMS,
     SAME_WARM,
+    SHARED,
     SLOWEST,
     Family,
     Outcome,
@@ -67,7 +68,7 @@ FAMILIES: dict[str, Trial] = {
 
 ON_OTHER_PADS = {"turned": on_other_pads, **WRITTEN}
 FAMILIES |= {
-    "thrust": partial(faults_of, Family(thrust_case, ON_OTHER_PADS, SAME_WARM)),
+    "thrust": partial(faults_of, Family(thrust_case, ON_OTHER_PADS, SAME_WARM, {"collar_moment": SHARED})),
     "shaft line": partial(faults_of, Family(thrust_line_case, ON_OTHER_PADS, SAME_WARM)),
 }
 

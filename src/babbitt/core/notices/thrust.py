@@ -56,8 +56,8 @@ THRUST: dict[str, Explanation] = {
     "W208": Explanation(
         "Sweeps without a film in places",
         "At some speeds of the map, or on some backing rings, the pads find no film for the thrust: faces that "
-        "lean with the housing touch, pads are overloaded, or the oil runs hot. These points are left out of "
-        "tables and figures.",
+        "lean with the housing touch, pads are overloaded, or the oil runs hot; or the work that is allowed for "
+        "the line ended before. These points are left out of tables and figures.",
         "Align the housing, or read the sweep only where it has points.",
         effect=Effect.INFORMATION,
     ),

@@ -18,6 +18,7 @@ from babbitt.kinds.shaft_line.sweeps import CampbellPoint, RingPoint, ring_sweep
 from babbitt.kinds.thrust.design import ThrustState, exact_state
 from babbitt.kinds.thrust.pad_attitude import attitude_at_rest
 from babbitt.kinds.thrust.thermal_films import ThermalLoadCurve
+from babbitt.kinds.thrust.work import WorkBoundError
 
 __all__ = ["MODES", "RINGS", "LineAnswer", "line_answer"]
 
@@ -113,3 +114,5 @@ def _nonlinear(state: LineState) -> tuple[PeriodicMotion | None, str]:
         return periodic_motion(state), ""
     except NoPeriodicMotionError as failure:
         return None, str(failure)
+    except WorkBoundError as failure:
+        return None, failure.said
