@@ -156,7 +156,7 @@ def test_rings_for_half_the_load_and_for_a_film(base):
 
 
 def test_a_ring_for_half_the_load_next_to_rings_without_a_film(base, monkeypatch):
-    """Of the rings that carry, the stiffest that reaches it: where the pads find no film tells nothing of the line."""
+    """Of the rings that carry, the stiffest that reaches it; where there is no film tells nothing of the line."""
     rings = usual_rings(base.duty, base, 12)
     loss = 0.5 * base.losses.mean_bound
     sought = ring_for_loss(base.duty, FILMS, loss, rings)

@@ -60,7 +60,7 @@ def test_ordinary_bearings_stay_far_below_the_bound(allow):
 
 
 def test_sweeps_of_a_line_that_use_up_the_work_leave_its_answer(allow):
-    """Pads that lean are solved one by one: at rest some 1000 units, what is admissible 11 000, each ring some 400."""
+    """Pads that lean are solved one by one: 1000 units at rest, 11 000 for what is admissible, 400 for a ring."""
     allow(15_000)
     text = template("thrust_line").replace("kind: point, radius: 290 mm", "kind: line, radius: 290 mm")
     (result,) = solve(parse_case(text)).results
