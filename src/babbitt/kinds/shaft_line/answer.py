@@ -19,6 +19,7 @@ from babbitt.kinds.shaft_line.sweeps import CampbellPoint, RingPoint, ring_sweep
 from babbitt.kinds.thrust.design import ThrustState, exact_state
 from babbitt.kinds.thrust.pad_attitude import attitude_at_rest
 from babbitt.kinds.thrust.thermal_films import ThermalLoadCurve
+from babbitt.kinds.thrust.work import WorkBoundError
 
 __all__ = ["MODES", "RINGS", "LineAnswer", "line_answer"]
 
@@ -114,3 +115,5 @@ def _nonlinear(state: LineState) -> tuple[PeriodicMotion | None, Notice | None]:
         return periodic_motion(state), None
     except NoPeriodicMotionError as failure:
         return None, failure.why
+    except WorkBoundError:
+        return None, Notice("W210", "work")
