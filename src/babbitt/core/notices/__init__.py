@@ -17,13 +17,14 @@ from babbitt.core.notices.journal import JOURNAL
 from babbitt.core.notices.no_solution import NO_SOLUTION
 from babbitt.core.notices.one_dimension import ONE_DIMENSION
 from babbitt.core.notices.thrust import THRUST
+from babbitt.core.notices.tilting_pads import TILTING_PADS
 from babbitt.core.notices.unusable import UNUSABLE
 from babbitt.core.picklable_error import PicklableError
 
 __all__ = ["EXPLANATIONS", "BabbittError", "Effect", "Explanation", "InputError", "Notice", "Subject"]
 
 EXPLANATIONS: dict[str, Explanation] = (
-    UNUSABLE | JOURNAL | ONE_DIMENSION | FOOTSTEP | HYDROSTATICS | THRUST | NO_SOLUTION | CHECKS
+    UNUSABLE | JOURNAL | ONE_DIMENSION | FOOTSTEP | HYDROSTATICS | THRUST | TILTING_PADS | NO_SOLUTION | CHECKS
 )
 
 

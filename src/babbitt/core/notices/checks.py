@@ -156,6 +156,20 @@ CHECKS: dict[str, Explanation] = {
         "excitations, against the admissible one of the case; what sea trials measure.",
         "Keep away from resonance; less ripple, a stiffer seating or ring, damping at the propeller.",
     ),
+    "C401": Explanation(
+        "Log decrement of the rotor among its pads",
+        "The least log decrement of all free motions of rotor and pads against 0.1, the criterion of API 617 "
+        "that API RP 684 explains, or the limit of the case. Pads keep their own motions: synchronous "
+        "coefficients do not tell whether a motion grows. A motion that grows without swinging counts as -100.",
+        "Less preload or a larger assembled clearance, load between pads, a softer support with damping, or "
+        "pads of less inertia.",
+    ),
+    "C402": Explanation(
+        "Preload left on every pad",
+        "A recommendation: the eccentricity ratio at the pivot of every pad less that at which the pad unloads. "
+        "Below zero a pad carries nothing and may flutter.",
+        "More preload of the pads that face away from the load, pivots nearer to the middle, or fewer pads.",
+    ),
     "C301": Explanation(
         "Least gap",
         "The smallest gap against the least that the case allows, or that jacking is to reach.",
