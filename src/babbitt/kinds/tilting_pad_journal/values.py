@@ -61,6 +61,7 @@ def film_values(case: PadCase, films: PadFilms, margins: tuple[PadMargin, ...]) 
         "friction_coefficient": 2.0 * torque / (films.load * bearing.diameter) if films.load > 0.0 else math.nan,
         "side_flow": solution.side_flow,
         "total_flow": films.fresh_flow,
+        "mass_balance_error": mass_balance_error(solution),
         **supply_values(case, films),
         "effective_temperature": films.temperature,
         **fluid,
@@ -70,6 +71,13 @@ def film_values(case: PadCase, films: PadFilms, margins: tuple[PadMargin, ...]) 
     if known:
         named["least_pad_margin"] = min(known)
     return named
+
+
+def mass_balance_error(solution: TiltingPadSolution) -> float:
+    """Oil that leaves the pads less what enters them, over the latter."""
+    entering = sum(pad.inflow for pad in solution.pads)
+    leaving = sum(pad.outflow + pad.side_flow for pad in solution.pads)
+    return (leaving - entering) / entering
 
 
 def least_preload(pads: tuple[TiltingPad, ...]) -> float:

@@ -111,6 +111,8 @@ class JournalPads(Part):
     @rule
     def _placed_in_one_way(self) -> Iterator[Issue]:
         yield from exactly_one(self, "number", "pivot_angles")
+        if is_given(self, "pivot_angles") and is_given(self, "number"):
+            return
         if is_given(self, "number") and not is_given(self, "first_pivot"):
             hint = "needed: angle of one pivot, for load on a pad differs from load between pads"
             yield Issue(("first_pivot",), MISSING, hint=hint, code="E003")

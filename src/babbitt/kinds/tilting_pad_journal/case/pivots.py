@@ -11,6 +11,7 @@ from pydantic import Discriminator, Field
 from babbitt.case.part import Issue, Part, refused, rule
 from babbitt.core.units import si, written
 from babbitt.reynolds.tilting_pads.pivots import (
+    HertzContact,
     LineContact,
     Pivot,
     PointContact,
@@ -270,19 +271,20 @@ def written_pivot(pad: TiltingPad) -> str:
         case SpringPivot(stiffness):
             return f"spring of {stiffness / 1e6:.4g} MN/m, {at}"
         case LineContact() as line:
-            hollow = "a plane" if math.isinf(line.housing_radius) else f"{1e3 * line.housing_radius:.5g} mm"
-            return (
-                f"line, radius {1e3 * line.radius:.5g} mm in {hollow}, {1e3 * line.length:.4g} mm long, counted to "
-                f"depths of {1e3 * line.depth:.4g} and {1e3 * line.housing_depth:.4g} mm, {at}"
-            )
+            depths = f"{1e3 * line.depth:.4g} and {1e3 * line.housing_depth:.4g} mm"
+            return f"line, {written_contact(line)}, {1e3 * line.length:.4g} mm long, to depths of {depths}, {at}"
         case PointContact() as point:
-            hollow = (
-                "on a plane" if math.isinf(point.housing_radius) else f"in {1e3 * point.housing_radius:.5g} mm"
-            )
-            return f"point, radius {1e3 * point.radius:.5g} mm {hollow}, {at}"
+            return f"point, {written_contact(point)}, {at}"
         case RockerContact() as rocker:
             return f"rocker, {1e3 * rocker.length:.4g} mm long, empirical, {at}"
         case TablePivot() as table:
             return f"measured at {len(table.loads)} loads, {at}"
         case _:
             return f"rigid, {at}"
+
+
+def written_contact(contact: HertzContact) -> str:
+    """Radii of a contact in words."""
+    flat = math.isinf(contact.housing_radius)
+    hollow = "a plane" if flat else f"{1e3 * contact.housing_radius:.5g} mm"
+    return f"radius {1e3 * contact.radius:.5g} mm in {hollow}"

@@ -123,7 +123,8 @@ def centres_of_gravity(case: TiltingPadJournalCase) -> Iterator[Issue]:
         fraction = fields["pivot"].fraction
         ahead, behind = (1.0 - fraction) * arc, fraction * arc
         if not -behind <= offset <= ahead:
-            says = f"pad {number + 1}: its centre of gravity lies {written(offset, 'mm')} ahead of the pivot, outside it"
+            at = f"{written(offset, 'mm')} ahead of the pivot"
+            says = f"pad {number + 1}: its centre of gravity, {at}, is not in the pad"
             allowed = f"{written(-behind, 'mm')} to {written(ahead, 'mm')}"
             yield Issue((*pad_path(case, number, "mass_offset"), "mass_offset"), says, allowed)
             return
