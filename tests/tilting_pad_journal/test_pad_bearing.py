@@ -168,17 +168,19 @@ def test_clearance_cases_take_the_limits():
     limits = {"kind": "radial", "mean": "148 um", "minimum": "140 um", "maximum": "160 um"}
     case = case_from_dict(pad_case({"pads.clearance": limits}, clearance_cases="all"))
     results = solve(case).results
-    assert [one.name for one in results] == [
-        f"Pads ({which} clearance)" for which in ("minimum", "mean", "maximum")
-    ]
+    names = [f"Pads ({which} clearance)" for which in ("minimum", "mean", "maximum")]
+    assert [one.name for one in results] == names
     assert [one.values["largest_pad_clearance"] for one in results] == pytest.approx([140e-6, 148e-6, 160e-6])
     assert [one.values["preload"] for one in results] == pytest.approx([0.47] * 3)
 
 
 def test_operating_points_change_what_they_give():
-    points = [{"name": "half", "load": "5 kN"}, {"name": "slow", "speed": "2000 rpm"},
-    names = [f"Pads ({which} clearance)" for which in ("minimum", "mean", "maximum")]
-    assert [one.name for one in results] == names
+    points = [
+        {"name": "half", "load": "5 kN"},
+        {"name": "slow", "speed": "2000 rpm"},
+        {"name": "aside", "load_angle": "0 deg"},
+        {"name": "warm", "supply_temperature": "50 degC"},
+    ]
     half, slow, aside, warm = solve(case_from_dict(pad_case(operating_points=points))).results
     base = result_of()
     assert half.values["load"] == pytest.approx(5e3)
