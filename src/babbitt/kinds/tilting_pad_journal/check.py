@@ -189,7 +189,7 @@ def assumptions_of(case: PadCase) -> Iterator[str]:
     )
     yield "The moment of the shear on a pad about its pivot is left out, as in published tables."
     yield (
-        "stiffness and damping are synchronous: pads follow at the frequency of the rotation; viscosity and the "
+        "Stiffness and damping are synchronous: pads follow at the frequency of the rotation; viscosity and the "
         "extent of the films stay as at rest."
     )
     yield "An unloaded pad stands concentric with its bore: it carries nothing and shears the oil that it passes."

@@ -30,9 +30,6 @@ FEWEST_RATIOS = 3
 HEAVIER, LIGHTER = 1e3, 1e-2
 """Masses over that of the rotor within which its threshold is sought."""
 
-OF_THE_ROTOR = 0.1
-"""Share of the rotor in all amplitudes above which a motion is one of the rotor. Assumption."""
-
 ALIKE = 1e-6
 """Distance of two eigenvalues over their size below which they are one."""
 
@@ -61,11 +58,11 @@ class RotorMotions:
         return min(bounded_decrement(mode) for mode in self.modes)
 
     def of_the_rotor(self, forward: bool) -> Mode | None:
-        """The motion of the rotor in or against the sense of its rotation that lasts longest."""
-        own = [mode for mode in self.modes if mode.frequency > 0.0 and mode.share > OF_THE_ROTOR]
-        found = next((mode for mode in own if mode.forward is forward), None)
-        if found is None and len(own) > 1 and coincide(own[0], own[1]):
-            return own[0]  # of two equal motions any sum is one, and both senses have them
+        """The motion in or against the sense of rotation in which the rotor has the largest share."""
+        swing = swinging(self)
+        found = max((one for one in swing if one.forward is forward), key=lambda one: one.share, default=None)
+        if found is None and len(swing) > 1 and coincide(swing[0], swing[1]):
+            return swing[0]  # of two equal motions any sum is one, and both senses have them
         return found
 
 

@@ -136,9 +136,9 @@ def _stability(sheet: Worksheet, state: PadSolutionState) -> Iterator[Section]:
     yield Section(
         "Log decrement",
         (
-            sheet.given("mode_growth", "of the motion with the least decrement", value=least.growth),
+            sheet.given("mode_decay", "below zero it grows", value=-least.growth),
             sheet.given("mode_frequency", value=least.frequency),
-            sheet.line("log_decrement", "-2 * pi * mode_growth / mode_frequency"),
+            sheet.line("log_decrement", "2 * pi * mode_decay / mode_frequency"),
         ),
         "From the matrices of journal, pads and rotor together.",
     )
