@@ -182,6 +182,7 @@ if TYPE_CHECKING:
         LinePivot,
         OnePad,
         PadJournalLimits,
+        PadLining,
         PadOilSupply,
         PadOperatingPoint,
         PivotPoint,
@@ -241,8 +242,8 @@ _NAMES = {
         "Runout Seating ShaftPiece SpeedRange StepFace Taper ThrustRipple Tilt TiltingPivot"
     ),
     "babbitt.api.tilting_pad_parts": (
-        "FlexurePivot JournalPads LinePivot OnePad PadJournalLimits PadOilSupply PadOperatingPoint PivotPoint "
-        "PointPivot RigidPivot RockerPivot SpringPivot TablePivot"
+        "FlexurePivot JournalPads LinePivot OnePad PadJournalLimits PadLining PadOilSupply PadOperatingPoint "
+        "PivotPoint PointPivot RigidPivot RockerPivot SpringPivot TablePivot"
     ),
     "babbitt.case": "CaseError template",
     "babbitt.core.notices": "InputError",
@@ -327,6 +328,7 @@ __all__ = [
     "Orifice",
     "OverhungCoupling",
     "PadJournalLimits",
+    "PadLining",
     "PadMaterials",
     "PadOilSupply",
     "PadOperatingPoint",

@@ -366,3 +366,19 @@ def test_the_matrices_of_journal_and_pads_condense_to_the_synchronous_ones():
     condensed = z[:2, :2] - z[:2, 2:] @ np.linalg.solve(z[2:, 2:], z[2:, :2])
     assert condensed.real == pytest.approx(np.array(result.stiffness), rel=1e-9)
     assert condensed.imag / w == pytest.approx(np.array(result.damping), rel=1e-9)
+
+
+def test_the_motions_of_the_rotor_decide_and_those_of_the_pads_stand_beside_them():
+    """Elastic pivots under massive pads ring at kilohertz; that is no log decrement of the rotor."""
+    stiff = {
+        "pads.pivot": {"kind": "spring", "stiffness": "2 GN/m"},
+        "pads.mass": "2 kg",
+        "pads.first_pivot": "-90 deg",
+    }
+    found = solution_of(stiff, rotor_mass="2 t", shaft_stiffness="200 MN/m", **ISOTHERMAL)
+    v = found.result.values
+    assert v["log_decrement"] == min(v["log_decrement_forward"], v["log_decrement_backward"])
+    assert v["pad_log_decrement"] < v["log_decrement"]
+    shares = [mode.share for mode in found.state.dynamics.motions.of_the_rotor]
+    assert min(shares) > 0.2
+    assert max(v["whirl_frequency_forward"], v["whirl_frequency_backward"]) < v["angular_speed"]

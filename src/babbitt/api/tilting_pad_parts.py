@@ -14,6 +14,7 @@ __all__ = [
     "LinePivot",
     "OnePad",
     "PadJournalLimits",
+    "PadLining",
     "PadOilSupply",
     "PadOperatingPoint",
     "PivotPoint",
@@ -67,6 +68,10 @@ class FlexurePivot(OwnPart, pivots.FlexureInput):
 
 class PadOilSupply(OwnPart, bearing.PadOilSupply):
     """Fresh oil of the pads."""
+
+
+class PadLining(OwnPart, bearing.PadLining):
+    """What the pads are lined with."""
 
 
 class PadJournalLimits(OwnPart, bearing.PadJournalLimits):

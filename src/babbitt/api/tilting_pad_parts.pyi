@@ -153,6 +153,14 @@ class PadOilSupply(OwnPart, bearing.PadOilSupply):
         circulation_time: Quantity | None = ...,
     ) -> None: ...
 
+class PadLining(OwnPart, bearing.PadLining):
+    def __init__(
+        self,
+        *,
+        bearing_metal: Quantity | Mapping[str, Any] | Part | None = ...,
+        load_character: Literal["calm", "shock"] | Enum | None = ...,
+    ) -> None: ...
+
 class PadJournalLimits(OwnPart, bearing.PadJournalLimits):
     def __init__(
         self,

@@ -158,9 +158,10 @@ CHECKS: dict[str, Explanation] = {
     ),
     "C401": Explanation(
         "Log decrement of the rotor among its pads",
-        "The least log decrement of all free motions of rotor and pads against 0.1, the criterion of API 617 "
-        "that API RP 684 explains, or the limit of the case. Pads keep their own motions: synchronous "
-        "coefficients do not tell whether a motion grows. A motion that grows without swinging counts as -100.",
+        "The log decrement of the rotor's motion that lasts longest, forward or backward, against 0.1, the "
+        "criterion of API 617 that API RP 684 explains, or the limit of the case; of any motion of rotor or "
+        "pads that grows. Pads keep their own motions: synchronous coefficients do not tell whether a motion "
+        "grows. One that grows without swinging counts as -100.",
         "Less preload or a larger assembled clearance, load between pads, a softer support with damping, or "
         "pads of less inertia.",
     ),

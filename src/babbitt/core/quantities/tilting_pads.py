@@ -72,11 +72,18 @@ TILTING_PADS: tuple[Quantity, ...] = (
         4,
         "Free motions: growth 1/s, frequency rad/s, log decrement, whirl (1 forward), share of the rotor",
     ),
-    quantity("log_decrement", "δ", "1", "", 3, "Least log decrement of rotor and pads"),
-    quantity("log_decrement_forward", "δ_f", "1", "", 3, "Log decrement of the forward motion of the rotor"),
-    quantity("log_decrement_backward", "δ_b", "1", "", 3, "Log decrement of the backward motion of the rotor"),
-    quantity("whirl_frequency_forward", "f_f", "rad/s", "Hz", 4, "Frequency of the forward motion of the rotor"),
-    quantity("whirl_frequency_backward", "f_b", "rad/s", "Hz", 4, "Frequency of the backward motion of the rotor"),
+    quantity("log_decrement", "δ", "1", "", 3, "Log decrement of the motion of the rotor that lasts longest"),
+    quantity("pad_log_decrement", "δ_p", "1", "", 3, "Least log decrement of all other motions, of the pads"),
+    quantity("log_decrement_forward", "δ_f", "1", "", 3, "Log decrement of the more forward motion of the rotor"),
+    quantity(
+        "log_decrement_backward", "δ_b", "1", "", 3, "Log decrement of the more backward motion of the rotor"
+    ),
+    quantity(
+        "whirl_frequency_forward", "f_f", "rad/s", "Hz", 4, "Frequency of the more forward motion of the rotor"
+    ),
+    quantity(
+        "whirl_frequency_backward", "f_b", "rad/s", "Hz", 4, "Frequency of the more backward motion of the rotor"
+    ),
     quantity("threshold_mass", "m_th", "kg", "t", 4, "Mass of the rotor above which a motion grows"),
     quantity("threshold_frequency", "f_th", "rad/s", "Hz", 4, "Frequency of the motion that begins to grow"),
 )

@@ -30,9 +30,6 @@ FEWEST_RATIOS = 3
 HEAVIER, LIGHTER = 1e3, 1e-2
 """Masses over that of the rotor within which its threshold is sought."""
 
-ALIKE = 1e-6
-"""Distance of two eigenvalues over their size below which they are one."""
-
 NO_SWING = 100.0
 """Log decrement that stands for infinity: of a motion that grows or dies without swinging."""
 
@@ -53,17 +50,27 @@ class RotorMotions:
     threshold: Threshold
 
     @property
-    def log_decrement(self) -> float:
-        """The least of all motions."""
-        return min(bounded_decrement(mode) for mode in self.modes)
+    def of_the_rotor(self) -> tuple[Mode, ...]:
+        """The two motions that swing in which the rotor has the largest shares, the more forward one first."""
+        own = sorted(swinging(self), key=lambda mode: -mode.share)[:2]
+        return tuple(sorted(own, key=lambda mode: -mode.whirl))
 
-    def of_the_rotor(self, forward: bool) -> Mode | None:
-        """The motion in or against the sense of rotation in which the rotor has the largest share."""
-        swing = swinging(self)
-        found = max((one for one in swing if one.forward is forward), key=lambda one: one.share, default=None)
-        if found is None and len(swing) > 1 and coincide(swing[0], swing[1]):
-            return swing[0]  # of two equal motions any sum is one, and both senses have them
-        return found
+    @property
+    def decisive(self) -> Mode:
+        """The motion that decides: one that grows, of rotor or pads, else that of the rotor that lasts longer."""
+        growing = [mode for mode in self.modes if not mode.stable]
+        return min(growing or self.of_the_rotor or self.modes, key=bounded_decrement)
+
+    @property
+    def log_decrement(self) -> float:
+        """Of the motion that decides."""
+        return bounded_decrement(self.decisive)
+
+    @property
+    def pad_decrement(self) -> float:
+        """The least of all motions but the two of the rotor; infinite where no other swings."""
+        others = (mode for mode in swinging(self) if mode not in self.of_the_rotor)
+        return min((bounded_decrement(mode) for mode in others), default=math.inf)
 
 
 @dataclass(frozen=True, eq=False)
@@ -125,12 +132,6 @@ def on_shaft(pads: PadCoefficients, stiffness: float) -> PadCoefficients:
         levers=np.concatenate(((1.0, 1.0), pads.levers)),
         **grown,  # type: ignore[arg-type]
     )
-
-
-def coincide(one: Mode, other: Mode) -> bool:
-    """Whether two motions have one eigenvalue, to round-off."""
-    apart = math.hypot(one.growth - other.growth, one.frequency - other.frequency)
-    return apart < ALIKE * math.hypot(one.growth, one.frequency)
 
 
 def bounded_decrement(mode: Mode) -> float:

@@ -157,13 +157,15 @@ def dynamic_values(case: PadCase, dynamics: PadDynamics) -> dict[str, float]:
     if motions is None or case.rotor_mass is None:
         return named
     named |= {"rotor_mass": case.rotor_mass, "log_decrement": motions.log_decrement}
+    if math.isfinite(motions.pad_decrement):
+        named["pad_log_decrement"] = motions.pad_decrement
     if case.shaft_stiffness is not None:
         named["shaft_stiffness"] = case.shaft_stiffness
-    for name, forward in (("forward", True), ("backward", False)):
-        mode = motions.of_the_rotor(forward)
-        if mode is not None:
-            named[f"log_decrement_{name}"] = bounded_decrement(mode)
-            named[f"whirl_frequency_{name}"] = mode.frequency
+    own = motions.of_the_rotor
+    names = ("forward", "backward") if len(own) == 2 or (own and own[0].forward) else ("backward",)
+    for name, mode in zip(names, own, strict=False):
+        named[f"log_decrement_{name}"] = bounded_decrement(mode)
+        named[f"whirl_frequency_{name}"] = mode.frequency
     if math.isfinite(motions.threshold.value):
         named["threshold_mass"] = motions.threshold.value
     if math.isfinite(motions.threshold.frequency):

@@ -58,6 +58,7 @@ KEY_RESULTS = (
     "damping_yy",
     "fit_error",
     "log_decrement",
+    "pad_log_decrement",
     "log_decrement_forward",
     "log_decrement_backward",
     "whirl_frequency_forward",

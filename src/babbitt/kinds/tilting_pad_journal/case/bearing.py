@@ -13,7 +13,7 @@ from babbitt.case.case_file import CaseFile
 from babbitt.case.part import Issue, Part, exactly_one, is_given, rule
 from babbitt.case.parts.fields import Name, Prose
 from babbitt.case.parts.lubricant import LubricantInput
-from babbitt.case.parts.materials import Materials
+from babbitt.case.parts.materials import MetalInput
 from babbitt.case.parts.position import PositionInput
 from babbitt.case.parts.supply import GaugePressure, OilTemperature, SupplyFlow
 from babbitt.case.parts.surfaces import SurfacesInput
@@ -24,8 +24,16 @@ from babbitt.kinds.tilting_pad_journal.case import rules
 from babbitt.kinds.tilting_pad_journal.case.pads import JournalPads
 from babbitt.kinds.tilting_pad_journal.methods import PAD_FILM
 from babbitt.kinds.tilting_pad_journal.model import WHIRL_RATIOS
+from babbitt.properties.materials import BearingMetal
 
-__all__ = ["CARRY_OVER", "PadJournalLimits", "PadOilSupply", "PadOperatingPoint", "TiltingPadJournalCase"]
+__all__ = [
+    "CARRY_OVER",
+    "PadJournalLimits",
+    "PadLining",
+    "PadOilSupply",
+    "PadOperatingPoint",
+    "TiltingPadJournalCase",
+]
 
 Load = Annotated[float, si("N", "1 N", "1000 MN")]
 Speed = Annotated[float, either_sense("rad/s", "0.1 rpm", "1000000 rpm")]
@@ -33,6 +41,23 @@ LoadAngle = Annotated[float, si("rad", "-360 deg", "360 deg")]
 
 CARRY_OVER = {"flooded": 1.0, "leading_edge_groove": 0.7, "spray_bar": 0.8}
 """Assumptions: share of the oil of a pad that enters the next one, by what feeds the pads."""
+
+
+class PadLining(Part):
+    """What the pads are lined with."""
+
+    example: ClassVar[str] = "{bearing_metal: SnSb12Cu6Pb}"
+
+    bearing_metal: MetalInput | None = Field(
+        None, description="Bearing metal. Without it no specific load is checked, and no bearing passes."
+    )
+    load_character: Literal["calm", "shock"] | None = Field(
+        None, description="How the load acts on the bearing metal. calm if not given."
+    )
+
+    def metal(self) -> BearingMetal | None:
+        """Give the bearing metal; None where it is not named."""
+        return None if self.bearing_metal is None else self.bearing_metal.metal()
 
 
 class PadOilSupply(Part):
@@ -131,7 +156,7 @@ class TiltingPadJournalCase(CaseFile):
         None,
         description="Temperature of isothermal films. That of the fresh oil if not given.",
     )
-    materials: Materials = Field(Materials(), description="Bearing metal of the pads.")
+    materials: PadLining = Field(PadLining(), description="Bearing metal of the pads.")
     surfaces: SurfacesInput | None = Field(None, description="Roughness, tilt and waviness of the surfaces.")
 
     load: Load | None = Field(None, description="Load of the bearing.")

@@ -12,7 +12,7 @@ from babbitt.core.notices import Notice
 from babbitt.core.result_name import ResultName
 from babbitt.design.conditions import OilSupply, PrescribedLoad, PrescribedPosition
 from babbitt.kinds.tilting_pad_journal.case.as_given import words_of
-from babbitt.kinds.tilting_pad_journal.case.pads import clearances
+from babbitt.kinds.tilting_pad_journal.case.pads import JournalPads, OnePad, clearances
 from babbitt.kinds.tilting_pad_journal.model import Accuracy, Feed, PadBearing, PadCase, Thermal
 from babbitt.properties.materials import LoadCharacter
 from babbitt.reynolds.tilting_pads.model import TiltingPad
@@ -165,12 +165,36 @@ def warnings_of(case: TiltingPadJournalCase, speed: float) -> Iterator[Notice]:
 
 def fields_not_read(case: TiltingPadJournalCase, point: PadOperatingPoint | None) -> Iterator[Notice]:
     """Fields that make no difference to this bearing."""
-    why = "the clearances hold in operation, no heat changes them"
-    yield from not_read(case, why, "materials.bearing", "materials.journal")
-    if case.pads.pivot.kind == "rigid" and not any(is_given(one, "pivot") for one in case.pads.each):
-        yield from not_read(case, "the pivots do not give way, and a pad that tilts alone is its inertia",
-                            "pads.mass", "pads.mass_offset")  # fmt: skip
+    if case.clearance_cases == "mean" and (unread := list(limits_not_used(case))):
+        yield Notice("W183", f"{', '.join(unread)}: the bearing is computed at its mean clearances")
+    if unread := list(masses_not_felt(case)):
+        yield Notice(
+            "W183", f"{', '.join(unread)}: of a pad whose pivot does not give way its inertia alone counts"
+        )
     if isinstance(duty_of(case, point), PrescribedPosition):
         yield from not_read(case, "the load is found, and its direction with it", "load_angle")
     if case.thermal_model == "isothermal" and case.effective_temperature is not None:
         yield from not_read(case, "the temperature of the films is given", "supply.circulation_time")
+
+
+def limits_not_used(case: TiltingPadJournalCase) -> Iterator[str]:
+    """Paths of limits of clearances."""
+    parts: list[tuple[str, JournalPads | OnePad]] = [("pads", case.pads)]
+    parts += [(f"pads.each.{number}", one) for number, one in enumerate(case.pads.each)]
+    for path, part in parts:
+        for name in ("clearance", "assembled_clearance"):
+            clearance = getattr(part, name)
+            for limit in ("minimum", "maximum"):
+                if getattr(clearance, limit, None) is not None:
+                    yield f"{path}.{name}.{limit}"
+
+
+def masses_not_felt(case: TiltingPadJournalCase) -> Iterator[str]:
+    """Paths of masses that are given of pads whose pivots give way in no direction."""
+    rigid = [pad.is_rigid for pad in pad_bearing(case, "mean", case.sense).pads]
+    for name in ("mass", "mass_offset"):
+        if all(rigid) and is_given(case.pads, name):
+            yield f"pads.{name}"
+        for number, one in enumerate(case.pads.each):
+            if rigid[number] and is_given(one, name):
+                yield f"pads.each.{number}.{name}"

@@ -128,10 +128,8 @@ def _stability(sheet: Worksheet, state: PadSolutionState) -> Iterator[Section]:
     motions = state.dynamics.motions
     if motions is None:
         return
-    worst = motions.modes[0]
-    least = min((mode for mode in motions.modes if mode.frequency > 0.0), key=lambda mode: mode.log_decrement,
-                default=worst)  # fmt: skip
-    if least.frequency == 0.0 or not math.isclose(least.log_decrement, motions.log_decrement):
+    least = motions.decisive
+    if least.frequency == 0.0:
         return
     yield Section(
         "Log decrement",

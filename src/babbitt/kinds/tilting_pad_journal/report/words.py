@@ -55,7 +55,7 @@ PAD_WORDS = (
     local("trailing_flow", "Q_t", "m3/s", "Oil over all trailing edges", 5, PER_MINUTE),
     local("carried_share", "λ", "1", "Share that is carried over"),
     local("pad_warming", "ΔT", "K (abs)", "Rise of the oil along a pad", 5),
-    local("mode_decay", "σ", "1/s", "Decay of the free motion with the least decrement", 5),
+    local("mode_decay", "σ", "1/s", "Decay of the free motion that decides", 5),
     local("mode_frequency", "ω_d", "rad/s", "Its frequency", 5),
 )
 """Symbols as in the theory manual."""
