@@ -72,11 +72,13 @@ TILTING_PADS: tuple[Quantity, ...] = (
         4,
         "Free motions: growth 1/s, frequency rad/s, log decrement, whirl (1 forward), share of the rotor",
     ),
-    quantity("log_decrement", "δ", "1", "", 3, "Log decrement of the motion of the rotor that lasts longest"),
-    quantity("pad_log_decrement", "δ_p", "1", "", 3, "Least log decrement of all other motions, of the pads"),
-    quantity("log_decrement_forward", "δ_f", "1", "", 3, "Log decrement of the more forward motion of the rotor"),
+    quantity("log_decrement", "δ_log", "1", "", 3, "Log decrement of the motion of the rotor that lasts longest"),
+    quantity("pad_log_decrement", "δ_log,p", "1", "", 3, "Least log decrement of all other motions, of the pads"),
     quantity(
-        "log_decrement_backward", "δ_b", "1", "", 3, "Log decrement of the more backward motion of the rotor"
+        "log_decrement_forward", "δ_log,f", "1", "", 3, "Log decrement of the more forward motion of the rotor"
+    ),
+    quantity(
+        "log_decrement_backward", "δ_log,b", "1", "", 3, "Log decrement of the more backward motion of the rotor"
     ),
     quantity(
         "whirl_frequency_forward", "f_f", "rad/s", "Hz", 4, "Frequency of the more forward motion of the rotor"

@@ -17,6 +17,6 @@ COLUMNS = (
     column_without_limit("trailing_temperature", 4),
     column_of("outlet_temperature", 8),
     column_of("loaded_pads", 9),
-    Column("δ / δ_lim", "", (reading_of("log_decrement"), limit_of("log_decrement")), 2, " / "),
+    Column("δ_log / δ_lim", "", (reading_of("log_decrement"), limit_of("log_decrement")), 2, " / "),
 )
 """Of bearings of tilting pads."""
