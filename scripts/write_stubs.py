@@ -30,6 +30,7 @@ MODULES = (
     "journal_parts",
     "methods",
     "thrust_parts",
+    "tilting_pad_parts",
 )
 FOLDER = Path(__file__).parents[1] / "src" / "babbitt" / "api"
 

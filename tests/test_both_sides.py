@@ -56,6 +56,8 @@ SIDES = {
     "C302": ("hydrostatic_pad", {}, {"limits": {"minimum_film_thickness": "60 um"}}),
     "C303": ("hydrostatic_pad", {"supply": {"pump_flow": "0.4 L/min", "highest_pressure": "20 MPa"}},
              {"supply": {"pump_flow": "0.4 L/min", "highest_pressure": "0.5 MPa"}}),
+    "C401": ("tilting_pad_journal", {}, {"limits": {"log_decrement": 8}}),
+    "C402": ("tilting_pad_journal", {}, {"load": "60 kN"}),
     "C304": ("jacking_pocket", {}, {"relief_pressure": "5 MPa"}),
 }  # fmt: skip
 """What a check is made of: a kind whose template it is, or a case; then what keeps it and what misses it."""

@@ -23,6 +23,7 @@ NAMES = {
     "jacking_pocket": "JackingPocket",
     "thrust": "ThrustBearing",
     "thrust_line": "ThrustLine",
+    "tilting_pad_journal": "TiltingPadBearing",
 }
 
 

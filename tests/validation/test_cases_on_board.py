@@ -141,7 +141,7 @@ def test_the_figure_is_drawn_with_labelled_axes(case, tmp_path):
 
 def test_names_are_unique_and_found():
     names = [case.name for case in cases()]
-    assert len(set(names)) == len(names) == 34
+    assert len(set(names)) == len(names) == 36
     assert all(validation_case(name).name == name for name in names)
 
 

@@ -20,6 +20,7 @@ from babbitt.kinds.hydrostatic.case.jacking import JackingPocketCase
 from babbitt.kinds.journal.case import files
 from babbitt.kinds.shaft_line.case.shaft_line import ThrustLineCase
 from babbitt.kinds.thrust.case.thrust import ThrustCase
+from babbitt.kinds.tilting_pad_journal.case.bearing import TiltingPadJournalCase
 
 __all__ = [
     "Footstep",
@@ -32,6 +33,7 @@ __all__ = [
     "ThrustBearing",
     "ThrustLine",
     "ThrustRing",
+    "TiltingPadBearing",
     "public_case",
 ]
 
@@ -116,6 +118,13 @@ class ThrustLine(Case, ThrustLineCase):
     default_name: ClassVar[str] = "Shaft line"
 
 
+class TiltingPadBearing(Case, TiltingPadJournalCase):
+    """A journal bearing of tilting pads."""
+
+    model: ClassVar[type[CaseFile]] = TiltingPadJournalCase
+    default_name: ClassVar[str] = "Tilting-pad bearing"
+
+
 class HydrostaticJournal(Case, HydrostaticJournalCase):
     """A recessed journal bearing, at rest or turning."""
 
@@ -171,6 +180,7 @@ PUBLIC: Mapping[type[CaseFile], type[Case]] = {
         JackingPocket,
         Footstep,
         OverhungCoupling,
+        TiltingPadBearing,
     )
 }
 """By its case model, the class of each kind that ships."""

@@ -20,6 +20,7 @@ from babbitt.kinds.hydrostatic.case.jacking import JackingPocketCase
 from babbitt.kinds.journal.case import files
 from babbitt.kinds.shaft_line.case.shaft_line import ThrustLineCase
 from babbitt.kinds.thrust.case.thrust import ThrustCase
+from babbitt.kinds.tilting_pad_journal.case.bearing import TiltingPadJournalCase
 
 Quantity: TypeAlias = str | SupportsFloat
 
@@ -179,6 +180,42 @@ class ThrustLine(Case, ThrustLineCase):
         loss_limit: Quantity | None = ...,
         speeds: Mapping[str, Any] | Part | None = ...,
         nonlinear: bool | None = ...,
+    ) -> None: ...
+
+class TiltingPadBearing(Case, TiltingPadJournalCase):
+    model: ClassVar[type[CaseFile]]
+    default_name: ClassVar[str]
+    def __init__(
+        self,
+        *,
+        babbitt: Literal[1] | Enum | None = ...,
+        kind: Literal["tilting_pad_journal"] | Enum | None = ...,
+        name: str | None = ...,
+        diameter: Quantity | None = ...,
+        pads: Mapping[str, Any] | Part | None = ...,
+        clearance_cases: Literal["mean", "all"] | Enum | None = ...,
+        groove_pressure: Quantity | None = ...,
+        lubricant: Quantity | Mapping[str, Any] | Part | None = ...,
+        supply: Mapping[str, Any] | Part | None = ...,
+        feed: Literal["flooded", "leading_edge_groove", "spray_bar"] | Enum | None = ...,
+        carry_over: Quantity | None = ...,
+        thermal: Literal["isothermal", "global"] | Enum | None = ...,
+        effective_temperature: Quantity | None = ...,
+        materials: Mapping[str, Any] | Part | None = ...,
+        surfaces: Mapping[str, Any] | Part | None = ...,
+        load: Quantity | None = ...,
+        position: Mapping[str, Any] | Part | None = ...,
+        load_angle: Quantity | None = ...,
+        speed: Quantity | None = ...,
+        operating_points: Iterable[Any] | None = ...,
+        whirl_ratios: Iterable[Quantity] | None = ...,
+        rotor_mass: Quantity | None = ...,
+        shaft_stiffness: Quantity | None = ...,
+        accuracy: Literal["draft", "engineering", "reference"] | Enum | None = ...,
+        limits: Mapping[str, Any] | Part | None = ...,
+        assumptions: Iterable[Any] | None = ...,
+        notes: str | None = ...,
+        source: str | None = ...,
     ) -> None: ...
 
 class HydrostaticJournal(Case, HydrostaticJournalCase):

@@ -85,7 +85,7 @@ def parse_case(text: str, name: str = "<text>", reach: Reach = Reach.FOLDER) -> 
     Traceback (most recent call last):
     babbitt.case.problems.CaseError: a.yaml:1: kind: 'jurnal' is not a kind of case; allowed: journal, machine,
     overhung_coupling, screw_heel, hydrostatic_pad, hydrostatic_thrust_ring, hydrostatic_journal,
-    jacking_pocket, thrust, thrust_line; did you mean 'journal'? [E003]
+    jacking_pocket, thrust, thrust_line, tilting_pad_journal; did you mean 'journal'? [E003]
     """
     return _parsed(text, name, NamedFiles(FilePath(), reach))
 

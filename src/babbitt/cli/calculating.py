@@ -233,8 +233,8 @@ def export(
 ) -> None:
     """Write stiffness and damping over speed for a rotor program; the heat balance is closed at each speed."""
     from babbitt.case import load_case
+    from babbitt.export import OVER_FREQUENCY, mirrored
     from babbitt.export import export as write_table
-    from babbitt.export import mirrored
     from babbitt.export.frame import declaration
     from babbitt.report.outputs import inputs_of
     from babbitt.study.speed_range import speeds_of
@@ -262,6 +262,12 @@ def export(
         f"temperatures: {table.temperatures}",
         file=sys.stderr,
     )
+    if table.over_frequency is not None and format_name not in OVER_FREQUENCY:
+        print(
+            f"{format_name} has no axis of frequency: the coefficients written are synchronous; ross3, csv and "
+            "json hold them over frequency, too",
+            file=sys.stderr,
+        )
     if "following" in table.temperatures:
         print(
             "the stiffness holds for slow changes; for whirl and vibration export with "

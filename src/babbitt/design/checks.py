@@ -107,8 +107,14 @@ def limited_temperature(values: Mapping[str, float]) -> str:
     return max(known, key=lambda name: values[name])
 
 
-HOTTEST_PLACES = ("maximum_bush_temperature", "maximum_wall_temperature", "maximum_temperature")
-"""Hottest metal, and where it is not known the hottest film, by the methods that know more than the outlet."""
+HOTTEST_PLACES = (
+    "maximum_bush_temperature",
+    "maximum_wall_temperature",
+    "maximum_temperature",
+    "trailing_temperature",
+)
+"""Hottest metal, where it is not known the hottest film, and where that is not the oil at the trailing edges of
+pads, by the methods that know more than the outlet."""
 
 
 def hottest_place(values: Mapping[str, float]) -> str:

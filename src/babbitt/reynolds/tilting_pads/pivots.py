@@ -16,7 +16,6 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from babbitt.core.notices import InputError
-from babbitt.reynolds.tilting_pads._pivot_curve import pivot_curve
 
 __all__ = [
     "Curve",
@@ -76,6 +75,8 @@ class Curve:
 
     def at(self, load: float) -> tuple[float, float]:
         """Displacement u, m, and slope du/dP, m/N, under a load in N."""
+        from babbitt.reynolds.tilting_pads._pivot_curve import pivot_curve  # numba, which reading a case needs not
+
         table = np.array(self.loads, dtype=np.float64), np.array(self.displacements, dtype=np.float64)
         displacement, slope = pivot_curve(np.array(self.columns()), *table, load)
         return float(displacement), float(slope)
