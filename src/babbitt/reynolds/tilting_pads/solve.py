@@ -106,7 +106,8 @@ def kernel_pads(bearing: TiltingPadBearing, scales: PadScales) -> Pads:
             profiles[k] = np.interp(places, np.linspace(0.0, 1.0, samples.size), samples) / scales.length
     return Pads(
         Bearing(lands, profiles, math.nan, 1.0, 0.0, False, True, 1.0), kappa, weight, np.cos(angle),
-        np.sin(angle), offset, rotational, neutral, curves, loads, displacements, centred,
+        np.sin(angle), offset, rotational, neutral, curves, loads, displacements, centred, np.ones((count, 0)),
+        np.ones((count, 0)),
     )  # fmt: skip
 
 
