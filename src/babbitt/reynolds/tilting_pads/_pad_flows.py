@@ -85,7 +85,10 @@ def gaps_of(grid, k, e, eta, first, flows, totals):
 
 @inlined
 def film_flows(axial, pads, grid, k, film, places, first, flows, totals):
-    """Flows of a pad that carries, column by column of the width; streamers pass on what left the film."""
+    """Flows of a pad that carries, column by column of the width; streamers pass on what left the film.
+
+    The Reynolds condition lets films begin with oil from nowhere: here it is drawn over the sides.
+    """
     m, n = len(axial.size), film.conductance.size
     e, eta = places.radial[k], places.along[k]
     pad_coefficients(pads, grid, k, e, eta, film)
@@ -99,10 +102,13 @@ def film_flows(axial, pads, grid, k, film, places, first, flows, totals):
                 here, behind = i == 0 or grid.wet[k, i, j], i + 1 == n or grid.wet[k, i + 1, j]
                 p_here = grid.value[k, i, j] / axial.root_weights[j] if here else 0.0
                 p_behind = grid.value[k, i + 1, j] / axial.root_weights[j] if behind else 0.0
-                liquid = 1.0
                 if not here:
                     flux += flow_aside(axial, pads, grid, k, i, j, film)
                     liquid = min(max(flux / film.couette[i], 0.0), 1.0)
+                    flows.leak[r, 0] += weight * (flux - liquid * film.couette[i])
+                else:  # a film that begins behind streamers draws what they lack
+                    flows.leak[r, 0] -= weight * (1.0 - liquid) * film.couette[max(i - 1, 0)]
+                    liquid = 1.0
             elif i > 0:
                 liquid = side_leak(axial, pads, grid, k, i, film, flux, r, flows)
             push = film.conductance[i] * (p_here - p_behind)
@@ -147,6 +153,7 @@ def side_leak(axial, pads, grid, k, i, film, flux, r, flows):
     """Liquid fraction on the edge of the width at a line, as ``_integrals.edge_column``; its leak is added."""
     m, weight = len(axial.size), axial.edge_weight
     if grid.wet[k, i, m - 1] and i > 1 and not grid.wet[k, i - 1, m - 1]:
+        flows.leak[r, 0] -= weight * (film.couette[i - 1] - flux)
         flux = film.couette[i - 1]
     arriving = weight * flux
     for j in range(m):

@@ -88,10 +88,10 @@ def heat_pads(axial, pads, grid, places, ring, columns, flows, cells, oil, walls
     pad_flows(axial, pads, grid, new_film(grid.step.shape[1]), places, oil.rise, flows, totals)
     bush = walls.exchange / oil.wall_heat if walls.pads_open else 0.0
     journal = np.inf if walls.journal_open else 0.0
-    fill_cells(ring, columns, flows, oil.conduction, 0.0, bush, journal, oil.fresh, films.viscosity, cells)
+    fill_cells(ring, columns, flows, oil.conduction, 0.0, bush, journal, 0.0, films.viscosity, cells)
     rows = grid.step.shape[1] + 1
     for k in range(pads.kappa.size):
-        sweep_pad(columns, cells, walls, k * rows, rows, films.states)
+        sweep_pad(columns, flows, cells, walls, k * rows, rows, films.states)
     change = balance_grooves(columns, flows, cells, oil, walls, rows, films)
     if walls.pads_open:
         answer_pads(ring, cells, oil, walls, rows, films)
@@ -99,8 +99,11 @@ def heat_pads(axial, pads, grid, places, ring, columns, flows, cells, oil, walls
 
 
 @inner
-def sweep_pad(columns, cells, walls, first, rows, states):
-    """March along a pad, again and again where oil flows back, until its states no longer change."""
+def sweep_pad(columns, flows, cells, walls, first, rows, states):
+    """March along a pad, again and again where oil flows back, until its states no longer change.
+
+    What a film draws over its sides is as warm as the oil that enters.
+    """
     layers = len(columns.layers)
     last = first + rows - 1
     right = np.empty((layers, 3))
@@ -119,6 +122,7 @@ def sweep_pad(columns, cells, walls, first, rows, states):
                 for s in range(3):
                     right[k, s] = west * states[i - 1, k, s] + east * states[behind, k, s]
                 right[k, 0] += cells.heat[i, 0, k]
+                right[k, 1] += max(-flows.leak[i, 0], 0.0) * flows.pressure_profile[i, 0, k]
             right[0, 0] += cells.bush[i, 0] * walls.datum[i]
             right[layers - 1, 2] += cells.journal[i, 0]
             change = max(change, take_layers(cells, i, layers, right, states))
@@ -168,6 +172,8 @@ def balance_grooves(columns, flows, cells, oil, walls, rows, films):
         b, first = oil.previous[k], k * rows
         last = b * rows + rows - 1
         brought, taken = 0.0, 0.0
+        for i in range(first + 1, first + rows):
+            taken += oil.share[k] * max(-flows.leak[i, 0], 0.0)
         for n in range(layers):
             phi = oil.share[b] * edge_flow(flows, last, n)
             brought += phi

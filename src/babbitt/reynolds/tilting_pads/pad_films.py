@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from copy import deepcopy
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -156,6 +157,15 @@ class PadFilms:
             )
         )  # fmt: skip
 
+    def gap(self) -> float:
+        """Smallest gap of the last pass."""
+        return float(self.totals[:, NARROWEST].min())
+
+    def copied(self) -> PadFilms:
+        """Films that may change without these."""
+        fixed = (self.bearing, self.heat, self.axial, self.conduction, self.bending, self.walls.answer, self.oil)
+        return deepcopy(self, {id(part): part for part in fixed})
+
     def drives(self) -> Array:
         """What drives the temperatures of every pad (`PadConduction`), shape (pads, n + 1 + 3)."""
         count = self.films.inlet.size
@@ -169,7 +179,7 @@ class PadFilms:
         come, over the smallest gap."""
         if not self.bending and self.heat.growth is None:
             return 0.0
-        drives, smallest = self.drives(), max(float(self.totals[:, NARROWEST].min()), 1e-6)
+        drives, smallest = self.drives(), max(self.gap(), 1e-6)
         rise = self.growths(drives) - self.grown
         bend = np.zeros_like(self.bent)
         if self.bending:

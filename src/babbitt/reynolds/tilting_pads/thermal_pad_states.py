@@ -47,8 +47,8 @@ def thermal_solution(found: Settled, begun: float) -> ThermalTiltingPadSolution:
     films, placement = found.films, found.placement
     bearing, scales = films.bearing, films.scales
     plain = assembled(
-        bearing, scales, films.axial, films.pads, placement.grid, films.places, placement.at, films.total, found.outcome,
-        placement.residual, placement.indifferent, placement.steps, begun,
+        bearing, scales, films.axial, films.pads, placement.grid, films.places, placement.at, films.total,
+        found.outcome, placement.residual, placement.indifferent, placement.steps, begun,
     )  # fmt: skip
     count, whole = len(bearing.pads), math.hypot(*plain.force)
     states = tuple(pad_state(films, plain.pads[k], whole, k) for k in range(count))
@@ -118,8 +118,8 @@ def oil_enthalpy(films: PadFilms) -> tuple[float, float]:
         back = np.maximum(-entering, 0.0)
         brought[k] += back.sum()
         brought_heat[k] += back @ above[first + 1]
-        taken[k] = np.maximum(entering, 0.0).sum()
         leak, lines = films.flows.leak[first + 1 : last + 1, 0], slice(first + 1, last + 1)
+        taken[k] = np.maximum(entering, 0.0).sum() + width * np.maximum(-leak, 0.0).sum()
         warm = (films.flows.pressure_profile[lines, 0] * above[lines]).sum(axis=1)
         enthalpy += width * float(np.maximum(leak, 0.0) @ warm)
     kept = films.oil.carry_over * brought
