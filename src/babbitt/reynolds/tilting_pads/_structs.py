@@ -32,6 +32,8 @@ class Pads(NamedTuple):
     displacements: Array  # table of a pivot, (pads, points or 0)
     centred: NDArray[bool_]  # whether it unloads exactly where e falls below zero, (pads,)
     plain: NDArray[bool_]  # whether its bore is a circle and no pressure stands at its edges, (pads,)
+    fluidity: Array  # of every interval: unit of viscosity over effective viscosity, (pads, intervals or 0)
+    drag: Array  # of every interval: flow by shear over half the gap, (pads, intervals or 0)
 
 
 class PadPlaces(NamedTuple):

@@ -15,8 +15,8 @@ import numpy as np
 
 from babbitt.reynolds._compiling import compiled, inlined, inner
 from babbitt.reynolds._structs import CLEARANCE, END, START, Bearing
-from babbitt.reynolds.lands._equilibrium import evaluate_land
-from babbitt.reynolds.lands._grids import new_film, new_grid, new_lines, uniform_lines
+from babbitt.reynolds.lands._equilibrium import answer_land
+from babbitt.reynolds.lands._grids import film_coefficients, new_film, new_grid, new_lines, uniform_lines
 
 LOADED, UNLOADED, AT_LIMIT, NO_FILM, NOT_FOUND = 0, 1, 2, 3, 4
 
@@ -41,19 +41,52 @@ def pad_grid(pads, intervals, m):
     return grid
 
 
+@inlined
+def pad_land(pads, k):
+    """Pad k as a land of its own."""
+    b = pads.bearing
+    return Bearing(
+        b.lands, b.profiles, pads.kappa[k], b.speed, b.side_pressure, b.conserving, b.smooth, b.crowding
+    )
+
+
+@inlined
+def pad_coefficients(pads, grid, k, e, eta, film):
+    """Coefficients of the film of pad k at (e, eta), with a viscosity that differs from interval to interval."""
+    film_coefficients(pad_land(pads, k), grid, k, e, eta, 0.0, 0.0, film)
+    if pads.fluidity.shape[1] == 0:
+        return
+    n = film.conductance.size
+    before = pads.fluidity[k, 0]
+    for i in range(n + 1):
+        behind = pads.fluidity[k, min(i, n - 1)]
+        mean = 0.5 * (before + behind)
+        film.cubed[i] *= mean
+        film.cubed_x[i] *= mean
+        film.cubed_y[i] *= mean
+        before = behind
+        if i == n:
+            break
+        film.conductance[i] *= behind
+        film.conductance_x[i] *= behind
+        film.conductance_y[i] *= behind
+        film.couette[i] *= pads.drag[k, i]
+        film.couette_x[i] *= pads.drag[k, i]
+        film.couette_y[i] *= pads.drag[k, i]
+
+
 @inner
 def pad_film(axial, pads, grid, k, film, lines, e, eta, wet, smooth, places):
     """Film of pad k at (e, eta), its answers filled in; returns whether its wet set does not change any more."""
-    b = pads.bearing
-    own = Bearing(b.lands, b.profiles, pads.kappa[k], b.speed, b.side_pressure, b.conserving, b.smooth, b.crowding)
-    answer = places.answers[k]
+    own, answer = pad_land(pads, k), places.answers[k]
+    pad_coefficients(pads, grid, k, e, eta, film)
     if wet:
         grid.wet[k] = True
     converged = False
     for _ in range(MOST_UPDATES):
         answer[:] = 0.0
         places.films[0] += 1
-        if evaluate_land(axial, own, grid, k, film, lines, e, eta, 0.0, 0.0, smooth, answer) == 0:
+        if answer_land(axial, own, grid, k, film, lines, smooth, answer) == 0:
             converged = True
             break
     answer *= pads.weight[k]

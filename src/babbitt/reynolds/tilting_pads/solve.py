@@ -106,6 +106,7 @@ def kernel_pads(bearing: TiltingPadBearing, scales: PadScales) -> Pads:
     return Pads(
         Bearing(lands, profiles, math.nan, 1.0, 0.0, False, True, 1.0), kappa, weight, np.cos(angle),
         np.sin(angle), offset, rotational, neutral, curves, loads, displacements, centred, plain,
+        np.ones((count, 0)), np.ones((count, 0)),
     )  # fmt: skip
 
 
