@@ -114,6 +114,7 @@ class PadFilms:
         pads = pads._replace(
             bearing=pads.bearing._replace(profiles=profiles), fluidity=np.ones((count, n)),
             drag=np.ones((count, n)), centred=pads.centred & (heat.bending is None),
+            plain=pads.plain & (heat.bending is None),
         )  # fmt: skip
         return cls(
             bearing, heat, resolution, scales, kernel_operator(resolution.axial_unknowns), pads, new_places(pads),
