@@ -192,7 +192,8 @@ def test_every_field_of_a_case_is_described(part: type[Part]) -> None:
     family = text.split(f"(case-{section.family.lower()})=")[1] if section.family else ""
     for name, field in part.model_fields.items():
         assert field.description, f"{part.__name__}.{name} has no description"
-        assert f"| `{name}` |" in body + family, f"{part.__name__}.{name}"
+        row = f"`{name}`" if section.fields.get(name, {}).get("deprecated") else f"| `{name}` |"
+        assert row in body + family, f"{part.__name__}.{name}"  # of former places a list
         described = case_file.says(section.fields[name], every)
         assert described, f"{part.__name__}.{name} has an empty cell"
 

@@ -9,7 +9,9 @@ from typing import Any
 
 from babbitt.case import case_schema
 from babbitt.case.aliases import FormerWords
+from babbitt.case.method_choices import MethodChoices
 from babbitt.case.part import Part
+from babbitt.case.schema import define_methods
 from babbitt.core.units import KINDS, Kind, written
 from babbitt_pages.markdown import anchor, code, table, text
 
@@ -82,6 +84,7 @@ def sections() -> list[Section]:
             return
         family = _family(parts[name])
         described = definitions[name] if name in definitions else parts[name].model_json_schema()
+        define_methods({name: described})
         found[name] = Section(name, described, [through] if through else [], family, parts[name].former_words)
         if family:
             visit(family, "")
@@ -112,7 +115,8 @@ def _below(part: type[Part]) -> Iterator[type[Part]]:
 def _family(part: type[Part]) -> str:
     """The nearest base that brings many fields, empty if there is none."""
     for base in part.__mro__[1:]:
-        if issubclass(base, Part) and base is not Part and len(base.model_fields) >= MANY:
+        whole = issubclass(base, Part) and MethodChoices not in base.__bases__
+        if whole and base is not Part and len(base.model_fields) >= MANY:
             return base.__name__
     return ""
 

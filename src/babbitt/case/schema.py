@@ -27,7 +27,7 @@ def case_schema() -> dict[str, Any]:
     from babbitt.case.kinds import any_case
 
     drawn = TypeAdapter(any_case()).json_schema()
-    _define_methods(drawn["$defs"])
+    define_methods(drawn["$defs"])
     return {
         "$schema": GenerateJsonSchema.schema_dialect,
         "title": "Babbitt case",
@@ -36,7 +36,7 @@ def case_schema() -> dict[str, Any]:
     }
 
 
-def _define_methods(definitions: dict[str, Any]) -> None:
+def define_methods(definitions: dict[str, Any]) -> None:
     """Put the mappings of methods among the definitions, once each, as all other parts are."""
     for part in list(definitions.values()):
         ways = part.get("properties", {}).get(METHOD, {}).get("anyOf", [])
