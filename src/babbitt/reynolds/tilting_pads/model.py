@@ -109,8 +109,8 @@ class TiltingPad:
         if not self.inertia >= least * (1.0 - 1e-12):
             raise InputError(
                 "E101",
-                f"inertia of a pad is {self.inertia} kg m2 about its pivot; its mass at its mass_offset and mass_inset "
-                f"alone has {least:.6g}. Give that or more.",
+                f"inertia of a pad is {self.inertia} kg m2 about its pivot; its mass at its mass_offset and "
+                f"mass_inset alone has {least:.6g}. Give that or more.",
             )
         if not self.assembled_clearance > 0.0:
             raise InputError("E101", f"assembled_clearance of a pad is {self.assembled_clearance} m; it must be "
