@@ -115,6 +115,21 @@ def test_pads_where_they_stand_are_a_bearing_of_lobes():
     assert sum(state.side_flow for state in found.pads) == pytest.approx(float(lobed.side_flow.sum()), rel=2e-3)
 
 
+def test_wedged_pads_where_they_stand_are_a_film_node_by_node():
+    """Profiles that fall from the leading edges on, with another engine that samples them by itself."""
+    grid = Resolution(8, 192)
+    wedge = tuple(np.linspace(0.15, 0.0, 9) ** 1.5)
+    chosen = bearing((pad(angle, 75.0, 0.55, 0.4, profile=wedge) for angle in (-90, 0, 90, 180)), 0.7)
+    found = solve_tilting_pads(chosen, FOUR_LOAD, grid)
+    assert found.loaded == (0, 1, 2, 3)
+    film = replace(film_of(chosen, pad_positions(found)), crowning=(0.0, 0.0, 0.0))
+    assert film.is_surface
+    other = film_at_position(film, tuple(found.position), resolution=grid)
+    assert other.force == pytest.approx(found.force, abs=3e-4 * found.load)
+    plain = solve_tilting_pads(four_pads(), FOUR_LOAD, grid)
+    assert abs(found.position - plain.position).max() > 0.02
+
+
 def test_every_pad_conserves_its_oil():
     for state in solve_tilting_pads(four_pads(), FOUR_LOAD, GRID).pads:
         assert state.inflow == pytest.approx(state.outflow + state.side_flow, rel=1e-9)

@@ -114,9 +114,9 @@ def settle_pivot(axial, pads, grid, k, film, lines, at, origin, tolerance, place
         if high - low < (CONTACT_WIDTH if touches else PIVOT_WIDTH) * clearance:
             if status == LOADED and least > 0.0 and abs(least - lower) <= SAME_LOAD * least:
                 return status, load, slope, across, e
-            places.least[k] = least
-            if lower == 0.0:
-                places.fold[k] = high
+            if tolerance <= TIGHT or pads.rotational[k] > 0.0:
+                places.least[k] = least
+                places.fold[k] = high if lower == 0.0 else np.nan
             return AT_LIMIT if least > 0.0 else NO_FILM, 0.0, 0.0, 0.0, high
         new = np.nan
         if status == LOADED:
