@@ -27,7 +27,6 @@ from babbitt.kinds.tilting_pad_journal.model import WHIRL_RATIOS
 from babbitt.properties.materials import BearingMetal
 
 __all__ = [
-    "CARRY_OVER",
     "PadJournalLimits",
     "PadLining",
     "PadOilSupply",
@@ -38,9 +37,6 @@ __all__ = [
 Load = Annotated[float, si("N", "1 N", "1000 MN")]
 Speed = Annotated[float, either_sense("rad/s", "0.1 rpm", "1000000 rpm")]
 LoadAngle = Annotated[float, si("rad", "-360 deg", "360 deg")]
-
-CARRY_OVER = {"flooded": 1.0, "leading_edge_groove": 0.7, "spray_bar": 0.8}
-"""Assumptions: share of the oil of a pad that enters the next one, by what feeds the pads."""
 
 
 class PadLining(Part):

@@ -22,6 +22,9 @@ if TYPE_CHECKING:
 
 __all__ = ["pad_bearing", "pad_cases"]
 
+CARRY_OVER = {"flooded": 1.0, "leading_edge_groove": 0.7, "spray_bar": 0.8}
+"""Assumptions: share of the oil of a pad that enters the next one, by what feeds the pads."""
+
 CARRY_OVER_OF = {
     "flooded": "flooded grooves",
     "leading_edge_groove": "grooves in the leading edges",
@@ -94,8 +97,6 @@ def supply_of(case: TiltingPadJournalCase, temperature: float | None) -> OilSupp
 
 def feed_of(case: TiltingPadJournalCase) -> Feed:
     """What brings oil to the pads, with the carry-over that is given or assumed."""
-    from babbitt.kinds.tilting_pad_journal.case.bearing import CARRY_OVER
-
     return Feed(case.feed, CARRY_OVER[case.feed] if case.carry_over is None else case.carry_over)
 
 
