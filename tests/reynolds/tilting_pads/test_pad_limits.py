@@ -128,7 +128,7 @@ def test_wedged_pads_where_they_stand_are_a_film_node_by_node():
     assert other.force == pytest.approx(found.force, abs=3e-4 * found.load)
     plain = solve_tilting_pads(four_pads(), FOUR_LOAD, grid)
     for bent, straight in zip(found.pads, plain.pads, strict=True):  # the wedge counts
-        assert abs(bent.tangential - straight.tangential) > 0.02
+        assert abs(bent.tangential - straight.tangential) > 5e-3
 
 
 def test_every_pad_conserves_its_oil():
