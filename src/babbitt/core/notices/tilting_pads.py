@@ -57,6 +57,13 @@ TILTING_PADS: dict[str, Explanation] = {
         "than its bore is wider than the journal.",
         "Check number of pads and clearances: 1 - preload is the assembled over the machined clearance.",
     ),
+    "W412": Explanation(
+        "A film begins without oil",
+        "A flexure holds a lightly loaded pad so that its gap widens behind the leading edge: the film ruptures "
+        "there and begins again without oil (Reynolds condition). Flows, and with them the heat balance, count "
+        "that oil.",
+        "More preload of that pad, or a softer flexure.",
+    ),
     "W411": Explanation(
         "The place of the journal is indifferent in one direction",
         "The loaded pads all push along one line. Across it nothing holds the journal, and it stands where the "

@@ -72,7 +72,7 @@ def pad_solution(case: PadCase) -> Solution:
         case.kind,
         METHOD,
         Outcome.CONVERGED,
-        {name: value for name, value in values.items() if math.isfinite(value)},
+        {name: float(value) for name, value in values.items() if math.isfinite(value)},
         checks=(*checks_of(case, values), *stability_checks(case, values)),
         warnings=(*case.warnings, *warnings_of_solution(case, films, dynamics, margins, values)),
         not_checked=(*checks_not_made(case, values), *stability_not_checked(case, values)),
