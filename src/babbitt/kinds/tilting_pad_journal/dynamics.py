@@ -108,7 +108,7 @@ def dynamics_of(case: PadCase, solution: TiltingPadSolution) -> PadDynamics:
     if case.rotor_mass is not None:
         mass = case.rotor_mass
         chain = full if case.shaft_stiffness is None else on_shaft(full, case.shaft_stiffness)
-        modes = rotor_modes(chain, mass, case.sense)
+        modes = rotor_modes(chain, mass)
         motions = RotorMotions(modes, threshold_mass(chain, LIGHTER * mass, HEAVIER * mass))
     return PadDynamics(
         full,

@@ -117,10 +117,10 @@ def root_locus(case: PadCase, dynamics: PadDynamics) -> Figure:
     bound = SLOW * chain.speed
     for place, share in enumerate(MASSES):
         shade = str(round(0.82 - 0.62 * place / (MASSES.size - 1), 3))
-        modes = [one for one in rotor_modes(chain, share * case.rotor_mass, case.sense) if shown(one, bound)]
+        modes = [one for one in rotor_modes(chain, share * case.rotor_mass) if shown(one, bound)]
         panel.plot([one.growth for one in modes], [one.frequency / math.tau for one in modes], ".", color=shade,
                    markersize=2.5, markeredgewidth=0.0)  # fmt: skip
-    for mode in rotor_modes(chain, case.rotor_mass, case.sense):
+    for mode in rotor_modes(chain, case.rotor_mass):
         if shown(mode, bound):
             mark(panel, mode.growth, mode.frequency / math.tau)
             panel.annotate(
