@@ -106,8 +106,8 @@ def why(case: PadCase, found: Equilibrium[PadFilms]) -> str:
     """How far an unsolved bearing came, and what to try."""
     if found.outcome is Outcome.OVERLOADED:
         return (
-            f"at {found.last_temperature - ZERO_CELSIUS:.1f} °C an edge of a pad touches the journal, or a pivot is "
-            "loaded beyond its law, before the pads carry the load. Try: less load, more or larger pads, a more "
+            f"at {found.last_temperature - ZERO_CELSIUS:.1f} °C an edge of a pad touches the journal, or a pivot "
+            "is loaded beyond its law, before the pads carry the load. Try: less load, more or larger pads, a more "
             "viscous or cooler oil, a stiffer pivot"
         )
     if found.outcome is not Outcome.PAD_AT_LIMIT or found.film is None:

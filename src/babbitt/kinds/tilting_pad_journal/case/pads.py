@@ -51,7 +51,7 @@ class OnePad(Part):
         None, description="Centre of gravity of this pad ahead of the pivot, in the sense of rotation."
     )
     mass_inset: Offset | None = Field(
-        None, description="Centre of gravity of this pad nearer to the bearing centre than the contact of its pivot."
+        None, description="How much nearer to the bearing centre its centre of gravity is than its pivot."
     )
 
 
@@ -94,8 +94,8 @@ class JournalPads(Part):
     )
     mass_inset: Offset = Field(
         0.0,
-        description="Centre of gravity of a pad nearer to the bearing centre than the contact of the pivot. It counts "
-        "where a flexure gives way along the motion.",
+        description="How much nearer to the bearing centre the centre of gravity of a pad is than its pivot. It "
+        "counts where a flexure gives way along the motion.",
     )
     each: tuple[OnePad, ...] = Field(
         (),

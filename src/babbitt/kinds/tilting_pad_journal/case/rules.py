@@ -134,7 +134,7 @@ def centres_of_gravity(case: TiltingPadJournalCase) -> Iterator[Issue]:
 
 
 def inertia_of_mass(case: TiltingPadJournalCase, number: int) -> float:
-    """What the inertia of a pad about its pivot lacks of that of its mass where its centre of gravity is, kg m2."""
+    """What the inertia of a pad about its pivot lacks of that of its mass at its centre of gravity, kg m2."""
     fields = case.pads.fields_of(number)
     least = float(fields["mass"] * (fields["mass_offset"] ** 2 + fields["mass_inset"] ** 2))
     return least if fields["inertia"] < least * (1.0 - 1e-12) else 0.0
