@@ -107,8 +107,8 @@ def why(case: PadCase, found: Equilibrium[PadFilms]) -> str:
     if found.outcome is Outcome.OVERLOADED:
         return (
             f"at {found.last_temperature - ZERO_CELSIUS:.1f} °C an edge of a pad touches the journal, or a pivot "
-            "is loaded beyond its law, before the pads carry the load. Try: less load, more or larger pads, a more "
-            "viscous or cooler oil, a stiffer pivot"
+            "is loaded beyond its law, before the pads carry the load. Try: less load, more or larger pads, "
+            "more viscous or cooler oil, a stiffer pivot"
         )
     if found.outcome is not Outcome.PAD_AT_LIMIT or found.film is None:
         return failure(case, found)
