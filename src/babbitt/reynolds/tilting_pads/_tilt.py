@@ -41,12 +41,19 @@ def pad_grid(pads, intervals, m):
     return grid
 
 
+@inlined
+def pad_land(pads, k):
+    """Pad k as a land of its own."""
+    b = pads.bearing
+    return Bearing(
+        b.lands, b.profiles, pads.kappa[k], b.speed, b.side_pressure, b.conserving, b.smooth, b.crowding
+    )
+
+
 @inner
 def pad_film(axial, pads, grid, k, film, lines, e, eta, wet, smooth, places):
     """Film of pad k at (e, eta), its answers filled in; returns whether its wet set does not change any more."""
-    b = pads.bearing
-    own = Bearing(b.lands, b.profiles, pads.kappa[k], b.speed, b.side_pressure, b.conserving, b.smooth, b.crowding)
-    answer = places.answers[k]
+    own, answer = pad_land(pads, k), places.answers[k]
     if wet:
         grid.wet[k] = True
     converged = False
