@@ -63,7 +63,7 @@ class PadFilms:
     ``conduction`` and ``bending`` are those of every pad, empty where none is asked for. ``profiles`` and
     ``clearances`` are those of the bearing without bending and growth, ``bent`` (pads, n + 1) what bending adds to
     the one, ``grown`` (pads,) what growth takes from the other, over the unit of length. ``share`` is the part of
-    the growth that is taken.
+    the growth that is taken, ``solved`` the number of solutions of the film of a pad.
     """
 
     bearing: TiltingPadBearing
@@ -90,6 +90,7 @@ class PadFilms:
     totals: Array = field(default_factory=lambda: np.zeros((0, PAD_TOTALS)))
     share: float = 1.0
     passes: int = 0
+    solved: int = 0
 
     @classmethod
     def of(cls, bearing: TiltingPadBearing, heat: PadHeat, resolution: Resolution) -> PadFilms:
@@ -130,6 +131,7 @@ class PadFilms:
         part = 1.0 if self.passes == 0 else part
         prepare_films(self.pads, self.ring, self.columns, self.flows, self.films, fresh, part)
         self.places.unloaded_below[:] = -np.inf
+        self.places.films[0] = 0
 
     def carry(self, load: Array, start: Array, tolerance: float, most: int) -> Placement:
         """Equilibrium of journal and pads at the viscosity as it is."""
@@ -137,6 +139,7 @@ class PadFilms:
             self.axial, self.pads, self.resolution.intervals, load[0], load[1], start[0], start[1], tolerance,
             most, self.places, self.total,
         )  # fmt: skip
+        self.solved += int(self.places.films[0])
         residual = math.hypot(self.total[0] + load[0], self.total[1] + load[1])
         return Placement(np.array([x, y]), int(status), int(steps), bool(indifferent), residual, grid)
 
@@ -145,6 +148,7 @@ class PadFilms:
         is_open, is_found, grid = pads_at(
             self.axial, self.pads, self.resolution.intervals, at[0], at[1], self.places, self.total
         )
+        self.solved += int(self.places.films[0])
         status = CONVERGED if is_found else STUCK
         return Placement(at, status if is_open else CLOSED, 0, False, 0.0, grid)
 

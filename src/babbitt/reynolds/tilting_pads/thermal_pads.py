@@ -34,7 +34,7 @@ THERMAL_PADS = Resolution(4, 48)
 """Usual grid: temperatures within 0.2 K of finer ones."""
 RELAXATIONS = (0.8, 0.4, 0.2)
 """Shares of a new viscosity that a pass takes, in one attempt after the other."""
-SETTLED, SHAPED = 0.01, 3e-4
+SETTLED, SHAPED = 5e-3, 3e-4
 """Largest change of temperature in a pass, K, and of a pad's shape over the smallest gap, at which they rest."""
 MOST_PASSES = 60
 LOOSE, FINE = 1e-3, 1e-4
@@ -48,7 +48,9 @@ FIRST_SHARE, LEAST_SHARE = 0.25, 0.02
 """Of the growth: the first step, and that at which no more is tried."""
 MOST_STEPS = 100
 """Of the journal in one pass."""
-ENDS = (Outcome.CONVERGED, Outcome.PAD_AT_LIMIT, Outcome.OUTSIDE_CLEARANCE)
+MOST_FILMS = 100_000
+"""Solutions of the film of a pad in one attempt: about a second."""
+ENDS = (Outcome.CONVERGED, Outcome.PAD_AT_LIMIT, Outcome.OUTSIDE_CLEARANCE, Outcome.WORK_BOUND)
 """What smaller steps would not change."""
 
 
@@ -168,14 +170,16 @@ def settle(films: PadFilms, load: Array | None, at: Array, part: float) -> Settl
             at = placement.at
         if placement.status == CLOSED:
             return Settled(films, placement, Outcome.OUTSIDE_CLEARANCE, passes)
+        if films.solved > MOST_FILMS:
+            return Settled(films, placement, Outcome.WORK_BOUND, passes)
         before = films.films.temperature.copy()
         change = films.heat_up(placement)
         if not math.isfinite(change) or films.gap() < THINNEST:
             break
         shaped, last = films.deform(placement.grid), rises
         rises = films.films.temperature - before
-        swings = passes > PATIENT and change < SWING and float(np.vdot(rises, last)) < 0.0
-        if (change < SETTLED or swings) and shaped < SHAPED:
+        swings = passes > PATIENT and float(np.vdot(rises, last)) < 0.0
+        if change < (SWING if swings else SETTLED) and shaped < SHAPED:
             return Settled(films, placement, OUTCOMES.get(placement.status, Outcome.NOT_CONVERGED), passes)
         tolerance = FINE * min(change, 1.0)
     return Settled(films, placement, Outcome.NOT_CONVERGED, passes)
