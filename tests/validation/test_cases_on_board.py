@@ -81,6 +81,7 @@ def test_what_was_fitted_to_the_values_compared_is_no_validation():
     assert own == {
         *("procedure_regression", "screw_heel_states", "film_characteristics", "film_groove_pitch"),
         "someya_1989_table3",
+        "ross_five_pads",
     }
     assert {case.name for case in cases()} - {case.name for case in cases_of(Evidence.VALIDATION)} == fitted | own
     for case in cases_of(Evidence.REGRESSION):
