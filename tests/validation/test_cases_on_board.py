@@ -88,7 +88,7 @@ def test_what_was_fitted_to_the_values_compared_is_no_validation():
         assert summary(case.run(), case.evidence).sentence.endswith("own values, regression, no validation.")
     for case in cases_of(Evidence.REPRODUCTION):
         said = case.story.assumptions.lower()
-        assert any(word in said for word in ("inferred", "all inputs are ours")), case.name
+        assert any(word in said for word in ("inferred", "fitted to the values", "all inputs are ours")), case.name
         assert summary(case.run(), case.evidence).sentence.endswith("no validation.")
 
 
