@@ -58,7 +58,10 @@ def constants(node: ast.expr) -> tuple[str, ...] | None:
 
 def sites() -> Iterator[Site]:
     for path in sorted(SOURCE.rglob("*.py")):
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        text = path.read_text(encoding="utf-8")
+        if not any(f"{maker}(" in text for maker in MAKERS):
+            continue
+        for node in ast.walk(ast.parse(text)):
             name = getattr(node.func, "id", "") if isinstance(node, ast.Call) else ""
             if name in MAKERS:
                 yield MAKERS[name](f"{path.relative_to(SOURCE)}:{node.lineno}", node)

@@ -8,12 +8,13 @@ has turned.
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.core.result import Outcome
 from babbitt.kinds.journal.film.changing_load import ChangingLoad
+from babbitt.reynolds.equilibrium.many_positions import FilmPositions
 from babbitt.reynolds.equilibrium.position import film_at_position
 from babbitt.reynolds.model import JournalFilm, Resolution
 from babbitt.reynolds.solution import FilmSolution
@@ -35,6 +36,15 @@ class NoMotionError(Exception):
     """The film gave no answer, or no velocity at which it carries the load, or the march took too many films."""
 
 
+@dataclass(frozen=True, eq=False)
+class FilmForce:
+    """Force (N), stiffness (N/m) and damping (N s/m) of the film at one place and velocity."""
+
+    force: Array
+    stiffness: Array
+    damping: Array
+
+
 class MovingJournal:
     """The film as the right-hand side of an equation of motion."""
 
@@ -45,6 +55,7 @@ class MovingJournal:
         self.speed = speed
         self.c, self.rate = film.clearance, abs(speed)
         self.films = 0
+        self._positions = FilmPositions(film, resolution)
         self._last_velocity = np.zeros(2)
 
     def load(self, turned: float) -> Array:
@@ -52,22 +63,33 @@ class MovingJournal:
         changing = self.changing.at(math.copysign(turned, self.speed))
         return np.asarray(self.steady + np.asarray(changing), dtype=np.float64)
 
-    def film_at(self, place: Array, velocity: Array) -> FilmSolution | None:
+    def film_at(self, place: Array, velocity: Array) -> FilmForce | None:
         """Film at a place and velocity; None where the journal touches the bore."""
         self.films += 1
         if self.films > 3 * MOST_FILMS:
             raise NoMotionError
-        c, unit = self.c, self.c * self.rate
-        found = film_at_position(
-            self.film, (place[0] * c, place[1] * c), (velocity[0] * unit, velocity[1] * unit), self.resolution
-        )
-        if found.outcome is Outcome.OVERLOADED:
+        found = self._positions.coefficients(np.concatenate(self.in_metres(place, velocity))[None, :])
+        if found.outside[0]:
             return None
+        if not found.settled[0]:
+            raise NoMotionError
+        return FilmForce(found.force[0], found.stiffness[0], found.damping[0])
+
+    def in_metres(self, place: Array, velocity: Array) -> tuple[Array, Array]:
+        """Place (m) and velocity (m/s)."""
+        return place * self.c, velocity * (self.c * self.rate)
+
+    def solution_at(self, place: Array, velocity: Array) -> FilmSolution:
+        """The film with its pressure, flows and torques."""
+        at, moving = self.in_metres(place, velocity)
+        found = film_at_position(
+            self.film, (float(at[0]), float(at[1])), (float(moving[0]), float(moving[1])), self.resolution
+        )
         if not found.outcome.solved:
             raise NoMotionError
         return found
 
-    def balanced(self, turned: float, place: Array, last_step: float) -> tuple[Array, FilmSolution | None]:
+    def balanced(self, turned: float, place: Array, last_step: float) -> tuple[Array, FilmForce | None]:
         """Velocity at which the film carries the load, and the film there; inward where there is contact."""
         load = self.load(turned)
         velocity = self._last_velocity
@@ -106,10 +128,8 @@ class MasslessJournal(MovingJournal):
 
     def film_of(self, turned: float, state: Array) -> tuple[Array, FilmSolution]:
         """Velocity and film of a state."""
-        velocity, film = self.balanced(turned, state, BALANCED)
-        if film is None:
-            raise NoMotionError
-        return velocity, film
+        velocity, _ = self.balanced(turned, state, BALANCED)
+        return velocity, self.solution_at(state, velocity)
 
 
 class HeavyJournal(MovingJournal):
@@ -151,7 +171,4 @@ class HeavyJournal(MovingJournal):
 
     def film_of(self, turned: float, state: Array) -> tuple[Array, FilmSolution]:
         """Velocity and film of a state."""
-        film = self.film_at(state[:2], state[2:])
-        if film is None:
-            raise NoMotionError
-        return state[2:], film
+        return state[2:], self.solution_at(state[:2], state[2:])
