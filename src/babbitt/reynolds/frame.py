@@ -64,16 +64,20 @@ class LoadFrame:
             clearance=rounded(film.clearance),
             viscosity=rounded(film.viscosity),
             angular_speed=rounded(film.angular_speed),
-            lands=tuple(turned_land(land, angle) for land in film.lands),
+            lands=tuple(turned_land(land, angle, down) for land in film.lands),
             pockets=tuple(
-                replace(one, centre_angle=turned_angle(one.centre_angle, angle), pressure=rounded(one.pressure))
+                replace(
+                    one, centre_angle=turned_angle(one.centre_angle, angle, down), pressure=rounded(one.pressure)
+                )
                 for one in film.pockets
             ),
-            steps=tuple(replace(one, centre_angle=turned_angle(one.centre_angle, angle)) for one in film.steps),
-            misalignment=turned_vector(film.misalignment, angle),
+            steps=tuple(
+                replace(one, centre_angle=turned_angle(one.centre_angle, angle, down)) for one in film.steps
+            ),
+            misalignment=turned_vector(film.misalignment, angle, down),
             viscosity_field=rounded_field(film.viscosity_field, 1.0),
             displacement=rounded_field(film.displacement, film.clearance),
-            field_start=turned_angle(film.field_start, angle),
+            field_start=turned_angle(film.field_start, angle, down),
         )
         return cls(film, turned, (0.0, -down * rounded(size)), angle)
 
@@ -120,31 +124,32 @@ def rounded_field(field: Field, unit: float) -> Field:
     return tuple(map(tuple, (np.round(np.asarray(field) / unit, ANGLE_DIGITS) * unit).tolist()))
 
 
-def turned_angle(given: float, angle: float) -> float:
-    """An angle, turned, within (-pi, pi], rad."""
-    turned = round(given + angle, ANGLE_DIGITS)
-    return round(turned - TURN * math.ceil((turned - math.pi) / TURN - 1e-9), ANGLE_DIGITS)
+def turned_angle(given: float, angle: float, sense: float) -> float:
+    """An angle, turned, within (-pi, pi], rad; in the mirror for a clockwise film, so that images have one angle."""
+    turned = sense * (given + angle)
+    return sense * round(turned - TURN * math.ceil((turned - math.pi) / TURN - 1e-9), ANGLE_DIGITS)
 
 
-def turned_vector(given: Vector, angle: float) -> Vector:
+def turned_vector(given: Vector, angle: float, sense: float) -> Vector:
     """A vector, turned."""
     size = rounded(math.hypot(*given))
     if size == 0.0:
         return given
-    towards = turned_angle(math.atan2(given[1], given[0]), angle)
+    towards = turned_angle(math.atan2(given[1], given[0]), angle, sense)
     return size * math.cos(towards), size * math.sin(towards)
 
 
-def turned_land(land: Land, angle: float) -> Land:
-    """A land, turned."""
-    start = turned_angle(land.start_angle, angle)
+def turned_land(land: Land, angle: float, sense: float) -> Land:
+    """A land, turned; its other end follows from that at which the film begins, at the end of a clockwise one."""
     extent = land.end_angle - land.start_angle
-    whole = math.isclose(extent, TURN, rel_tol=1e-9)
+    spanned = TURN if math.isclose(extent, TURN, rel_tol=1e-9) else round(extent, ANGLE_DIGITS)
+    first = turned_angle(land.start_angle if sense > 0.0 else land.end_angle, angle, sense)
+    start, end = sorted((first, first + sense * spanned))
     return replace(
         land,
         start_angle=start,
-        end_angle=start + (TURN if whole else round(extent, ANGLE_DIGITS)),
-        centre=turned_vector(land.centre, angle),
+        end_angle=end,
+        centre=turned_vector(land.centre, angle, sense),
         start_pressure=rounded(land.start_pressure),
         end_pressure=rounded(land.end_pressure),
     )
