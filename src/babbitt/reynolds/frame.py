@@ -125,7 +125,7 @@ def rounded_field(field: Field, unit: float) -> Field:
 
 
 def turned_angle(given: float, angle: float, sense: float) -> float:
-    """An angle, turned, within (-pi, pi], rad; in the mirror for a clockwise film, so that images have one angle."""
+    """An angle, turned, within (-pi, pi], rad; in the mirror for a clockwise film, as its image."""
     turned = sense * (given + angle)
     return sense * round(turned - TURN * math.ceil((turned - math.pi) / TURN - 1e-9), ANGLE_DIGITS)
 
