@@ -148,6 +148,18 @@ def test_images_are_solved_as_one_film(kind: str, seed: int) -> None:
     assert behind.load == (ahead.load[0], -ahead.load[1])
 
 
+@pytest.mark.parametrize("rows", [1, 5, 11])
+@pytest.mark.parametrize("seed", range(4))
+def test_a_table_of_the_bore_may_begin_at_any_of_its_rows(rows: int, seed: int) -> None:
+    film, load = random_film("displaced", seed)
+    other = replace(
+        film,
+        displacement=(*film.displacement[rows:], *film.displacement[:rows]),
+        field_start=film.field_start + rows * TURN / len(film.displacement),
+    )
+    assert LoadFrame.of(other, load).film == LoadFrame.of(film, load).film
+
+
 @pytest.mark.parametrize("turns", [-2, 1])
 def test_a_whole_turn_more_is_the_same_film(turns: int) -> None:
     film, load = random_film("pressure", 3)
