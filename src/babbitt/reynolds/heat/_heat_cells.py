@@ -60,9 +60,20 @@ def bernoulli(x):
     return x / (math.exp(x) - 1.0)
 
 
+@inlined
+def in_series(conductance, wall):
+    """Conductance of half a layer and the wall behind it."""
+    if wall == 0.0 or conductance == 0.0:
+        return 0.0
+    return conductance if wall == math.inf else conductance * wall / (conductance + wall)
+
+
 @compiled
-def fill_cells(surface, columns, flows, conduction, stirred, insulated, fresh, viscosity, cells):
+def fill_cells(surface, columns, flows, conduction, stirred, bush, journal, fresh, viscosity, cells):
     """Factors and sources of all cells; ``conduction`` is k / (rho c omega c^2), ``fresh`` enters at the sides.
+
+    Heat goes through a wall of the conductance ``bush`` or ``journal``, over rho c omega c: zero where it is
+    insulated, infinite where it has the temperature that is given.
 
     Turbulence conducts between layers: k (1 + s (f - 1)) with f the turbulent over the laminar shear and s the
     Prandtl number of the oil of the cell over that of turbulence, ``stirred`` at unit viscosity; the halves of the
@@ -126,12 +137,11 @@ def fill_cells(surface, columns, flows, conduction, stirred, insulated, fresh, v
                     high[k] = -down
                     low[k + 1] = -up
                     diagonal[k + 1] += down
-            cells.bush[i, c], cells.journal[i, c] = 0.0, 0.0
-            if not insulated:
-                cells.bush[i, c] = conduct / (0.5 * columns.layer[0])
-                cells.journal[i, c] = conduct / (0.5 * columns.layer[layers - 1])
-                diagonal[0] += cells.bush[i, c]
-                diagonal[layers - 1] += cells.journal[i, c]
+            area = width * columns.size[c]
+            cells.bush[i, c] = in_series(conduct / (0.5 * columns.layer[0]), bush * area)
+            cells.journal[i, c] = in_series(conduct / (0.5 * columns.layer[layers - 1]), journal * area)
+            diagonal[0] += cells.bush[i, c]
+            diagonal[layers - 1] += cells.journal[i, c]
             pivot, factor = 0.0, 0.0
             for k in range(layers):
                 if k > 0:

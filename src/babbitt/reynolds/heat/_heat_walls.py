@@ -81,7 +81,8 @@ def wall_jacobian_outdated(columns, flows, walls):
 @compiled
 def fill_film(surface, columns, flows, stirred, viscosity, cells, walls):
     """Cells of the energy equation for these flows; whether ``wall_jacobian_outdated``."""
-    fill_cells(surface, columns, flows, walls.conduction, stirred, walls.insulated, walls.fresh, viscosity, cells)
+    wall = 0.0 if walls.insulated else np.inf
+    fill_cells(surface, columns, flows, walls.conduction, stirred, wall, wall, walls.fresh, viscosity, cells)
     return not walls.insulated and wall_jacobian_outdated(columns, flows, walls)
 
 

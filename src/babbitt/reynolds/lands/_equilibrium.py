@@ -42,8 +42,14 @@ CYCLING = 30  # steps after which a node that changes sides for ever is let be, 
 @inlined
 def evaluate_land(axial, bearing, grid, k, film, lines, x, y, x_rate, y_rate, smooth, result):
     """Add force, stiffness and damping of land k to ``result``; returns how many nodes changed (`evaluate`)."""
-    m, n = len(axial.size), film.conductance.size
     film_coefficients(bearing, grid, k, x, y, x_rate, y_rate, film)
+    return answer_land(axial, bearing, grid, k, film, lines, smooth, result)
+
+
+@inlined
+def answer_land(axial, bearing, grid, k, film, lines, smooth, result):
+    """As `evaluate_land`, for coefficients of the film that are known."""
+    m, n = len(axial.size), film.conductance.size
     first = n
     if smooth:
         count_wet(grid, k, lines, m)

@@ -1,0 +1,327 @@
+"""Films of tilting pads with their temperatures: one pass of equilibrium, energy, walls, bending and growth."""
+
+from __future__ import annotations
+
+import math
+from copy import deepcopy
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from babbitt.core.notices import InputError
+from babbitt.reynolds._structs import CLEARANCE, Axial, Grid
+from babbitt.reynolds.heat._heat_cells import Cells, new_cells
+from babbitt.reynolds.heat._heat_flows import Columns, Flows, new_flows
+from babbitt.reynolds.heat.heat_model import HeatGrid, JournalHeat
+from babbitt.reynolds.lands.operators import kernel_operator
+from babbitt.reynolds.model import Resolution
+from babbitt.reynolds.tilting_pads._pad_flows import NARROWEST, PAD_TOTALS, PadRing
+from babbitt.reynolds.tilting_pads._pad_heat import Oil, Temperatures, WallState, heat_pads, prepare_films
+from babbitt.reynolds.tilting_pads._pads import CLOSED, CONVERGED, STUCK, find_pads
+from babbitt.reynolds.tilting_pads._place import new_places, pads_at
+from babbitt.reynolds.tilting_pads._structs import PadPlaces, Pads
+from babbitt.reynolds.tilting_pads.model import TiltingPadBearing
+from babbitt.reynolds.tilting_pads.pad_bending import bending_matrices
+from babbitt.reynolds.tilting_pads.pad_conduction import SURROUNDINGS, PadConduction, pad_conduction
+from babbitt.reynolds.tilting_pads.pad_heat import PadHeat
+from babbitt.reynolds.tilting_pads.solve import PadScales, kernel_pads, no_total
+
+__all__ = ["PadFilms", "Placement"]
+
+Array = NDArray[np.float64]
+
+GUESSED_RISE = 10.0
+"""K above the supply, where temperatures start."""
+WALL_EXCHANGE = 4.0
+"""Conductance at which pads and films meet, over k/c_p of the oil. Only the number of passes depends on it."""
+USUAL_LAYERS = 8
+"""Number of layers that the compiler knows."""
+DEFORMATION_STEP, LARGEST_STEP = 0.6, 0.1
+"""Share of a new deformation that a pass takes, and its largest step over the smallest gap."""
+
+
+@dataclass(frozen=True, eq=False)
+class Placement:
+    """Where the kernels of equilibrium left journal and pads.
+
+    ``status`` is that of ``find_pads``, ``residual`` the force left over in the units of the kernels.
+    """
+
+    at: Array
+    status: int
+    steps: int
+    indifferent: bool
+    residual: float
+    grid: Grid
+
+
+@dataclass(eq=False)
+class PadFilms:
+    """Films of all pads in the units of the kernels; changed in place from pass to pass.
+
+    ``conduction`` and ``bending`` are those of every pad, empty where none is asked for. ``profiles`` and
+    ``clearances`` are those of the bearing without bending and growth, ``bent`` (pads, n + 1) what bending adds to
+    the one, ``grown`` (pads,) what growth takes from the other, over the unit of length. ``share`` is the part of
+    the growth that is taken, ``solved`` the number of solutions of the film of a pad.
+    """
+
+    bearing: TiltingPadBearing
+    heat: PadHeat
+    resolution: Resolution
+    scales: PadScales
+    axial: Axial
+    pads: Pads
+    places: PadPlaces
+    ring: PadRing
+    columns: Columns
+    flows: Flows
+    cells: Cells
+    oil: Oil
+    walls: WallState
+    films: Temperatures
+    conduction: tuple[PadConduction, ...]
+    bending: tuple[tuple[Array, Array], ...]
+    profiles: Array
+    clearances: Array
+    bent: Array
+    grown: Array
+    total: Array = field(default_factory=no_total)
+    totals: Array = field(default_factory=lambda: np.zeros((0, PAD_TOTALS)))
+    share: float = 1.0
+    passes: int = 0
+    solved: int = 0
+
+    @classmethod
+    def of(cls, bearing: TiltingPadBearing, heat: PadHeat, resolution: Resolution) -> PadFilms:
+        """Films at a temperature somewhat above that of the supply."""
+        if any(pad.viscosity is not None for pad in bearing.pads):
+            raise InputError("E101", "viscosity of a pad is given; films with their own temperatures have that of "
+                             "the oil. Leave it out.")  # fmt: skip
+        count, n = len(bearing.pads), resolution.intervals
+        rows, layers = count * (n + 1), heat.layers
+        scales = PadScales(bearing)
+        columns = columns_of(count, n, layers)
+        flows = new_flows(rows, rows, 1, layers)
+        start = heat.supply_temperature + GUESSED_RISE
+        films = Temperatures(
+            np.ones((rows, 1, layers)), np.full((rows, 1, layers), start), np.full((rows, 1, layers), start),
+            np.zeros((rows, layers, 3)), np.full(count, heat.supply_temperature), np.zeros(count, dtype=bool),
+        )  # fmt: skip
+        oil = oil_of(bearing, heat, scales)
+        conduction = conduction_of(bearing, heat, n)
+        pads = kernel_pads(bearing, scales)
+        profiles = resampled(pads.bearing.profiles, n + 1 if heat.bending is not None else 0)
+        pads = pads._replace(
+            bearing=pads.bearing._replace(profiles=profiles), fluidity=np.ones((count, n)),
+            drag=np.ones((count, n)), centred=pads.centred & (heat.bending is None),
+            plain=pads.plain & (heat.bending is None),
+        )  # fmt: skip
+        return cls(
+            bearing, heat, resolution, scales, kernel_operator(resolution.axial_unknowns), pads, new_places(pads),
+            ring_of(bearing, n), columns, flows, new_cells(rows, 1, layers), oil,
+            walls_of(bearing, heat, conduction, rows, start), films, conduction, bending_of(bearing, heat, n),
+            profiles.copy(), pads.bearing.lands[:, CLEARANCE].copy(), np.zeros((count, n + 1)), np.zeros(count),
+            totals=np.zeros((count, PAD_TOTALS)),
+        )  # fmt: skip
+
+    def prepare(self, part: float) -> None:
+        """Coefficients of the films at their temperatures; ``part`` of a new viscosity is taken, by logarithms."""
+        fresh = np.asarray(self.heat.viscosity(self.films.on_lines)) / self.bearing.viscosity
+        part = 1.0 if self.passes == 0 else part
+        prepare_films(self.pads, self.ring, self.columns, self.flows, self.films, fresh, part)
+        self.places.unloaded_below[:] = -np.inf
+        self.places.films[0] = 0
+
+    def carry(self, load: Array, start: Array, tolerance: float, most: int) -> Placement:
+        """Equilibrium of journal and pads at the viscosity as it is."""
+        x, y, status, steps, indifferent, grid = find_pads(
+            self.axial, self.pads, self.resolution.intervals, load[0], load[1], start[0], start[1], tolerance,
+            most, self.places, self.total,
+        )  # fmt: skip
+        self.solved += int(self.places.films[0])
+        residual = math.hypot(self.total[0] + load[0], self.total[1] + load[1])
+        return Placement(np.array([x, y]), int(status), int(steps), bool(indifferent), residual, grid)
+
+    def place(self, at: Array) -> Placement:
+        """Pads around a journal at a place, at the viscosity as it is."""
+        is_open, is_found, grid = pads_at(
+            self.axial, self.pads, self.resolution.intervals, at[0], at[1], self.places, self.total
+        )
+        self.solved += int(self.places.films[0])
+        status = CONVERGED if is_found else STUCK
+        return Placement(at, status if is_open else CLOSED, 0, False, 0.0, grid)
+
+    def heat_up(self, placement: Placement) -> float:
+        """Energy of films that stand, of grooves, journal and pads; the largest change of temperature, K."""
+        self.passes += 1
+        return float(
+            heat_pads(
+                self.axial, self.pads, placement.grid, self.places, self.ring, self.columns, self.flows,
+                self.cells, self.oil, self.walls, self.films, self.totals,
+            )
+        )  # fmt: skip
+
+    def gap(self) -> float:
+        """Smallest gap of the last pass."""
+        return float(self.totals[:, NARROWEST].min())
+
+    def copied(self) -> PadFilms:
+        """Films that may change without these."""
+        fixed = (self.bearing, self.heat, self.axial, self.conduction, self.bending, self.walls.answer, self.oil)
+        return deepcopy(self, {id(part): part for part in fixed})
+
+    def drives(self) -> Array:
+        """What drives the temperatures of every pad (`PadConduction`), shape (pads, n + 1 + 3)."""
+        count = self.films.inlet.size
+        trailing = np.empty(count)
+        trailing[self.oil.previous] = self.films.inlet
+        around = np.stack([self.films.inlet, trailing, np.full(count, self.walls.back)], axis=1)
+        return np.concatenate([self.walls.flux.reshape(count, -1), around], axis=1)
+
+    def deform(self, grid: Grid) -> float:
+        """Take a share of the bending and growth that belong to temperatures and pressures; the change still to
+        come, over the smallest gap."""
+        if not self.bending and self.heat.growth is None:
+            return 0.0
+        drives, smallest = self.drives(), max(self.gap(), 1e-6)
+        rise = self.growths(drives) - self.grown
+        bend = np.zeros_like(self.bent)
+        if self.bending:
+            bend = self.deflections(grid, drives) - self.bent
+        change = max(float(np.abs(rise).max()), float(np.abs(bend).max()))
+        part = min(DEFORMATION_STEP, LARGEST_STEP * smallest / max(change, 1e-300))
+        self.grown += part * rise
+        self.bent += part * bend
+        self.pads.bearing.lands[:, CLEARANCE] = self.clearances - self.grown
+        if self.bending:
+            self.pads.bearing.profiles[:] = self.profiles + self.bent
+        return change / smallest
+
+    def growths(self, drives: Array) -> Array:
+        """How much narrower the gap of every pad is by growth of pad and journal, less that of the housing.
+
+        Pads are taken to come closer by as much along their whole arc: machined and assembled clearance shrink
+        together. (A pad also opens its bore as it warms; an assumption that leaves it out.)
+        """
+        growth, grown = self.heat.growth, np.zeros(len(self.bearing.pads))
+        if growth is None:
+            return grown
+        reference, supply = growth.reference_temperature, self.heat.supply_temperature
+        housing = supply if growth.housing_temperature is None else growth.housing_temperature
+        journal = growth.journal_expansion * self.bearing.radius * (self.walls.journal[0] - reference)
+        for k, (pad, conduction) in enumerate(zip(self.bearing.pads, self.conduction, strict=True)):
+            radius = self.bearing.lever(pad) if growth.housing_radius is None else growth.housing_radius
+            grown[k] = growth.pad_expansion * pad.thickness * (conduction.pivot @ drives[k] - reference)
+            grown[k] += journal - growth.housing_expansion * radius * (housing - reference)
+        return self.share * grown / self.scales.length
+
+    def deflections(self, grid: Grid, drives: Array) -> Array:
+        """Bending of every pad under the pressure and the temperature that it has, shape (pads, n + 1)."""
+        means = (np.where(grid.wet, grid.value, 0.0) @ self.axial.root_weights) * self.scales.pressure
+        bent = np.empty_like(self.bent)
+        for k, ((by_pressure, by_heat), conduction) in enumerate(zip(self.bending, self.conduction, strict=True)):
+            bent[k] = by_pressure @ means[k] + by_heat @ (conduction.difference @ drives[k])
+        return bent / self.scales.length
+
+
+def columns_of(count: int, n: int, layers: int) -> Columns:
+    """One column for the width; the first line of every pad is its groove."""
+    supply = np.full((count, n + 1), -1, dtype=np.int64)
+    supply[:, 0] = np.arange(count)
+    counted = (0,) * layers if layers == USUAL_LAYERS else np.zeros(layers, dtype=np.int64)
+    return Columns(
+        np.zeros(1, dtype=np.int64), supply.reshape(-1, 1), np.zeros(1, dtype=np.int64), counted,
+        HeatGrid(layers).thicknesses(), np.ones(1),
+    )  # fmt: skip
+
+
+def ring_of(bearing: TiltingPadBearing, n: int) -> PadRing:
+    """Intervals of all pads in a row."""
+    extents = np.array([pad.extent for pad in bearing.pads])
+    step = np.repeat(extents[:, None] / n, n + 1, axis=1)
+    step[:, 0] *= 2.0
+    step[:, n] = 0.0
+    size = step.size
+    return PadRing(
+        step.ravel(), 1.0, False, (0,), np.zeros(1, dtype=np.int64), np.ones((size, 1)), np.ones((size, 1))
+    )
+
+
+def oil_of(bearing: TiltingPadBearing, heat: PadHeat, scales: PadScales) -> Oil:
+    """Scales of heat."""
+    count, turn = len(bearing.pads), 2.0 * math.pi
+    capacity, length = heat.volumetric_heat_capacity, scales.length
+    order = np.argsort([(bearing.sense * pad.pivot_angle) % turn for pad in bearing.pads])
+    previous = np.empty(count, dtype=np.int64)
+    previous[order] = np.roll(order, 1)
+    share = np.array([1.0 if pad.width is None else pad.width / bearing.width for pad in bearing.pads])
+    return Oil(
+        conduction=heat.conductivity / (capacity * scales.rate * length**2),
+        flow_heat=capacity * scales.flow,
+        wall_heat=capacity * scales.rate * length,
+        rise=bearing.viscosity * scales.rate * (bearing.radius / length) ** 2 / capacity,
+        fresh=heat.supply_temperature,
+        carry_over=heat.carried,
+        share=share,
+        previous=previous,
+    )
+
+
+def conduction_of(bearing: TiltingPadBearing, heat: PadHeat, n: int) -> tuple[PadConduction, ...]:
+    """Conduction of every pad, or nothing."""
+    if heat.walls is None:
+        return ()
+    return tuple(
+        pad_conduction(
+            bearing.radius + pad.clearance, pad.thickness, pad.extent, pad.pivot_fraction, n, heat.walls
+        )
+        for pad in bearing.pads
+    )
+
+
+def bending_of(bearing: TiltingPadBearing, heat: PadHeat, n: int) -> tuple[tuple[Array, Array], ...]:
+    """Bending of every pad, or nothing."""
+    if heat.bending is None:
+        return ()
+    return tuple(
+        bending_matrices(
+            bearing.radius + pad.clearance, pad.thickness, pad.extent, pad.pivot_fraction, n, heat.bending
+        )
+        for pad in bearing.pads
+    )
+
+
+def walls_of(
+    bearing: TiltingPadBearing, heat: PadHeat, conduction: tuple[PadConduction, ...], rows: int, start: float
+) -> WallState:
+    """Journal and pads at a uniform temperature."""
+    count, supply = len(bearing.pads), heat.supply_temperature
+    lines = rows // count
+    journal = JournalHeat() if heat.journal is None else heat.journal
+    exchange = WALL_EXCHANGE * heat.conductivity / min(pad.clearance for pad in bearing.pads)
+    answer, given = np.zeros((count, lines, lines)), np.zeros((count, lines, SURROUNDINGS))
+    for k, one in enumerate(conduction):
+        matrix = np.eye(lines) + exchange * one.bore[:, :lines]
+        solved = np.linalg.solve(matrix, one.bore)
+        answer[k], given[k] = solved[:, :lines], solved[:, lines:]
+    back = supply if heat.walls is None or heat.walls.back_temperature is None else heat.walls.back_temperature
+    return WallState(
+        journal=np.array([
+            start if journal.temperature is None else journal.temperature, 0.0, journal.shaft_conductance,
+            journal.ambient_temperature,
+        ]),
+        journal_open=heat.journal is not None, journal_given=journal.temperature is not None,
+        pads_open=bool(conduction), exchange=exchange, answer=answer, given=given, back=back,
+        bore=np.full(rows, start), flux=np.zeros(rows), datum=np.full(rows, start),
+    )  # fmt: skip
+
+
+def resampled(profiles: Array, samples: int) -> Array:
+    """Profiles with at least as many samples as lines, where bending adds to them."""
+    if samples <= profiles.shape[1]:
+        return profiles
+    if profiles.shape[1] < 2:
+        return np.zeros((profiles.shape[0], samples))
+    new, old = np.linspace(0.0, 1.0, samples), np.linspace(0.0, 1.0, profiles.shape[1])
+    return np.array([np.interp(new, old, row) for row in profiles])

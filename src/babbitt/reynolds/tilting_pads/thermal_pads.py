@@ -1,0 +1,185 @@
+"""The doors of tilting pads with their temperatures.
+
+A pass finds journal and pads in equilibrium at the viscosity as it is, then the temperatures that belong to these
+films, exactly but for the pads behind them, which answer by turns, and for bending and growth. Viscosities follow
+by a share of the way. See ``pad_films`` for a pass.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from babbitt.core.notices import InputError
+from babbitt.core.result import Outcome
+from babbitt.reynolds.lands._equilibrium import THINNEST
+from babbitt.reynolds.model import Resolution
+from babbitt.reynolds.tilting_pads._pads import CLOSED
+from babbitt.reynolds.tilting_pads.model import TiltingPadBearing
+from babbitt.reynolds.tilting_pads.pad_films import PadFilms
+from babbitt.reynolds.tilting_pads.pad_heat import PadHeat
+from babbitt.reynolds.tilting_pads.solve import OUTCOMES, PadScales, groove_force
+from babbitt.reynolds.tilting_pads.thermal_pad_solution import ThermalTiltingPadSolution
+from babbitt.reynolds.tilting_pads.thermal_pad_states import Settled, thermal_solution
+
+__all__ = ["THERMAL_PADS", "find_thermal_tilting_pads", "thermal_tilting_pads_at"]
+
+Array = NDArray[np.float64]
+
+THERMAL_PADS = Resolution(4, 48)
+"""Usual grid: temperatures within 0.2 K of finer ones."""
+RELAXATIONS = (0.8, 0.4, 0.2)
+"""Shares of a new viscosity that a pass takes, in one attempt after the other."""
+SETTLED, SHAPED = 5e-3, 3e-4
+"""Largest change of temperature in a pass, K, and of a pad's shape over the smallest gap, at which they rest."""
+MOST_PASSES = 60
+LOOSE, FINE = 1e-3, 1e-4
+"""Residual force over load in the first pass, and behind one whose temperatures change by a kelvin or more; less
+in proportion."""
+PATIENT, SWING = 25, 0.3
+"""Passes from which on temperatures may swing, and by how much, K."""
+CAREFUL = 0.4
+"""Share of a new viscosity in passes with growth that failed before."""
+FIRST_SHARE, LEAST_SHARE = 0.25, 0.02
+"""Of the growth: the first step, and that at which no more is tried."""
+MOST_STEPS = 100
+"""Of the journal in one pass."""
+MOST_FILMS = 100_000
+"""Solutions of the film of a pad in one attempt: about a second."""
+ENDS = (Outcome.CONVERGED, Outcome.PAD_AT_LIMIT, Outcome.OUTSIDE_CLEARANCE, Outcome.WORK_BOUND)
+"""What smaller steps would not change."""
+
+
+def find_thermal_tilting_pads(
+    bearing: TiltingPadBearing,
+    load: tuple[float, float],
+    heat: PadHeat,
+    resolution: Resolution = THERMAL_PADS,
+    *,
+    start: tuple[float, float] = (0.0, 0.0),
+) -> ThermalTiltingPadSolution:
+    """Find where pads with their own temperatures carry a load.
+
+    Parameters
+    ----------
+    bearing : TiltingPadBearing
+        ``viscosity`` is the unit of the calculation only; take that of the fresh oil.
+    load : tuple of float
+        Force on the journal, N.
+    heat : PadHeat
+    resolution : Resolution
+        ``axial_unknowns`` and ``intervals`` of every pad, ``tolerance`` of the force.
+    start : tuple of float
+        Where the search begins, m.
+
+    Returns
+    -------
+    ThermalTiltingPadSolution
+        Always; ``outcome`` says whether it is an equilibrium.
+
+    Raises
+    ------
+    InputError
+        E101 if the load is not finite, or a pad has a viscosity of its own.
+    """
+    if not all(math.isfinite(part) for part in load):
+        raise InputError("E101", f"load is {load}; both components must be finite, in N.")
+    begun, scales = time.perf_counter(), PadScales(bearing)
+    wanted = (np.asarray(load) + groove_force(bearing)) * scales.sense / scales.force
+    at = np.asarray(start) * scales.sense / scales.length
+    return thermal_solution(search(bearing, heat, resolution, wanted, at), begun)
+
+
+def thermal_tilting_pads_at(
+    bearing: TiltingPadBearing, position: tuple[float, float], heat: PadHeat, resolution: Resolution = THERMAL_PADS
+) -> ThermalTiltingPadSolution:
+    """Temperatures, tilts and films of pads around a journal at a prescribed position, m.
+
+    Returns
+    -------
+    ThermalTiltingPadSolution
+        With `Outcome.OUTSIDE_CLEARANCE` where the journal would touch a pad.
+    """
+    begun, scales = time.perf_counter(), PadScales(bearing)
+    at = np.asarray(position) * scales.sense / scales.length
+    return thermal_solution(search(bearing, heat, resolution, None, at), begun)
+
+
+def search(
+    bearing: TiltingPadBearing, heat: PadHeat, resolution: Resolution, load: Array | None, at: Array
+) -> Settled:
+    """Attempts with ever smaller steps of the viscosity, or with more and more growth; without a load the journal
+    stands."""
+    passes = 0
+    for part in RELAXATIONS:
+        settled = settle(PadFilms.of(bearing, heat, resolution), load, at, part)
+        passes += settled.passes
+        if settled.outcome in ENDS:
+            break
+        if heat.growth is not None:
+            return grow(settled, load, at)
+    return replace(settled, passes=passes)
+
+
+def grow(failed: Settled, load: Array | None, at: Array) -> Settled:
+    """From a bearing that does not grow to as much of its growth as leaves a film.
+
+    Growth feeds itself: less clearance, more heat. There may be a share of it behind which no film exists.
+    """
+    films, passes = failed.films, failed.passes
+    best = failed
+    for part in RELAXATIONS:
+        cold = PadFilms.of(films.bearing, films.heat, films.resolution)
+        cold.share = 0.0
+        best = settle(cold, load, at, part)
+        passes += best.passes
+        if best.outcome in ENDS:
+            break
+    share, step = 0.0, FIRST_SHARE
+    while best.outcome.solved and share < 1.0 and step >= LEAST_SHARE:
+        trial = best.films.copied()
+        trial.share = min(share + step, 1.0)
+        found = settle(trial, load, best.placement.at, CAREFUL)
+        passes += found.passes
+        if found.outcome.solved:
+            best, share, step = found, trial.share, 1.5 * step
+        else:
+            step *= 0.5
+    if best.outcome.solved and share < 1.0:
+        best = replace(best, outcome=Outcome.NO_CLEARANCE)
+    return replace(best, passes=passes)
+
+
+def settle(films: PadFilms, load: Array | None, at: Array, part: float) -> Settled:
+    """Passes until temperatures, shapes and journal rest.
+
+    Where the end of a film jumps from node to node for ever, temperatures next to it swing; they are let be once
+    they only swing, by less than `SWING`.
+    """
+    tolerance, rises = LOOSE, np.zeros_like(films.films.temperature)
+    for passes in range(1, MOST_PASSES + 1):
+        films.prepare(part)
+        if load is None:
+            placement = films.place(at)
+        else:
+            placement = films.carry(load, at, max(films.resolution.tolerance, tolerance), MOST_STEPS)
+            at = placement.at
+        if placement.status == CLOSED:
+            return Settled(films, placement, Outcome.OUTSIDE_CLEARANCE, passes)
+        if films.solved > MOST_FILMS:
+            return Settled(films, placement, Outcome.WORK_BOUND, passes)
+        before = films.films.temperature.copy()
+        change = films.heat_up(placement)
+        if not math.isfinite(change) or films.gap() < THINNEST:
+            break
+        shaped, last = films.deform(placement.grid), rises
+        rises = films.films.temperature - before
+        swings = passes > PATIENT and float(np.vdot(rises, last)) < 0.0
+        if change < (SWING if swings else SETTLED) and shaped < SHAPED:
+            return Settled(films, placement, OUTCOMES.get(placement.status, Outcome.NOT_CONVERGED), passes)
+        tolerance = FINE * min(change, 1.0)
+    return Settled(films, placement, Outcome.NOT_CONVERGED, passes)
