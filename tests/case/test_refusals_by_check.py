@@ -1,9 +1,11 @@
 """What `solve` refuses is refused by `check`, with file, line and field; the other files of a run are solved."""
 
+import re
+
 import pytest
 
 from babbitt import solving
-from babbitt.case import parse_case, template
+from babbitt.case import CaseError, parse_case, template
 from babbitt.case.loading import located
 from babbitt.core.notices import InputError
 from babbitt.solving import refusal_of
@@ -23,6 +25,39 @@ def test_pads_that_do_not_balance_are_refused_by_check(run, tmp_path):
     assert status == 2
     assert err.startswith(f"leaning.yaml:{line}: pads.pivot.radius: ")
     assert "sound.yaml: usable" in out
+
+
+FIT = "tolerance class 'H99' is not on board"
+FITTED = ("screw_heel", "jacking_pocket", "hydrostatic_journal", "tilting_pad_journal", "journal")
+
+
+def ill_fitted(kind: str) -> str:
+    """The template of a kind with a fit that there is not for its clearance."""
+    text, changed = re.subn(r"(?m)^( *)clearance:.*(?:\n\1 +.*)*", r"\1clearance: H99/e8", template(kind))
+    assert changed == 1
+    return text
+
+
+def refusals_of(text: str) -> list[tuple[str, str]]:
+    with pytest.raises(CaseError) as refused:
+        parse_case(text)
+    assert all(problem.line > 0 for problem in refused.value.problems)
+    return [(problem.field, problem.message.split(";")[0]) for problem in refused.value.problems]
+
+
+@pytest.mark.parametrize("kind", FITTED)
+def test_a_tolerance_class_that_there_is_not_is_told_once_at_its_clearance(kind):
+    """Footsteps and jacking pockets told it without file and line; tilting pads at their extent, too."""
+    field = "pads.clearance" if kind == "tilting_pad_journal" else "clearance"
+    assert refusals_of(ill_fitted(kind)) == [(field, FIT)]
+
+
+def test_what_a_rule_meets_as_refused_is_told_at_the_field_of_its_own_rule():
+    """A tilt asks whether the journal touches at the edges, for which the clearance is wanted."""
+    fields = "misalignment: {x: 100 urad, y: 0}\ngrooves: [{angle: 90 deg, extent: 20 deg}]"
+    assert refusals_of(re.sub(r"(?m)^method:.*(?:\n +.*)*", f"method: film\n{fields}", ill_fitted("journal"))) == [
+        ("clearance", FIT)
+    ]
 
 
 def test_the_other_files_of_a_run_are_solved(run, tmp_path, monkeypatch):

@@ -17,6 +17,7 @@ from babbitt.reynolds.model import DRAFT, FilmStart, JournalFilm, Land, Pocket, 
 from babbitt.reynolds.solution import FilmSolution
 from babbitt.reynolds.surface.surface_solution import mirrored
 
+TURN = 2.0 * math.pi
 KINDS = ("plain", "pressure", "tilt", "pocket", "ring", "lobes", "step", "crown", "displaced")
 SAME, SAME_WARM = 1e-9, 1e-6
 FRESH = 318.15
@@ -134,6 +135,39 @@ def test_a_bearing_in_the_mirror_is_the_same(kind: str) -> None:
         assert other.outcome is found.outcome
         off = differences(found, other, np.diag([1.0, -1.0]))
         assert max(off.values()) < SAME, (kind, seed, off)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("seed", range(8))
+def test_images_are_solved_as_one_film(kind: str, seed: int) -> None:
+    """What is solved has the same digits: no search takes another way for the last of them."""
+    film, load = random_film(kind, seed)
+    frame, image = LoadFrame.of(film, load), LoadFrame.of(mirrored(film), (load[0], -load[1]))
+    ahead, behind = (frame, image) if film.angular_speed > 0.0 else (image, frame)
+    assert mirrored(behind.film) == ahead.film
+    assert behind.load == (ahead.load[0], -ahead.load[1])
+
+
+@pytest.mark.parametrize("rows", [1, 5, 11])
+@pytest.mark.parametrize("seed", range(4))
+def test_a_table_of_the_bore_may_begin_at_any_of_its_rows(rows: int, seed: int) -> None:
+    film, load = random_film("displaced", seed)
+    other = replace(
+        film,
+        displacement=(*film.displacement[rows:], *film.displacement[:rows]),
+        field_start=film.field_start + rows * TURN / len(film.displacement),
+    )
+    assert LoadFrame.of(other, load).film == LoadFrame.of(film, load).film
+
+
+@pytest.mark.parametrize("turns", [-2, 1])
+def test_a_whole_turn_more_is_the_same_film(turns: int) -> None:
+    film, load = random_film("pressure", 3)
+    lands = tuple(
+        replace(land, start_angle=land.start_angle + turns * TURN, end_angle=land.end_angle + turns * TURN)
+        for land in film.lands
+    )
+    assert LoadFrame.of(replace(film, lands=lands), load).film == LoadFrame.of(film, load).film
 
 
 @pytest.mark.parametrize("kind", KINDS)

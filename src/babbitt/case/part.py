@@ -228,7 +228,20 @@ def at_most_one(part: Part, *names: str) -> Iterator[Issue]:
 
 
 def _lines(part: Part, given: Any) -> list[InitErrorDetails]:
-    return [_line(told, given) for one in type(part).rules for told in as_far_as_usable(one(part))]
+    return [_line(told, given) for told in _issues(part)]
+
+
+def _issues(part: Part) -> Iterator[Issue]:
+    """Ask every rule; what a rule meets as refused is told at the part, where no rule tells it at its field."""
+    said, refusals = set(), {}
+    for one in type(part).rules:
+        try:
+            for told in as_far_as_usable(one(part)):
+                said.add(told.says)
+                yield told
+        except InputError as error:
+            refusals[error.message] = Issue((), error.message, code=error.code)
+    yield from (told for message, told in refusals.items() if message not in said)
 
 
 def _line(told: Issue, given: Any) -> InitErrorDetails:

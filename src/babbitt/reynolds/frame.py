@@ -4,7 +4,7 @@ A search that starts in the middle can end at another place, or on another grid,
 digit, and every turn of the axes changes last digits. Therefore a film is turned until its load points to -y (in
 the mirror, if it turns clockwise and is solved there), and its numbers are rounded far below anything that a film
 feels: a bearing turned with its load is the same film, digit by digit. Fields over the bore (``displacement``,
-``viscosity_field``) turn by the angle of their first row.
+``viscosity_field``) turn by the angle of their first row, which is the one behind -pi.
 """
 
 from __future__ import annotations
@@ -57,6 +57,7 @@ class LoadFrame:
         if film.film_start is FilmStart.WIDEST_GAP or size == 0.0 or not math.isfinite(size):
             return cls(film, film, load, 0.0)
         angle = math.remainder(-0.5 * math.pi * down - math.atan2(load[1], load[0]), TURN)
+        first, field_start = first_row(film, angle, down)
         turned = replace(
             film,
             diameter=rounded(film.diameter),
@@ -64,16 +65,20 @@ class LoadFrame:
             clearance=rounded(film.clearance),
             viscosity=rounded(film.viscosity),
             angular_speed=rounded(film.angular_speed),
-            lands=tuple(turned_land(land, angle) for land in film.lands),
+            lands=tuple(turned_land(land, angle, down) for land in film.lands),
             pockets=tuple(
-                replace(one, centre_angle=turned_angle(one.centre_angle, angle), pressure=rounded(one.pressure))
+                replace(
+                    one, centre_angle=turned_angle(one.centre_angle, angle, down), pressure=rounded(one.pressure)
+                )
                 for one in film.pockets
             ),
-            steps=tuple(replace(one, centre_angle=turned_angle(one.centre_angle, angle)) for one in film.steps),
-            misalignment=turned_vector(film.misalignment, angle),
-            viscosity_field=rounded_field(film.viscosity_field, 1.0),
-            displacement=rounded_field(film.displacement, film.clearance),
-            field_start=turned_angle(film.field_start, angle),
+            steps=tuple(
+                replace(one, centre_angle=turned_angle(one.centre_angle, angle, down)) for one in film.steps
+            ),
+            misalignment=turned_vector(film.misalignment, angle, down),
+            viscosity_field=rounded_field(film.viscosity_field, 1.0, first),
+            displacement=rounded_field(film.displacement, decimal_unit(film.clearance), first),
+            field_start=field_start,
         )
         return cls(film, turned, (0.0, -down * rounded(size)), angle)
 
@@ -107,44 +112,68 @@ class LoadFrame:
         c, s = math.cos(self.angle), math.sin(self.angle)
         return c * position[0] - s * position[1], s * position[0] + c * position[1]
 
+    def start(self, position: Vector) -> Vector:
+        """A position from which to search, in this frame."""
+        x, y = (round(part / self.film.clearance, ANGLE_DIGITS) for part in self.place(position))
+        return x * self.film.clearance, y * self.film.clearance
+
 
 def rounded(value: float) -> float:
     """A number to ``DIGITS`` significant digits."""
     return float(f"{value:.{DIGITS - 1}e}")
 
 
-def rounded_field(field: Field, unit: float) -> Field:
-    """A field to ``ANGLE_DIGITS`` decimals of a unit."""
+def rounded_field(field: Field, unit: float, first: int) -> Field:
+    """A field to ``ANGLE_DIGITS`` decimals of a unit, from a row on."""
     if not field:
         return field
-    return tuple(map(tuple, (np.round(np.asarray(field) / unit, ANGLE_DIGITS) * unit).tolist()))
+    values = np.round(np.asarray(field) / unit, ANGLE_DIGITS) * unit
+    return tuple(map(tuple, np.roll(values, -first, axis=0).tolist()))
 
 
-def turned_angle(given: float, angle: float) -> float:
-    """An angle, turned, within (-pi, pi], rad."""
-    turned = round(given + angle, ANGLE_DIGITS)
-    return round(turned - TURN * math.ceil((turned - math.pi) / TURN - 1e-9), ANGLE_DIGITS)
+def decimal_unit(size: float) -> float:
+    """Power of ten at or below a size: a table of few decimals lies far from where rounding in it turns over."""
+    return 10.0 ** math.floor(math.log10(size))
 
 
-def turned_vector(given: Vector, angle: float) -> Vector:
+def first_row(film: JournalFilm, angle: float, sense: float) -> tuple[int, float]:
+    """Row of the fields that is the first one of the turned film, behind -pi, and its angle, rad."""
+    counts = {len(field) for field in (film.viscosity_field, film.displacement) if field}
+    if len(counts) != 1:  # no field, or two that have no row in common
+        return 0, turned_angle(film.field_start, angle, sense)
+    (count,) = counts
+    step = TURN / count
+    behind = math.floor((sense * (film.field_start + angle) + math.pi) / step + 1e-9)
+    row = int(-sense * behind) % count
+    return row, turned_angle(film.field_start + row * step, angle, sense)
+
+
+def turned_angle(given: float, angle: float, sense: float) -> float:
+    """An angle, turned, within (-pi, pi], rad; in the mirror for a clockwise film, as its image."""
+    turned = sense * (given + angle)
+    return sense * round(turned - TURN * math.ceil((turned - math.pi) / TURN - 1e-9), ANGLE_DIGITS)
+
+
+def turned_vector(given: Vector, angle: float, sense: float) -> Vector:
     """A vector, turned."""
     size = rounded(math.hypot(*given))
     if size == 0.0:
         return given
-    towards = turned_angle(math.atan2(given[1], given[0]), angle)
+    towards = turned_angle(math.atan2(given[1], given[0]), angle, sense)
     return size * math.cos(towards), size * math.sin(towards)
 
 
-def turned_land(land: Land, angle: float) -> Land:
-    """A land, turned."""
-    start = turned_angle(land.start_angle, angle)
+def turned_land(land: Land, angle: float, sense: float) -> Land:
+    """A land, turned; its other end follows from that at which the film begins, at the end of a clockwise one."""
     extent = land.end_angle - land.start_angle
-    whole = math.isclose(extent, TURN, rel_tol=1e-9)
+    spanned = TURN if math.isclose(extent, TURN, rel_tol=1e-9) else round(extent, ANGLE_DIGITS)
+    first = turned_angle(land.start_angle if sense > 0.0 else land.end_angle, angle, sense)
+    start, end = sorted((first, first + sense * spanned))
     return replace(
         land,
         start_angle=start,
-        end_angle=start + (TURN if whole else round(extent, ANGLE_DIGITS)),
-        centre=turned_vector(land.centre, angle),
+        end_angle=end,
+        centre=turned_vector(land.centre, angle, sense),
         start_pressure=rounded(land.start_pressure),
         end_pressure=rounded(land.end_pressure),
     )

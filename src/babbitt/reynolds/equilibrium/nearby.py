@@ -40,7 +40,7 @@ def equilibrium_near(
     least squares with the exact stiffness at every step are tried then.
     """
     frame = LoadFrame.of(film, load)
-    found = _in_its_frame(frame.film, frame.load, frame.place(start), resolution)
+    found = _in_its_frame(frame.film, frame.load, frame.start(start), resolution)
     return None if found is None else frame.back(found)
 
 

@@ -62,4 +62,4 @@ def solve_journal_from(
     One search and no other: `solve_journal` finds films far from the start, too.
     """
     frame = LoadFrame.of(film, load)
-    return frame.back(equilibrium_from(frame.film, frame.load, resolution, 80, frame.place(start)))
+    return frame.back(equilibrium_from(frame.film, frame.load, resolution, 80, frame.start(start)))

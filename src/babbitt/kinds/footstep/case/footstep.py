@@ -11,7 +11,7 @@ from pydantic import Field
 from babbitt.case.aliases import FormerWords, Moved
 from babbitt.case.case_file import CaseFile
 from babbitt.case.grouped_digits import about_grouped_digits
-from babbitt.case.part import Issue, not_read, rule
+from babbitt.case.part import Issue, not_read, refused, rule
 from babbitt.case.parts.clearance import LIMITS, ClearanceInput, is_bare, mean_assumed, mean_radial
 from babbitt.case.parts.fields import Name, Prose
 from babbitt.core.notices import Notice
@@ -145,6 +145,7 @@ class FootstepCase(CaseFile):
 
     @rule
     def _clearance_is_usable(self) -> Iterator[Issue]:
+        yield from refused(("clearance",), self.radial_clearance)
         clearance = self.radial_clearance()
         if not LEAST_CLEARANCE <= clearance <= GREATEST_CLEARANCE:
             says = f"the radial clearance is {written(clearance, 'um')}"

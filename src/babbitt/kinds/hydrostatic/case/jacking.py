@@ -69,9 +69,10 @@ class JackingPocketCase(FilmChoices, CaseFile):
         if not (is_given(self, "lift_gap") or is_given(self, "pump_flow")):
             says = "nothing says how far to lift"
             yield Issue((), says, "lift_gap, or pump_flow", code="E003", lacks=("lift_gap",))
-        yield from clearance_is_usable(self.clearance, self.diameter)
+        unusable = tuple(clearance_is_usable(self.clearance, self.diameter))
+        yield from unusable
         yield from in_order(self, "pocket_length", "width")
-        for name in ("lift_gap", "roughness"):
+        for name in () if unusable else ("lift_gap", "roughness"):
             if getattr(self, name) is not None:
                 yield from self._within_the_clearance(name)
         if self.lift_gap is not None and not self.lift_gap > self.roughness:
