@@ -168,6 +168,7 @@ def _lubricant(entry: Table, shared: Table) -> Lubricant:
         ),
         assumptions=tuple(assumptions),
         heat_capacity_assumptions=(*assumed["heat_capacity"], *of_product),
+        viscosity_index=entry["viscosity"].get("viscosity_index"),
         sources=PropertySources(viscosity=entry["viscosity"].get("source", ""), **sources),
         aliases=part_of_entry("aliases", lambda: texts(entry.get("aliases", ()))),
     )

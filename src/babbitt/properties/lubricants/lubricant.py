@@ -48,6 +48,8 @@ class Lubricant:
         What is not published and was assumed, one sentence each.
     heat_capacity_assumptions : tuple of str
         Those of `assumptions` that tell of c or ρc and fall away where ρc is given.
+    viscosity_index : float, optional
+        By ISO 2909, where one of the two viscosities of the law follows from it.
     sources : PropertySources
         Sources of single properties where they differ from `source`.
     aliases : tuple of str
@@ -66,6 +68,7 @@ class Lubricant:
     fixed_volumetric_heat_capacity: float | None = None
     assumptions: tuple[str, ...] = ()
     heat_capacity_assumptions: tuple[str, ...] = ()
+    viscosity_index: float | None = None
     sources: PropertySources = PropertySources()
     aliases: tuple[str, ...] = ()
     origin: str = ""
