@@ -140,6 +140,24 @@ def test_cite_names_the_standard_and_the_lubricant(run, tmp_path):
     assert "ASTM D341" in out
 
 
+@pytest.mark.parametrize(
+    ("oil", "by_index"),
+    [
+        ("ISO VG 46", True),
+        ("{kind: viscosity_index, nu40: 46 mm2/s, viscosity_index: 95}", True),
+        ("IPM-10", False),
+        ("{kind: two_points, nu40: 46 mm2/s, nu100: 6.8 mm2/s}", False),
+    ],
+)
+def test_cite_names_the_viscosity_index_where_a_viscosity_follows_from_it(run, tmp_path, oil, by_index):
+    text = template("journal")
+    assert "\nlubricant: ISO VG 46" in text
+    (tmp_path / "case.yaml").write_text(text.replace("\nlubricant: ISO VG 46", f"\nlubricant: {oil}"))
+    status, out, _ = run("cite", "case.yaml")
+    assert status == 0
+    assert ("ISO 2909" in out) is by_index
+
+
 def test_cite_names_every_law_that_the_film_takes(run, tmp_path):
     film = GROOVED.replace("effective_temperature: 60 degC\n", "") + "thermal: adiabatic\nturbulence: ng_pan\n"
     (tmp_path / "film.yaml").write_text(film)

@@ -4,14 +4,16 @@
 
 Load carried, no liquid fraction outside 0 to 1, oil and torque in balance, no oil colder than all that cools it, a
 heat balance that closes, and at the position found the same film as under the load. The bearings are those of
-`benchmarks/film_robustness.py` and `benchmarks/thermal_robustness.py`.
+`benchmarks/film_robustness.py`, as they are and with one of `OPTIONS` each, and of
+`benchmarks/thermal_robustness.py`.
 """
 
 from __future__ import annotations
 
 import math
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -24,10 +26,14 @@ import thermal_robustness
 from babbitt.kinds.journal.film.thermal_film import thermal_operating_film
 from babbitt.reynolds.equilibrium.position import film_at_position
 from babbitt.reynolds.equilibrium.solve import solve_journal
-from babbitt.reynolds.model import Cavitation, JournalFilm, Resolution
+from babbitt.reynolds.model import Cavitation, JournalFilm, Resolution, Step
+from babbitt.reynolds.oil.piezoviscosity import Barus
+from babbitt.reynolds.oil.turbulence import CONSTANTINESCU, NG_PAN, FilmTurbulence
 from babbitt.reynolds.solution import FilmSolution
 
-__all__ = ["film_faults", "thermal_film_faults"]
+__all__ = ["OPTIONS", "film_faults", "option_film", "option_film_faults", "thermal_film_faults"]
+
+Rng = np.random.Generator
 
 CARRIED = 1e-4
 """Residual force over load."""
@@ -45,6 +51,63 @@ ABOUT_THE_CENTRE = ("axial viscosity", "hole", "pockets")
 """Kinds whose bore is round and fed all over the width or in its middle: the pressure turns it by F e sin beta."""
 
 
+def turbulent(rng: Rng, film: JournalFilm) -> JournalFilm:
+    """Either law; the film may be laminar, turbulent or between."""
+    onset, end = np.sort(rng.uniform(50.0, 2000.0, 2))
+    law = (NG_PAN, CONSTANTINESCU)[rng.integers(2)]
+    return replace(film, turbulence=FilmTurbulence(law, 870.0, float(onset), float(end)))
+
+
+def piezoviscous(rng: Rng, film: JournalFilm) -> JournalFilm:
+    """Viscosity that grows with the pressure as of common oils."""
+    return replace(film, pressure_viscosity=Barus(rng.uniform(5e-9, 2.5e-8)))
+
+
+def below_ambient(rng: Rng, film: JournalFilm) -> JournalFilm:
+    """Cavities below ambient pressure."""
+    return replace(film, cavitation_pressure=-rng.uniform(1e4, 9e4))
+
+
+def one_side_under_pressure(rng: Rng, film: JournalFilm) -> JournalFilm:
+    """Up to half a bar at one side."""
+    return replace(film, side_pressures=(0.0, rng.uniform(0.0, 5e4)))
+
+
+def starved(rng: Rng, film: JournalFilm) -> JournalFilm:
+    """Lands that begin with less oil than they could take."""
+    fill = rng.uniform(0.3, 0.95)
+    lands = (replace(land, start_pressure=0.0, end_pressure=0.0, start_fill=fill) for land in film.lands)
+    return replace(film, cavitation=Cavitation.MASS_CONSERVING, lands=tuple(lands))
+
+
+def crowned(rng: Rng, film: JournalFilm) -> JournalFilm:
+    """Up to a fifth of the clearance at the sides."""
+    side = rng.uniform(0.0, 0.2) * film.clearance
+    return replace(film, crowning=(side, 0.0, side))
+
+
+def stepped(rng: Rng, film: JournalFilm) -> JournalFilm:
+    """A shallow pocket anywhere."""
+    deep = rng.uniform(0.2, 1.0) * film.clearance
+    return replace(film, steps=(Step(rng.uniform(-math.pi, math.pi), 0.6, 0.4 * film.width, deep),))
+
+
+def displaced(rng: Rng, film: JournalFilm) -> JournalFilm:
+    """A bore that is uneven by up to a tenth of the clearance."""
+    rough = 0.1 * film.clearance * rng.uniform(-1.0, 1.0, 24)
+    bore = 0.5 * (rough + np.roll(rough, 1))
+    return replace(film, displacement=tuple((float(value),) * 5 for value in bore))
+
+
+OPTIONS: dict[str, Callable[[Rng, JournalFilm], JournalFilm]] = {
+    "turbulent": turbulent, "piezoviscous": piezoviscous, "below ambient": below_ambient,
+    "side": one_side_under_pressure, "starved": starved, "crowned": crowned, "stepped": stepped,
+    "displaced": displaced,
+}  # fmt: skip
+NOT_ROUND = ("stepped", "displaced")
+"""Options in which the pressure turns the bore also about its centre."""
+
+
 def film_faults(seed: int, number: int) -> Iterator[str]:
     """What is wrong with random films of one temperature; those without solution are left to their benchmark."""
     rng = np.random.default_rng(seed)
@@ -56,6 +119,27 @@ def film_faults(seed: int, number: int) -> Iterator[str]:
         if found.outcome.solved:
             told = [*_of_film(found), *_of_forces(kind, film, load, found)]
             yield from (f"film {seed}/{index}, {kind}: {one}" for one in told)
+
+
+def option_film(seed: int, index: int) -> tuple[str, str, JournalFilm, tuple[float, float]]:
+    """Kind and option, film and load of a random film with one of `OPTIONS`."""
+    rng, kinds, options = np.random.default_rng((seed, index)), list(film_robustness.KINDS), list(OPTIONS)
+    kind, option = kinds[index % len(kinds)], options[index // len(kinds) % len(options)]
+    film, load = film_robustness.random_case(rng, kind)
+    return kind, option, OPTIONS[option](rng, film), load
+
+
+def option_film_faults(seed: int, number: int) -> Iterator[str]:
+    """What is wrong with random films of one temperature with an option each."""
+    for index in range(number):
+        kind, option, film, load = option_film(seed, index)
+        found = solve_journal(film, load)
+        if found.outcome.solved:
+            shape = option if option in NOT_ROUND else kind
+            told = [*_of_film(found), *_of_forces(shape, film, load, found)]
+            if not (np.isfinite(found.stiffness).all() and np.isfinite(found.damping).all()):
+                told.append("stiffness or damping without a number")
+            yield from (f"film {seed}/{index}, {kind}, {option}: {one}" for one in told)
 
 
 def thermal_film_faults(seed: int, number: int) -> Iterator[str]:
@@ -119,9 +203,10 @@ def main() -> int:
     """Print all faults."""
     number = int(sys.argv[1]) if len(sys.argv) > 1 else 5000
     seed = int(sys.argv[2]) if len(sys.argv) > 2 else 1
-    faults = [*film_faults(seed, number), *thermal_film_faults(seed, number)]
+    ways = (film_faults, option_film_faults, thermal_film_faults)
+    faults = [one for faults_of in ways for one in faults_of(seed, number)]
     print("\n".join(faults))
-    print(f"{len(faults)} faults in twice {number} films")
+    print(f"{len(faults)} faults in {len(ways)} times {number} films")
     return 1 if faults else 0
 
 

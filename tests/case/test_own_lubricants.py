@@ -25,6 +25,7 @@ def test_by_name():
 def test_catalogue_with_the_usual_heat_capacity():
     oil = made({"kind": "catalogue", "name": "ISO VG 46", "volumetric_heat_capacity": "1.8 MJ/(m3 K)"})
     assert oil.volumetric_heat_capacity(330.0) == 1.8e6
+    assert not any("heat capacity" in said.lower() for said in oil.assumptions)
 
 
 def test_two_points():

@@ -138,6 +138,19 @@ def test_ipm_10_of_the_heat_exchange_study():
     assert_allclose(entry.heat_capacity(kelvin), [1974.1, 2066.2, 2158.3, 2342.5], atol=0.1)
 
 
+@pytest.mark.parametrize("name", ["ISO VG 46", "IPM-10", "TP-46 STO upper"])
+def test_a_given_volumetric_heat_capacity_takes_its_assumptions_with_it(name):
+    entry = lubricant(name)
+    given = entry.with_volumetric_heat_capacity(1.7e6)
+    kelvin = np.array([300.0, 330.0, 370.0])
+    assert_allclose(given.volumetric_heat_capacity(kelvin), 1.7e6, rtol=0)
+    assert_allclose(given.dynamic_viscosity(kelvin), entry.dynamic_viscosity(kelvin), rtol=0)
+    left = [said for said in entry.assumptions if said not in given.assumptions]
+    assert left
+    assert all("heat capacity" in said.lower() for said in left)
+    assert not any("heat capacity" in said.lower() for said in given.assumptions)
+
+
 def test_water_meets_the_iapws_table_within_what_it_states():
     water = lubricant("water")
     kelvin = np.array([280, 290, 300, 310, 320, 330, 340, 350, 360.0])

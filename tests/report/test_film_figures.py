@@ -358,6 +358,17 @@ def test_plots_of_a_film_are_written_numbered_as_the_bearings(tmp_path):
     assert sorted((tmp_path / "plots").iterdir()) == sorted(written)
 
 
+def test_a_thermal_film_fed_along_one_line_is_drawn(tmp_path):
+    found = film_solution(film_bearings.film(grooves=None, span="360 deg", thermal="adiabatic", accuracy="draft"))
+    assert found.result.outcome.solved, found.result.message
+    (line,) = supply_patches(found.state.solution.film)
+    assert line.theta[0] == pytest.approx(line.theta[1])
+    shown = field_of(found.state.solution, found.problem.load_angle - math.pi)
+    assert np.isfinite(shown.pressure).all()
+    written = {path.name for path in write_plots(MachineResult("m", (found,), "0" * 64), tmp_path)}
+    assert "01-heat-split.svg" in written
+
+
 def test_an_unsolved_film_has_no_figures(tmp_path):
     found = film_solution(film_bearings.film(load="90 MN"))
     assert not found.result.outcome.solved

@@ -7,20 +7,43 @@ import dataclasses
 
 import numpy as np
 import pytest
-from films import film_faults, film_robustness, thermal_film_faults
+from films import film_faults, film_robustness, option_film, option_film_faults, thermal_film_faults
 
 from babbitt.core.result import Outcome
 from babbitt.reynolds.equilibrium.position import film_at_position
 from babbitt.reynolds.equilibrium.solve import solve_journal
 from babbitt.reynolds.heat import thermal_equilibrium as thermal
 from babbitt.reynolds.heat.heat_model import FilmHeat
-from babbitt.reynolds.model import JournalFilm, grooved_bore
+from babbitt.reynolds.model import Cavitation, JournalFilm, Land, grooved_bore
 
 NUMBER = 200
 
 
 def test_random_films_answer_for_their_balances():
     assert list(film_faults(6, NUMBER)) == []
+
+
+def test_random_films_with_every_option_answer_for_their_balances():
+    assert list(option_film_faults(8, NUMBER)) == []
+
+
+@pytest.mark.parametrize(("seed", "index"), [(1, 17), (2, 575)])
+def test_liquid_fractions_lie_between_none_and_all(seed, index):
+    """Single nodes: streamers in cavities below ambient pressure, and in a bore that is uneven."""
+    _, _, film, load = option_film(seed, index)
+    found = solve_journal(film, load)
+    assert found.outcome is Outcome.CONVERGED
+    assert found.void.min() == 0.0
+    assert 0.0 < found.void.max() <= 1.0
+
+
+def test_a_search_that_meets_a_film_without_stiffness_ends_with_an_outcome():
+    """At 47 nm, two halves apart, no number is left for the stiffness: such a film has not converged."""
+    halves = (Land(0.15, 2.9916, 2.2138e-4, (7.1376e-5, 0.0)), Land(3.2916, 6.1332, 2.2138e-4, (-7.1376e-5, 0.0)))
+    film = JournalFilm(
+        0.264729, 0.309019, 1.70296e-4, 0.0409706, -9.18296, halves, Cavitation.REYNOLDS, cavitation_pressure=-5e4
+    )
+    assert solve_journal(film, (-273666.0, -672416.0)).outcome is Outcome.OVERLOADED
 
 
 @pytest.mark.parametrize(("seed", "index"), [(6, 866), (6, 2247), (6, 2793), (71601, 644), (71603, 964)])

@@ -19,6 +19,7 @@ VOGEL = (
     "H. Vogel: Das Temperaturabhängigkeitsgesetz der Viskosität von Flüssigkeiten. Physikalische Zeitschrift 22 "
     "(1921) 645-646."
 )
+ISO_2909 = "ISO 2909: Petroleum products, calculation of viscosity index from kinematic viscosity."
 UNFOUND = "Author, title and journal could not be looked up: what rests on it alone counts as an assumption."
 REVERSE_GEAR = (
     "Marine reverse gear: a study of its bearings, 2023, vol. 15, no. 5, p. 825 ff. of a Russian journal "
@@ -44,6 +45,7 @@ def citations_of(case: CaseFile) -> tuple[str, ...]:
         oil = view.oil(one.problem)
         if oil is not None:
             found += [VISCOSITY_LAWS[type(oil.viscosity_law)]] if type(oil.viscosity_law) in VISCOSITY_LAWS else []
+            found += [ISO_2909] if oil.viscosity_index is not None else []
             oils[oil.name] = oil
     found += [f"{oil.name}: {oil.source}" for oil in oils.values()]
     return tuple(dict.fromkeys(found))

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import replace
 from typing import Annotated, Any, Literal
 
 from pydantic import Discriminator, Field
@@ -64,7 +63,7 @@ class CatalogueLubricant(Part):
         found = lubricant(self.name)
         if self.volumetric_heat_capacity is None:
             return found
-        return replace(found, fixed_volumetric_heat_capacity=self.volumetric_heat_capacity)
+        return found.with_volumetric_heat_capacity(self.volumetric_heat_capacity)
 
 
 class IsoVgLubricant(OwnLubricant):

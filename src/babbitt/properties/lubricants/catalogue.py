@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import itertools
 import tomllib
 from dataclasses import replace
 from functools import partial
@@ -148,10 +149,11 @@ def _lubricant(entry: Table, shared: Table) -> Lubricant:
     laws = {field: part_of_entry(field, partial(_law_in, entry, field, shared)) for field in _PROPERTIES}
     fixed = entry.get("fixed_volumetric_heat_capacity", {})
     assumptions = [*part_of_entry("assumptions", lambda: texts(entry.get("assumptions", ()))), *computed]
-    for field in _PROPERTIES:
-        assumptions += part_of_entry(field, partial(_assumptions, entry[field], shared))
-    if fixed:
-        assumptions.append(part_of_entry("fixed_volumetric_heat_capacity", lambda: str(fixed["assumption"])))
+    assumed = {field: part_of_entry(field, partial(_assumptions, entry[field], shared)) for field in _PROPERTIES}
+    of_product = (
+        [part_of_entry("fixed_volumetric_heat_capacity", lambda: str(fixed["assumption"]))] if fixed else []
+    )
+    assumptions += [*itertools.chain(*assumed.values()), *of_product]
     sources = {field: part_of_entry(field, partial(_source, entry[field], shared)) for field in _PROPERTIES}
     return Lubricant(
         name=entry["name"],
@@ -165,6 +167,8 @@ def _lubricant(entry: Table, shared: Table) -> Lubricant:
             "fixed_volumetric_heat_capacity", lambda: 1.0 * fixed["value"] if fixed else None
         ),
         assumptions=tuple(assumptions),
+        heat_capacity_assumptions=(*assumed["heat_capacity"], *of_product),
+        viscosity_index=entry["viscosity"].get("viscosity_index"),
         sources=PropertySources(viscosity=entry["viscosity"].get("source", ""), **sources),
         aliases=part_of_entry("aliases", lambda: texts(entry.get("aliases", ()))),
     )

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Self
 
 from babbitt.core.units import read
 from babbitt.core.units.foreign import as_python
@@ -45,6 +46,10 @@ class Lubricant:
         design check (DIN 31652, ISO 7902).
     assumptions : tuple of str
         What is not published and was assumed, one sentence each.
+    heat_capacity_assumptions : tuple of str
+        Those of `assumptions` that tell of c or ρc and fall away where ρc is given.
+    viscosity_index : float, optional
+        By ISO 2909, where one of the two viscosities of the law follows from it.
     sources : PropertySources
         Sources of single properties where they differ from `source`.
     aliases : tuple of str
@@ -62,6 +67,8 @@ class Lubricant:
     source: str
     fixed_volumetric_heat_capacity: float | None = None
     assumptions: tuple[str, ...] = ()
+    heat_capacity_assumptions: tuple[str, ...] = ()
+    viscosity_index: float | None = None
     sources: PropertySources = PropertySources()
     aliases: tuple[str, ...] = ()
     origin: str = ""
@@ -70,6 +77,13 @@ class Lubricant:
         require_range(self.name, self.temperature_range)
         if self.fixed_volumetric_heat_capacity is not None:
             require_positive(self.name, fixed_volumetric_heat_capacity=self.fixed_volumetric_heat_capacity)
+
+    def with_volumetric_heat_capacity(self, given: float) -> Self:
+        """Give the same oil with a constant ρc in J/(m³ K), of which nothing is assumed any more."""
+        others = tuple(one for one in self.assumptions if one not in self.heat_capacity_assumptions)
+        return replace(
+            self, fixed_volumetric_heat_capacity=given, assumptions=others, heat_capacity_assumptions=()
+        )
 
     def density(self, temperature: Value) -> Value:
         """Density in kg/m³."""

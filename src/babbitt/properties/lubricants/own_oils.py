@@ -6,7 +6,7 @@ of the catalogue, and each such choice is written into `Lubricant.assumptions`.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from babbitt.core.notices import InputError
 from babbitt.core.units import ZERO_CELSIUS
@@ -201,9 +201,9 @@ def lubricant_from_viscosity_index(
     Parameters, errors and result as of `lubricant_from_points`.
     """
     nu100 = nu100_from_viscosity_index(viscosity_index, nu40)
-    return lubricant_from_points(
-        name, (_AT_40, nu40), (_AT_100, nu100), properties, source=source, temperature_range=temperature_range
-    )
+    points = (_AT_40, nu40), (_AT_100, nu100)
+    found = lubricant_from_points(name, *points, properties, source=source, temperature_range=temperature_range)
+    return replace(found, viscosity_index=viscosity_index)
 
 
 def _law_of(

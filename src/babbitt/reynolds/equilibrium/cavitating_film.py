@@ -224,6 +224,8 @@ def assemble(
     frame = scales.sense[:, None] * np.array([[c, -s], [s, c]])
     stiffness_unit = scales.force / scales.length
     outcome = {CONVERGED: Outcome.CONVERGED, NO_FILM: Outcome.OVERLOADED}.get(status, Outcome.NOT_CONVERGED)
+    if outcome is Outcome.CONVERGED and not np.isfinite(result).all():
+        outcome = Outcome.NOT_CONVERGED  # a gap of some nanometres may leave no number for the stiffness
     inflow = totals[:, INFLOW].sum()
     return FilmSolution(
         film=film,
@@ -236,7 +238,7 @@ def assemble(
         angles=scales.sense[1] * (grid.theta + turn),
         axial_positions=even_axial_operator(m).nodes * (0.5 * film.width),
         pressure=pressure * scales.pressure + film.cavitation_pressure,
-        void=void,
+        void=np.clip(void, 0.0, 1.0),  # single nodes beside streamers may lie some per cent outside
         supply_flow=supply_flows(film, totals) * scales.flow,
         inflow=totals[:, INFLOW] * scales.flow,
         outflow=totals[:, OUTFLOW] * scales.flow,

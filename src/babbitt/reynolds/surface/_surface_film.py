@@ -137,9 +137,9 @@ def new_surface_work(surface: Surface) -> SurfaceWork:
 
 
 def liquid(fill: Array) -> Array:
-    """Liquid fraction, none below zero: beside the edge of a streamer the elements of the width may undershoot by
-    some per cent at single nodes, where there is next to no oil."""
-    return np.asarray(np.maximum(fill, 0.0))
+    """Liquid fraction from 0 to 1: beside the edge of a streamer the elements of the width may undershoot by some
+    per cent at single nodes, where there is next to no oil, and nodes that change sides for ever may overshoot."""
+    return np.asarray(np.clip(fill, 0.0, 1.0))
 
 
 @inner
