@@ -26,7 +26,7 @@ from babbitt.kinds.tilting_pad_journal.case.heat import (
     ReferenceTemperature,
     heat_goes_with_the_films,
 )
-from babbitt.kinds.tilting_pad_journal.case.materials import PadMaterials
+from babbitt.kinds.tilting_pad_journal.case.materials import PadJournalMaterials
 from babbitt.kinds.tilting_pad_journal.case.pads import JournalPads
 from babbitt.kinds.tilting_pad_journal.methods import PAD_FILM
 from babbitt.kinds.tilting_pad_journal.model import WHIRL_RATIOS
@@ -159,7 +159,9 @@ class TiltingPadJournalCase(CaseFile):
     reference_temperature: ReferenceTemperature | None = Field(
         None, description="Temperature at which the clearances are those given, for growth."
     )
-    materials: PadMaterials = Field(PadMaterials(), description="Materials of lining, pads, journal and housing.")
+    materials: PadJournalMaterials = Field(
+        PadJournalMaterials(), description="Materials of lining, pads, journal and housing."
+    )
     surfaces: SurfacesInput | None = Field(None, description="Roughness, tilt and waviness of the surfaces.")
 
     load: Load | None = Field(None, description="Load of the bearing.")

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 from pydantic import Field
 
 from babbitt.case.error_messages import MISSING
-from babbitt.case.part import Issue, Part, is_given
+from babbitt.case.part import Issue, Part, is_given, refused
 from babbitt.case.parts.walls import ConductingJournalInput, Conductivity, HeatTransfer, Surroundings
 from babbitt.core.units import si, written
 from babbitt.kinds.tilting_pad_journal.model import HeatChoices, Thermal
@@ -91,8 +91,9 @@ def heat_goes_with_the_films(case: TiltingPadJournalCase) -> Iterator[Issue]:
     if len(set(case.deformation)) < len(case.deformation):
         yield Issue(("deformation",), "names one word twice", "growth and bending, each once")
         return
-    yield from lacking(case)
-    yield from idle(case)
+    yield from refused(("walls", "pads"), lambda: pad_walls(case))
+    missing = tuple(lacking(case))
+    yield from missing or idle(case)
 
 
 def lacking(case: TiltingPadJournalCase) -> Iterator[Issue]:
@@ -103,14 +104,17 @@ def lacking(case: TiltingPadJournalCase) -> Iterator[Issue]:
     if case.walls.pads is None:
         hint = f"{words} of pads needs their temperatures: pads that conduct, such as {{}}"
         yield Issue(("walls", "pads"), MISSING, hint=hint, code="E003")
+        return
     growing, bending = ("growth" in case.deformation, "bending" in case.deformation)
     if growing and case.reference_temperature is None:
         hint = "growth needs the temperature at which the clearances were measured, such as '20 degC'"
         yield Issue(("reference_temperature",), MISSING, hint=hint, code="E003")
+        return
     material = case.materials.pads
     if bending and (material is None or material.modulus() is None):
         hint = "bending needs the elastic modulus of the pads, such as '210 GPa', or materials.pads by its name"
         yield Issue(("materials", "pads", "elastic_modulus"), MISSING, hint=hint, code="E003")
+        return
     if material is None or material.expansion() is None:
         hint = f"{words} needs the expansion of the pads, such as '12e-6 1/K', or materials.pads by its name"
         yield Issue(("materials", "pads", "thermal_expansion"), MISSING, hint=hint, code="E003")

@@ -14,7 +14,7 @@ from babbitt.case.shorthand import Shorthand
 from babbitt.core.units import si
 from babbitt.properties.materials import BearingMetal, structural_material
 
-__all__ = ["PadMaterials", "PadStructureInput"]
+__all__ = ["PadJournalMaterials", "PadStructureInput"]
 
 
 class PadStructure(Part):
@@ -61,7 +61,7 @@ def _named(given: Any) -> Any:
 PadStructureInput = Annotated[PadStructure, Shorthand(_named, "a name in the catalogue")]
 
 
-class PadMaterials(Part):
+class PadJournalMaterials(Part):
     """What pads, their lining, journal and housing are made of."""
 
     example: ClassVar[str] = "{bearing_metal: SnSb12Cu6Pb, pads: C45}"

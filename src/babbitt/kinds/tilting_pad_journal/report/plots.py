@@ -145,7 +145,7 @@ def pad_curve(case: PadCase, solution: TiltingPadSolution, margins: tuple[PadMar
     figure, ((panel,),) = Sheet(81.0, 60.0, left=12.0).panels()
     strokes = ("-", (0, (5, 2)), (0, (1, 1.5)), (0, (6, 2, 1, 2)))
     alike: dict[TiltingPad, list[int]] = {}
-    for number, pad in enumerate(case.bearing.pads):
+    for number, pad in enumerate(solution.bearing.pads):
         alike.setdefault(replace(pad, pivot_angle=0.0, pivot=RigidPivot()), []).append(number)
     for place, (pad, numbers) in enumerate(alike.items()):
         ratios, loads = curve_of(case, solution, pad, margins[numbers[0]])
