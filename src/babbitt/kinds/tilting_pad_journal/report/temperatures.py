@@ -43,14 +43,12 @@ def _around(panel: Axes, case: PadCase, found: ThermalTiltingPadSolution) -> Non
         order = np.argsort(state.angles)
         angles = state.angles[order]
         theta = np.degrees(angles + (start + (float(angles[0]) - start) % math.tau - float(angles[0])))
-        named = {"label": "bore"} if number == 1 else {}
-        panel.plot(theta, heat.bore[order] - ZERO_CELSIUS, color=INK, linewidth=1.0, **named)
-        named = {"label": "film, mean over the gap"} if number == 1 else {}
-        panel.plot(
-            theta, heat.film_mean[order] - ZERO_CELSIUS, color=INK, linestyle=DASHED, linewidth=0.9, **named
-        )
+        bore, film = ("bore", "film, mean over the gap") if number == 1 else ("", "")
+        panel.plot(theta, heat.bore[order] - ZERO_CELSIUS, color=INK, linewidth=1.0, label=bore)
+        mean = heat.film_mean[order] - ZERO_CELSIUS
+        panel.plot(theta, mean, color=INK, linestyle=DASHED, linewidth=0.9, label=film)
         pivot = math.degrees(start + (found.bearing.pads[number - 1].pivot_angle - start) % math.tau)
-        panel.annotate(f"{number}", (pivot, 0.0), xycoords=panel.get_xaxis_transform(), xytext=(0, 2.5),
+        panel.annotate(f"{number}", (pivot, 0.0), xycoords=panel.get_xaxis_transform(), xytext=(0, 6),
                        textcoords="offset points", fontsize=7, ha="center", color="0.3")  # fmt: skip
     if math.isfinite(found.journal_temperature):
         panel.axhline(found.journal_temperature - ZERO_CELSIUS, color=GREY, linewidth=0.8, label="journal")
