@@ -1,15 +1,17 @@
 """Free motions of a rotor among pads: tables of an independent program, pads without inertia, thresholds."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
-from scaled_pads import FOUR_LOAD, LEVER, four_pads
+from scaled_pads import FOUR_LOAD, LEVER, bearing, four_pads, pad
 from test_pad_tables import supported
 
 from babbitt.core.notices import InputError
 from babbitt.reynolds.model import Resolution
 from babbitt.reynolds.tilting_pads.dynamics import PadCoefficients, full_coefficients
+from babbitt.reynolds.tilting_pads.pivots import SpringPivot
 from babbitt.reynolds.tilting_pads.rotor import (
     critical_mass_of_condensed,
     rotor_modes,
@@ -98,7 +100,7 @@ def pendulum(stiffness, damping):
 
 def test_a_journal_without_pads_swings_as_an_oscillator():
     modes = rotor_modes(pendulum(np.diag([4.0, 9.0]), 0.2 * np.eye(2)), 1.0)
-    for mode, square in zip(modes, (4.0, 9.0), strict=True):
+    for mode, square in zip(sorted(modes, key=lambda mode: mode.frequency), (4.0, 9.0), strict=True):
         assert mode.growth == pytest.approx(-0.1)
         assert mode.frequency == pytest.approx(math.sqrt(square - 0.01))
         assert mode.whirl == pytest.approx(0.0, abs=1e-9)
@@ -114,8 +116,48 @@ def test_cross_stiffness_drives_a_forward_whirl_beyond_a_mass():
     worst = rotor_modes(driven, 1.1 * found.value)[0]
     assert worst.forward
     assert worst.whirl == pytest.approx(1.0)
-    assert not rotor_modes(driven, 1.1 * found.value, sense=-1.0)[0].forward
+    assert not rotor_modes(replace(driven, sense=-1.0), 1.1 * found.value)[0].forward
     assert critical_mass_of_condensed(driven) == pytest.approx(found.value, rel=1e-7)
+
+
+def test_an_undamped_journal_has_no_threshold():
+    """Its motions neither grow nor die away, whatever round-off makes of them."""
+    rng = np.random.default_rng(3)
+    for _ in range(20):
+        turn = np.linalg.qr(rng.normal(size=(2, 2)))[0]
+        held = pendulum(turn @ np.diag(10.0 ** rng.uniform(-2.0, 8.0, 2)) @ turn.T, np.zeros((2, 2)))
+        assert all(mode.stable for mode in rotor_modes(held, 3.0))
+        assert math.isinf(threshold_mass(held, 1e-2, 1e4).value)
+    assert threshold_mass(pendulum([[4.0, 1.0], [-1.0, 4.0]], np.zeros((2, 2))), 1e-2, 1e2).value == 0.0
+
+
+def test_a_direction_that_nothing_holds_does_not_grow():
+    turn = np.array([[math.cos(0.3), -math.sin(0.3)], [math.sin(0.3), math.cos(0.3)]])
+    loose = pendulum(turn @ np.diag([4.0, 0.0]) @ turn.T, turn @ np.diag([1.0, 0.0]) @ turn.T)
+    assert all(mode.stable for mode in rotor_modes(loose, 2.0))
+
+
+def test_motions_of_very_stiff_pivots_are_those_of_rigid_ones():
+    stiff = four_pads(inertia=0.05 * LEVER**2, law=SpringPivot(1e12), mass=1e-3)
+    modes = rotor_modes(full_coefficients(solve_tilting_pads(stiff, FOUR_LOAD, GRID)), 20.0)
+    slow = [mode for mode in modes if mode.frequency < 1e3]
+    rigid = rotor_modes(HEAVY, 20.0)
+    assert len(slow) == len(rigid)
+    for one, two in zip(slow, rigid, strict=True):
+        assert (one.growth, one.frequency) == pytest.approx((two.growth, two.frequency), abs=2e-6)
+
+
+def test_a_clockwise_bearing_whirls_in_its_own_sense():
+    mirrored = replace(HEAVY, sense=-1.0)
+    for one, two in zip(rotor_modes(HEAVY, 20.0), rotor_modes(mirrored, 20.0), strict=True):
+        assert two.whirl == pytest.approx(-one.whirl)
+    turned = solve_tilting_pads(
+        bearing((pad(angle, 75.0, 0.55, 0.4) for angle in (-90, 0, 90, 180)), 0.7, speed=-1.0),
+        (FOUR_LOAD[0], -FOUR_LOAD[1]), GRID,
+    )  # fmt: skip
+    assert full_coefficients(turned).sense == -1.0
+    for one, two in zip(rotor_modes(LIGHT, 20.0)[:2], rotor_modes(full_coefficients(turned), 20.0), strict=False):
+        assert (two.growth, two.frequency, two.whirl) == pytest.approx((one.growth, one.frequency, one.whirl))
 
 
 def test_impossible_masses_are_refused():

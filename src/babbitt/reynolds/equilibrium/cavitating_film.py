@@ -34,6 +34,7 @@ from babbitt.reynolds.lands._integrals import (
 from babbitt.reynolds.lands._positions import film_at, find_depth, find_near
 from babbitt.reynolds.lands.axial import even_axial_operator
 from babbitt.reynolds.lands.operators import kernel_operator
+from babbitt.reynolds.lands.profiles import common_profiles
 from babbitt.reynolds.model import Cavitation, FilmStart, JournalFilm, Land, Resolution
 from babbitt.reynolds.scales import Scales
 from babbitt.reynolds.solution import FilmSolution
@@ -165,13 +166,12 @@ def rotate(vector: Array, angle: float) -> Array:
 def kernel_bearing(film: JournalFilm, scales: Scales) -> Bearing:
     """Lands and conditions in the units of the kernels."""
     lands = np.zeros((len(film.lands), LAND_COLUMNS))
-    samples = max(len(land.profile) for land in film.lands)
-    profiles = np.zeros((len(film.lands), samples))
-    for row, profile, land in zip(lands, profiles, film.lands, strict=True):
-        fill_land(row, profile, film, land, scales)
+    for row, land in zip(lands, film.lands, strict=True):
+        fill_land(row, film, land, scales)
+    turn = int(scales.sense[1])
     return Bearing(
         lands=lands,
-        profiles=profiles,
+        profiles=common_profiles([land.profile[::turn] for land in film.lands]) / scales.length,
         kappa=(film.diameter / film.width) ** 2 / 12.0,
         speed=1.0 if film.angular_speed else 0.0,
         side_pressure=-film.cavitation_pressure / scales.pressure,
@@ -181,12 +181,11 @@ def kernel_bearing(film: JournalFilm, scales: Scales) -> Bearing:
     )
 
 
-def fill_land(row: Array, profile: Array, film: JournalFilm, land: Land, scales: Scales) -> None:
+def fill_land(row: Array, film: JournalFilm, land: Land, scales: Scales) -> None:
     """One row of the land table, mirrored for a clockwise journal."""
     angles, pressures = (land.start_angle, land.end_angle), (land.start_pressure, land.end_pressure)
-    samples = np.asarray(land.profile, dtype=float)
     if scales.sense[1] < 0.0:
-        angles, pressures, samples = (-angles[1], -angles[0]), pressures[::-1], samples[::-1]
+        angles, pressures = (-angles[1], -angles[0]), pressures[::-1]
     if film.film_start is FilmStart.WIDEST_GAP:
         angles = (-math.pi, math.pi)
     clearance = film.clearance if land.clearance is None else land.clearance
@@ -194,9 +193,6 @@ def fill_land(row: Array, profile: Array, film: JournalFilm, land: Land, scales:
     row[2] = clearance / scales.length
     row[3:5] = np.asarray(land.centre) * scales.sense / scales.length
     row[5:] = (np.asarray(pressures) - film.cavitation_pressure) / scales.pressure
-    if profile.size and samples.size:
-        places = np.linspace(0.0, 1.0, profile.size)
-        profile[:] = np.interp(places, np.linspace(0.0, 1.0, samples.size), samples) / scales.length
 
 
 def groove_force(bearing: Bearing) -> Array:

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from babbitt.reynolds._compiling import compiled, inlined, inner
 from babbitt.reynolds._structs import CLEARANCE
+from babbitt.reynolds.lands._equilibrium import THINNEST
 from babbitt.reynolds.lands._grids import new_film, new_lines
 from babbitt.reynolds.tilting_pads._pivot_curve import is_elastic, pivot_curve
 from babbitt.reynolds.tilting_pads._structs import PadPlaces
@@ -23,6 +26,9 @@ from babbitt.reynolds.tilting_pads._tilt import (
 TIGHT = 1e-8  # moment over the lever of the pivot over the load, at last
 MOST_PIVOTS = 60  # tilts in the search of the displacement of a pivot
 TOWARDS_PIVOT = 0.7  # share of the gap at a pivot in one step of the journal
+PIVOT_WIDTH = 1e-12  # of the clearance: bounds of e that cannot come closer
+CONTACT_WIDTH = 1e-4  # the same where there is no film at the upper one
+SAME_LOAD = 1e-5  # of the load: what the loads at such bounds may differ without being two branches
 
 
 @compiled
@@ -30,9 +36,10 @@ def new_places(pads):
     """Places of all pads: unknown."""
     count = pads.kappa.size
     return PadPlaces(
-        np.zeros(count), np.full(count, np.nan), np.zeros(count), np.full(count, UNLOADED), np.full(count,
-        -np.inf), np.zeros((count, 10)), np.zeros((count, 2)), np.zeros((count, 4)), np.ones(count),
-        np.zeros(count), np.zeros(1, np.int64),
+        radial=np.zeros(count), along=np.full(count, np.nan), follows=np.zeros(count),
+        status=np.full(count, UNLOADED), unloaded_below=np.full(count, -np.inf), answers=np.zeros((count, 10)),
+        force=np.zeros((count, 2)), stiffness=np.zeros((count, 4)), gain=np.ones(count), rigid=np.zeros(count),
+        fold=np.full(count, np.nan), need=np.zeros(count), least=np.zeros(count), films=np.zeros(1, np.int64),
     )  # fmt: skip
 
 
@@ -45,74 +52,155 @@ def condensed_slope(answer, spring):
     return answer[2] - answer[3] * answer[4] / across, -answer[4] / across
 
 
-@inner
-def place_pad(axial, pads, grid, k, film, lines, x, y, tolerance, places):
-    """Tilt and pivot of pad k for a journal at (x, y): fills its places, push and condensed stiffness."""
-    c, s, spring = pads.cosine[k], pads.sine[k], pads.rotational[k]
-    at = pads.offset[k] + x * c + y * s  # e with a rigid pivot
-    origin = y * c - x * s + pads.neutral[k]
-    answer = places.answers[k]
-    elastic = is_elastic(pads.curves[k], pads.displacements[k])
-    low, high = -np.inf, at
-    e = at
-    if elastic:
-        e = min(e, 0.8 * pads.bearing.lands[k, CLEARANCE])
-        if places.status[k] == LOADED:
-            e = min(places.radial[k] + places.gain[k] * (at - places.rigid[k]), at)
-    places.rigid[k] = at
-    eta, status, load, across, slope, follows, u, flexible = 0.0, UNLOADED, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
-    found = False
-    for _ in range(MOST_PIVOTS):
-        guess = np.nan
-        if places.status[k] == LOADED:
-            guess = places.along[k] + places.follows[k] * (e - places.radial[k])
-        eta, status = find_tilt(axial, pads, grid, k, film, lines, e, origin, guess, tolerance, places)
-        load, slope, follows = 0.0, 0.0, 0.0
-        if status == LOADED:
-            slope, follows = condensed_slope(answer, spring)
-            across = (answer[1] - spring * (eta - origin)) / (answer[5] + spring)  # the last step, not taken
-            load = -answer[0] + answer[3] * across
-            places.radial[k], places.along[k], places.follows[k], places.status[k] = e, eta, follows, status
-        if not elastic:
-            found = True
-            break
-        u, flexible = pivot_curve(pads.curves[k], pads.loads[k], pads.displacements[k], load)
-        miss = e + u - at
-        if status == NO_FILM or miss > 0.0:
-            high = e
+@inlined
+def load_on_pivot(curve, loads, displacements, way, most):
+    """Load below ``most`` under which a pivot gives way by ``way``, by bisection."""
+    low, high = 0.0, most
+    while high - low > 1e-14 * most:
+        load = 0.5 * (low + high)
+        if pivot_curve(curve, loads, displacements, load)[0] < way:
+            low = load
         else:
-            low = e
+            high = load
+    return high
+
+
+@inner
+def tilt_pad(axial, pads, grid, k, film, lines, e, origin, tolerance, places):
+    """Pad k tilts as it must at e: status, load, its growth with e, and the last step of the tilt, not taken."""
+    spring, answer = pads.rotational[k], places.answers[k]
+    guess = np.nan
+    if places.status[k] == LOADED:
+        guess = places.along[k] + places.follows[k] * (e - places.radial[k])
+    eta, status = find_tilt(axial, pads, grid, k, film, lines, e, origin, guess, tolerance, places)
+    if status == NO_FILM and not math.isnan(guess):  # an edge touches: the pad may fall to another tilt
+        eta, status = find_tilt(axial, pads, grid, k, film, lines, e, origin, np.nan, tolerance, places)
+    if status != LOADED:
+        return status, 0.0, 0.0, 0.0
+    slope, follows = condensed_slope(answer, spring)
+    across = (answer[1] - spring * (eta - origin)) / (answer[5] + spring)
+    places.radial[k], places.along[k], places.follows[k], places.status[k] = e, eta, follows, status
+    return status, -answer[0] + answer[3] * across, slope, across
+
+
+@inner
+def settle_pivot(axial, pads, grid, k, film, lines, at, origin, tolerance, places):
+    """Pad k on an elastic pivot, e + u(W) = at: what `tilt_pad` says of it, and e.
+
+    Where the pad unloads at a load that gives way too far it is at its limit: its fold and its least load are kept
+    in ``places``. A load that jumps from one tilt to another is treated alike.
+    """
+    curve, loads, displacements = pads.curves[k], pads.loads[k], pads.displacements[k]
+    clearance = pads.bearing.lands[k, CLEARANCE]
+    low, high, lower, least = -np.inf, at + PIVOT_WIDTH * clearance, 0.0, 0.0
+    e = min(at, 0.8 * clearance)
+    if places.status[k] == LOADED:
+        e = min(places.radial[k] + places.gain[k] * (at - places.rigid[k]), at)
+    status, load, slope, across, touches = NOT_FOUND, 0.0, 0.0, 0.0, False
+    for _ in range(MOST_PIVOTS):
+        status, load, slope, across = tilt_pad(axial, pads, grid, k, film, lines, e, origin, tolerance, places)
+        if status == NOT_FOUND:
+            if e < (1.0 - THINNEST) * clearance:
+                break
+            status = NO_FILM
+        u, flexible = pivot_curve(curve, loads, displacements, load)
+        miss = e + u - at
         if status != NO_FILM and abs(miss) <= 0.01 * tolerance:
-            found = True
-            break
-        if high - low < 1e-12:
-            status, found = AT_LIMIT, True
-            break
+            return status, load, slope, across, e
+        if status == NO_FILM or miss > 0.0:
+            high, least, touches = e, -places.answers[k, 0], status == NO_FILM  # not corrected: it is singular
+        else:
+            low, lower = e, load
+        if high - low < (CONTACT_WIDTH if touches else PIVOT_WIDTH) * clearance:
+            if status == LOADED and least > 0.0 and abs(least - lower) <= SAME_LOAD * least:
+                return status, load, slope, across, e
+            if tolerance <= TIGHT or pads.rotational[k] > 0.0:
+                places.least[k] = least
+                places.fold[k] = high if lower == 0.0 else np.nan
+            return AT_LIMIT if least > 0.0 else NO_FILM, 0.0, 0.0, 0.0, high
         new = np.nan
         if status == LOADED:
             new = e - miss / (1.0 + flexible * slope)
         if not low < new < high:
             if low > -np.inf:
                 new = 0.5 * (low + high)
+            elif status == NO_FILM:
+                new = e - 0.5 * clearance
             else:
-                new = (
-                    e - 0.5 * pads.bearing.lands[k, CLEARANCE] if status == NO_FILM else e - 0.5 * max(miss, 1e-3)
-                )
+                new = e - 0.5 * max(miss, 1e-3)
         e = new
-    if not found:
-        status = NOT_FOUND
-    places.radial[k], places.along[k], places.follows[k], places.status[k] = e, eta, follows, status
-    if status != LOADED:
-        answer[:] = 0.0
-        places.force[k] = 0.0
-        places.stiffness[k] = 0.0
-        places.gain[k] = 1.0
+    return status if status == NO_FILM else NOT_FOUND, 0.0, 0.0, 0.0, e
+
+
+@inlined
+def stands_at_limit(pads, k, at, places):
+    """Whether a free pad on an elastic pivot stands at its fold, where that is known."""
+    if pads.rotational[k] > 0.0 or not at > places.fold[k]:
+        return False
+    u, _ = pivot_curve(pads.curves[k], pads.loads[k], pads.displacements[k], places.least[k])
+    return at < places.fold[k] + u
+
+
+@inner
+def place_pad(axial, pads, grid, k, film, lines, x, y, tolerance, places):
+    """Tilt and pivot of pad k for a journal at (x, y): fills its places, push and condensed stiffness."""
+    c, s, spring = pads.cosine[k], pads.sine[k], pads.rotational[k]
+    at = pads.offset[k] + x * c + y * s  # e with a rigid pivot
+    origin = y * c - x * s + pads.neutral[k]
+    elastic = is_elastic(pads.curves[k], pads.displacements[k])
+    status, load, slope, across, e = AT_LIMIT, 0.0, 0.0, 0.0, places.fold[k]
+    if not elastic:
+        e = at
+        status, load, slope, across = tilt_pad(axial, pads, grid, k, film, lines, e, origin, tolerance, places)
+    elif not stands_at_limit(pads, k, at, places):
+        status, load, slope, across, e = settle_pivot(
+            axial, pads, grid, k, film, lines, at, origin, tolerance, places
+        )
+        if status == AT_LIMIT and spring == 0.0 and tolerance > TIGHT:  # a loose tilt carries beyond its fold
+            status, load, slope, across, e = settle_pivot(
+                axial, pads, grid, k, film, lines, at, origin, TIGHT, places
+            )
+    places.rigid[k], places.status[k] = at, status
+    if status == LOADED:
+        u, flexible = pivot_curve(pads.curves[k], pads.loads[k], pads.displacements[k], load)
+        gain = 1.0 / (1.0 + flexible * slope)
+        places.force[k, 0] = -load + slope * gain * (e + u - at) if elastic else -load
+        places.force[k, 1] = spring * (places.along[k] + across - origin)
+        support_stiffness(places.answers[k], flexible, spring, places.stiffness[k])
+        places.gain[k] = gain
         return
-    gain = 1.0 / (1.0 + flexible * slope)
-    places.force[k, 0] = -load + slope * gain * (e + u - at) if elastic else -load
-    places.force[k, 1] = spring * (eta + across - origin)
-    support_stiffness(answer, flexible, spring, places.stiffness[k])
-    places.gain[k] = gain
+    places.radial[k], places.along[k], places.follows[k], places.gain[k] = e, 0.0, 0.0, 1.0
+    places.answers[k] = 0.0
+    places.force[k] = 0.0
+    places.stiffness[k] = 0.0
+    if status == AT_LIMIT:
+        push_at_limit(pads, k, at - e, places)
+
+
+@inlined
+def push_at_limit(pads, k, way, places):
+    """The pivot of a pad at its limit, given way by ``way``, pushes alone.
+
+    So the push grows from nothing to the least load of the film without a jump, and the potential of the journal
+    stays convex.
+    """
+    curve, loads, displacements = pads.curves[k], pads.loads[k], pads.displacements[k]
+    need = load_on_pivot(curve, loads, displacements, way, places.least[k])
+    _, flexible = pivot_curve(curve, loads, displacements, need)
+    places.need[k] = need
+    places.force[k, 0] = -need
+    places.stiffness[k, 0] = 1.0 / flexible if flexible > 0.0 else 0.0
+    places.gain[k] = 0.0
+
+
+@inlined
+def drop_limits(pads, places, total):
+    """Takes the pushes of pads at their limits, which no film gives, out of ``total``."""
+    for k in range(pads.kappa.size):
+        if places.status[k] == AT_LIMIT:
+            total[0] -= places.force[k, 0] * pads.cosine[k] - places.force[k, 1] * pads.sine[k]
+            total[1] -= places.force[k, 0] * pads.sine[k] + places.force[k, 1] * pads.cosine[k]
+            places.force[k] = 0.0
 
 
 @inlined
@@ -181,6 +269,7 @@ def pads_at(axial, pads, intervals, x, y, places, total):
     grid = pad_grid(pads, intervals, len(axial.size))
     film, lines = new_film(intervals), new_lines(intervals, len(axial.size))
     is_open = place_all(axial, pads, grid, film, lines, x, y, TIGHT, places, total)
+    drop_limits(pads, places, total)
     return is_open, all_found(places), grid
 
 

@@ -31,6 +31,7 @@ class Pads(NamedTuple):
     loads: Array  # table of a pivot, (pads, points or 0)
     displacements: Array  # table of a pivot, (pads, points or 0)
     centred: NDArray[bool_]  # whether it unloads exactly where e falls below zero, (pads,)
+    plain: NDArray[bool_]  # whether its bore is a circle and no pressure stands at its edges, (pads,)
     fluidity: Array  # of every interval: unit of viscosity over effective viscosity, (pads, intervals or 0)
     drag: Array  # of every interval: flow by shear over half the gap, (pads, intervals or 0)
 
@@ -48,4 +49,7 @@ class PadPlaces(NamedTuple):
     stiffness: Array  # condensed stiffness in (n, tau), row by row, (pads, 4)
     gain: Array  # how far e follows the journal along n, (pads,)
     rigid: Array  # e with a rigid pivot, (pads,)
+    fold: Array  # e at which a free pad on an elastic pivot unloads, nan where it is not known, (pads,)
+    need: Array  # load that a pad at its limit would have to carry, (pads,)
+    least: Array  # the least that it can, (pads,)
     films: NDArray[int64]  # solutions of a film so far, (1,)

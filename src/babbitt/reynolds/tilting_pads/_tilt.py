@@ -1,9 +1,10 @@
 """Kernels: the tilt at which the film of a pad makes no moment about its pivot.
 
 It is found by Newton between two bounds, from the side on which the trailing edge is closer: there the moment
-falls with the tilt, which is the stable one of two roots. A point where the moment still turns the pad that way,
-where the film is dry, or where the moment rises lies left of it, any other right. Every moment belongs to a wet
-set that does not change any more, found from a wet film at first.
+falls with the tilt, which is the stable one of two roots. Of a free pad a point where the moment still turns it
+that way, where the film is dry, or where the moment rises lies left of it, any other right. On a flexure the sign
+of the moment alone decides: it turns the pad back at contact of either edge, and a root lies between. Every
+moment belongs to a wet set that does not change any more, found from a wet film at first.
 """
 
 from __future__ import annotations
@@ -21,12 +22,15 @@ LOADED, UNLOADED, AT_LIMIT, NO_FILM, NOT_FOUND = 0, 1, 2, 3, 4
 
 MOST_UPDATES = 60  # of the wet set at one place
 MOST_TILTS = 80  # films in the search of a tilt
+MOST_FILMS = 60000  # in all: then no more tilts are sought
 FOLD_WIDTH = 3e-5  # of the clearance: bounds of a tilt that never turned back; the fold is then within 1e-9 in e
 ROOT_WIDTH = 1e-13  # of the clearance: bounds of a tilt that cannot come closer
+EDGE_WIDTH = 1e-4  # of the clearance: tilt at which a flexure presses an edge on the journal
 ROOT_MOMENT = 1e-6  # moment over the load at bounds that close, for nodes that change between wet and dry there
+TILT_ON_FLEXURE = 1e-12  # of the clearance: tilt up to which the moment of a flexure is not resolved
 TOWARDS_CONTACT = 0.8  # share of the way to contact in one step of the tilt
 DRY_LOAD = 1e-12  # load of a film that is as good as dry
-ON_THE_WAY, AT_FOLD = 1e-3, 1e-5  # moment over the lever of the pivot over the load, in the search of a fold
+ON_THE_WAY, AT_FOLD = 1e-3, 1e-8  # moment over the lever of the pivot over the load, in the search of a fold
 
 
 @compiled
@@ -113,7 +117,7 @@ def diverging_tilt(e, start):
     """Place eta below which a pad with e < 0 has its widest gap behind its leading edge, at ``start`` from the
     pivot.
 
-    The film then begins inside of the pad and turns it back whatever it does: no stable tilt lies there.
+    The film of a plain pad then begins inside of it and turns it back whatever it does: no stable tilt lies there.
     """
     return -e * math.tan(min(-start, 1.5)) if e < 0.0 else -np.inf
 
@@ -139,13 +143,16 @@ def find_tilt(axial, pads, grid, k, film, lines, e, origin, guess, tolerance, pl
     if spring == 0.0 and (e <= places.unloaded_below[k] or (pads.centred[k] and e <= 0.0)):
         answer[:] = 0.0
         return 0.0, UNLOADED
+    if places.films[0] > MOST_FILMS:
+        answer[:] = 0.0
+        return 0.0, NOT_FOUND
     least, most = tilt_bounds(grid, k, e)
     if not least < most:
         answer[:] = 0.0
         return 0.0, NO_FILM
     start, end = pads.bearing.lands[k, START], pads.bearing.lands[k, END]
     left, right = least, most
-    if spring == 0.0:
+    if spring == 0.0 and pads.plain[k]:
         left = max(least, diverging_tilt(e, start))
     known = not math.isnan(guess)
     eta = guess if known else first_tilt(e, clearance, start, end)
@@ -164,9 +171,10 @@ def find_tilt(axial, pads, grid, k, film, lines, e, origin, guess, tolerance, pl
         load = -answer[0]
         dry = load <= DRY_LOAD * pads.weight[k] and spring == 0.0
         size = abs(moment)
-        if slope < 0.0 and not dry and size <= tolerance * load + (1e-15 if spring > 0.0 else 0.0):
+        unresolved = TILT_ON_FLEXURE * spring * clearance
+        if slope < 0.0 and not dry and size <= tolerance * load + unresolved:
             return eta, LOADED
-        if moment > 0.0 or dry or slope >= 0.0:
+        if moment > 0.0 or (spring == 0.0 and (dry or slope >= 0.0)):
             left = eta
             turned = turned or (moment > 0.0 and not dry)
         else:
@@ -175,8 +183,12 @@ def find_tilt(axial, pads, grid, k, film, lines, e, origin, guess, tolerance, pl
         if not turned and spring == 0.0 and width < FOLD_WIDTH * clearance:
             unloaded = True
             break
+        if spring > 0.0 and width < EDGE_WIDTH * clearance and (left == least or right == most):
+            break
         if width < ROOT_WIDTH * clearance:
-            return eta, LOADED if size <= ROOT_MOMENT * load else NOT_FOUND
+            if size <= ROOT_MOMENT * load + unresolved:
+                return eta, LOADED
+            break
         slow = slow + 1 if size > 0.5 * last else 0
         last = size
         step = -moment / slope if slope < 0.0 and not dry else np.inf
@@ -188,6 +200,8 @@ def find_tilt(axial, pads, grid, k, film, lines, e, origin, guess, tolerance, pl
             slow = 0
         eta = new
     answer[:] = 0.0
+    if spring > 0.0 and (left == least or right == most):  # the flexure presses an edge on the journal
+        return 0.0, NO_FILM
     if not unloaded:
         return 0.0, NOT_FOUND
     places.unloaded_below[k] = max(places.unloaded_below[k], e)
@@ -199,7 +213,7 @@ def find_fold(axial, pads, intervals, k, loaded, lowest, width, places):
     """Smallest e at which pad k, free to tilt, has an equilibrium, by bisection between two e.
 
     Returns e, the load there, and eta; minus infinity where the pad carries still at ``lowest``, nan where a
-    tilt is not found.
+    tilt is not found or the pad does not carry at ``loaded``.
     """
     grid = pad_grid(pads, intervals, len(axial.size))
     film, lines = new_film(intervals), new_lines(intervals, len(axial.size))
@@ -208,7 +222,10 @@ def find_fold(axial, pads, intervals, k, loaded, lowest, width, places):
         return -np.inf, -places.answers[k, 0], eta
     if status == NOT_FOUND:
         return np.nan, np.nan, np.nan
-    low, high, load, best, guess = lowest, loaded, 0.0, 0.0, np.nan
+    best, status = find_tilt(axial, pads, grid, k, film, lines, loaded, 0.0, np.nan, ON_THE_WAY, places)
+    if status != LOADED:
+        return np.nan, np.nan, np.nan
+    low, high, load, guess = lowest, loaded, -places.answers[k, 0], best
     while high - low > width:
         e = 0.5 * (low + high)
         eta, status = find_tilt(axial, pads, grid, k, film, lines, e, 0.0, guess, AT_FOLD, places)

@@ -55,6 +55,8 @@ class PadCoefficients:
         What makes a length of the tilt in rad, m: the lever of the pivot; 1 for all other motions.
     speed : float
         Angular speed of the journal, rad/s, without its sign.
+    sense : float
+        1 for a journal that turns counter-clockwise, -1 for a clockwise one.
     """
 
     labels: tuple[str, ...]
@@ -63,6 +65,7 @@ class PadCoefficients:
     damping: Array
     levers: Array
     speed: float
+    sense: float = 1.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -142,7 +145,9 @@ def full_coefficients(solution: TiltingPadSolution) -> PadCoefficients:
         levers[first] = bearing.lever(pad)
         labels += [f"pad {number} {name}" for name in own]
         first = last
-    return PadCoefficients(tuple(labels), mass, stiffness, damping, levers, abs(bearing.angular_speed))
+    return PadCoefficients(
+        tuple(labels), mass, stiffness, damping, levers, abs(bearing.angular_speed), bearing.sense
+    )
 
 
 def own_motions(pad: TiltingPad, state: PadState) -> tuple[str, ...]:
@@ -169,8 +174,9 @@ def pad_matrices(
 ) -> tuple[Array, Array, Array]:
     """Mass, damping and stiffness of a pad and its pivot in its own motions, those of the film left out.
 
-    With b_g the distance of the centre of gravity from the pivot along tau, a tilt moves it outward by -b_g delta:
-    M = (J, -m b_g; -m b_g, m) in (delta, u).
+    With b_g and a_g the distances of the centre of gravity from the pivot along tau and towards the centre of the
+    bearing, a tilt moves it outward by -b_g delta and along tau by -a_g delta:
+    M = (J, -m b_g, -m a_g; -m b_g, m, 0; -m a_g, 0, m) in (delta, u, v).
     """
     lever = bearing.lever(pad)
     size = len(own)
@@ -184,6 +190,7 @@ def pad_matrices(
             mass[0, place] = mass[place, 0] = -bearing.sense * pad.mass * pad.mass_offset / lever
             damping[place, place], stiffness[place, place] = pad.pivot_damping, state.pivot_stiffness
         else:
+            mass[0, place] = mass[place, 0] = -pad.mass * pad.mass_inset / lever
             damping[place, place], stiffness[place, place] = pad.tangential_damping, pad.tangential_stiffness
     return mass, damping, stiffness
 

@@ -2,9 +2,10 @@
 
 Angles are counter-clockwise from +x. A pad leads where the journal enters it: at its smaller angle if the
 journal turns counter-clockwise, at its larger one otherwise. In the frame of a pad n points from the centre of
-the bearing to the pivot and tau a quarter turn further; a tilt delta turns the pad counter-clockwise about its
-pivot and moves its bore by s = (R + c_p + t) delta along tau as if the journal had moved back, and a pivot that
-gives way by u moves it outward along n. The film knows only
+the bearing to the pivot and tau a quarter turn further. A tilt delta turns the pad counter-clockwise about its
+pivot: the bore before it moves outward, the bore behind it inward, as if the journal had moved along tau by
+s = (R + c_p + t) delta. A pivot that gives way by u moves the bore outward, as if the journal had moved back along
+n. The film knows only
 
     xi = (x, y) n - u,      eta = (x, y) tau - v + s,
     h = c_p - (c_p - c_b + xi) cos(phi) - eta sin(phi) + w(phi),      phi = theta - theta_p.
@@ -53,7 +54,7 @@ class TiltingPad:
     rotational_stiffness : float
         Of a flexure, N m/rad; 0: free to tilt.
     rest_tilt : float
-        Of the flexure without moment, rad.
+        Of the flexure without moment, rad, counter-clockwise.
     tangential_stiffness : float
         Of the pivot along the journal's way, N/m; infinite: rigid.
     pivot_damping, rotational_damping, tangential_damping : float
@@ -62,8 +63,9 @@ class TiltingPad:
         kg.
     inertia : float
         About the pivot, kg m2.
-    mass_offset : float
-        Distance of the centre of gravity from the pivot along tau in the sense of rotation, m.
+    mass_offset, mass_inset : float
+        Distances of the centre of gravity from the contact of the pivot, m: in the sense of rotation, and towards
+        the centre of the bearing.
     profile : tuple of float
         Departure of the bore from its circle, m, outward positive, at equally spaced angles from the smaller to
         the larger (bending, wear). Empty: none.
@@ -87,9 +89,13 @@ class TiltingPad:
     mass: float = 0.0
     inertia: float = 0.0
     mass_offset: float = 0.0
+    mass_inset: float = 0.0
     profile: tuple[float, ...] = ()
 
     def __post_init__(self) -> None:
+        for name in ("pivot_angle", "rest_tilt", "mass_offset", "mass_inset"):
+            if not math.isfinite(getattr(self, name)):
+                raise InputError("E101", f"{name} of a pad is {getattr(self, name)}; it must be a finite number.")
         for name in ("extent", "clearance", "thickness", "tangential_stiffness"):
             if not getattr(self, name) > 0.0:
                 raise InputError(
@@ -99,6 +105,13 @@ class TiltingPad:
                      "tangential_damping"):  # fmt: skip
             if not getattr(self, name) >= 0.0:
                 raise InputError("E101", f"{name} of a pad is {getattr(self, name)}; it must not be negative.")
+        least = self.mass * (self.mass_offset**2 + self.mass_inset**2)
+        if not self.inertia >= least * (1.0 - 1e-12):
+            raise InputError(
+                "E101",
+                f"inertia of a pad is {self.inertia} kg m2 about its pivot; its mass at its mass_offset and "
+                f"mass_inset alone has {least:.6g}. Give that or more.",
+            )
         if not self.assembled_clearance > 0.0:
             raise InputError("E101", f"assembled_clearance of a pad is {self.assembled_clearance} m; it must be "
                              "positive (preload below 1).")  # fmt: skip
@@ -141,7 +154,9 @@ class TiltingPadBearing:
         rad/s, positive counter-clockwise.
     pads : tuple of TiltingPad
     groove_pressure : float
-        Gauge pressure of the oil between the pads, Pa.
+        Gauge pressure of the oil between the pads, Pa: over the full width of the gaps between them, and at both
+        edges of every loaded pad. An unloaded pad is taken to carry nothing, though the same pressure at its edges
+        would push.
     """
 
     diameter: float

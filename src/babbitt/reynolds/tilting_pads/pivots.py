@@ -255,8 +255,14 @@ def displacement_of(pivot: Pivot, load: float) -> float:
 
 
 def stiffness_of(pivot: Pivot, load: float) -> float:
-    """Stiffness dP/du of a pivot, N/m, at a load in N; infinite for a rigid one."""
+    """Stiffness dP/du of a pivot, N/m, at a load in N; infinite for a rigid one.
+
+    Not a number where the displacement falls with the load: a contact of lines as wide as it is deep is beyond its
+    law.
+    """
     _, slope = pivot.curve().at(max(load, LIGHTEST))
+    if slope < 0.0:
+        return math.nan
     return 1.0 / slope if slope > 0.0 else math.inf
 
 

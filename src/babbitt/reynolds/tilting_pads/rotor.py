@@ -2,7 +2,8 @@
 
 Condensed coefficients belong to one frequency and to a motion that neither grows nor decays: they do not tell
 whether it does. Here the pads keep their own motions. Pads without inertia have rows of first order and no mass
-matrix that could be inverted: the pencil A - lambda E of the doubled motions is solved as it stands (QZ).
+matrix that could be inverted: the pencil A - lambda E of the doubled motions is solved as it stands (QZ), its
+motions scaled to one size.
 """
 
 from __future__ import annotations
@@ -39,6 +40,13 @@ STEPS_PER_DECADE = 8
 REAL = 1e-9
 """Imaginary part over modulus below which a motion does not oscillate."""
 
+GROWING = 1e-9
+"""Real part over modulus up to which a motion is not said to grow: that of an undamped one is round-off."""
+
+STILL = 1e-6
+"""Of the speed: eigenvalues below are zero, those of a direction that nothing holds (a double zero splits by the
+root of the round-off)."""
+
 
 @dataclass(frozen=True)
 class Mode:
@@ -73,8 +81,8 @@ class Mode:
 
     @property
     def stable(self) -> bool:
-        """Whether it dies away."""
-        return self.growth < 0.0
+        """Whether it does not grow (`GROWING`)."""
+        return self.growth <= GROWING * math.hypot(self.growth, self.frequency)
 
 
 @dataclass(frozen=True)
@@ -94,7 +102,7 @@ class Threshold:
     frequency: float
 
 
-def rotor_modes(coefficients: PadCoefficients, mass: float, sense: float = 1.0) -> tuple[Mode, ...]:
+def rotor_modes(coefficients: PadCoefficients, mass: float) -> tuple[Mode, ...]:
     """Free motions of a rigid rotor of ``mass`` in kg per bearing, the one that lasts longest first.
 
     Parameters
@@ -102,8 +110,6 @@ def rotor_modes(coefficients: PadCoefficients, mass: float, sense: float = 1.0) 
     coefficients : PadCoefficients
     mass : float
         On the journal; zero: none.
-    sense : float
-        1 for a journal that turns counter-clockwise, -1 for a clockwise one.
 
     Returns
     -------
@@ -123,7 +129,7 @@ def rotor_modes(coefficients: PadCoefficients, mass: float, sense: float = 1.0) 
         if value.imag < -REAL * abs(value):
             continue
         frequency = value.imag if value.imag > REAL * abs(value) else 0.0
-        turning = -2.0 * sense * float((vector[0].conjugate() * vector[1]).imag)
+        turning = -2.0 * coefficients.sense * float((vector[0].conjugate() * vector[1]).imag)
         of_journal = float((np.abs(vector[:2]) ** 2).sum())
         whirl = turning / of_journal if frequency > 0.0 and of_journal > 0.0 else 0.0
         share = of_journal / float((np.abs(vector) ** 2).sum())
@@ -136,18 +142,21 @@ def pencil(coefficients: PadCoefficients, mass: float) -> tuple[NDArray[np.compl
     from scipy.linalg import eig
 
     size, speed = len(coefficients.labels), coefficients.speed
-    unit = float(np.abs(coefficients.stiffness).max()) or 1.0
-    k = coefficients.stiffness / unit
-    c = coefficients.damping * (speed / unit)
-    m = coefficients.mass * (speed**2 / unit)
-    m[0, 0] += mass * speed**2 / unit
-    m[1, 1] += mass * speed**2 / unit
+    k, c = coefficients.stiffness.copy(), coefficients.damping * speed
+    m = coefficients.mass * speed**2
+    m[0, 0] += mass * speed**2
+    m[1, 1] += mass * speed**2
+    stiff = np.abs(np.diag(k)) + np.abs(np.diag(c)) + np.abs(np.diag(m))
+    scale = 1.0 / np.sqrt(np.where(stiff > 0.0, stiff, 1.0))
+    k, c, m = (scale[:, None] * part * scale for part in (k, c, m))
     one, none = np.eye(size), np.zeros((size, size))
     left = np.block([[none, one], [-k, -c]])
     right = np.block([[one, none], [none, m]])
     (alpha, beta), vectors = eig(left, right, homogeneous_eigvals=True)
     finite = np.abs(alpha) < INFINITE * np.abs(beta)
-    return speed * alpha[finite] / beta[finite], vectors[:size, finite]
+    values = alpha[finite] / beta[finite]
+    values[np.abs(values) < STILL] = 0.0
+    return speed * values, scale[:, None] * vectors[:size, finite]
 
 
 def with_inertia(coefficients: PadCoefficients, inertia: float) -> PadCoefficients:
@@ -173,25 +182,31 @@ def first_unstable(modes_at: Callable[[float], tuple[Mode, ...]], least: float, 
     """First value between two positive ones at which a motion grows: steps of equal ratio, then bisection."""
     if not 0.0 < least < most:
         raise InputError("E101", f"a threshold is sought between {least} and {most}; give 0 < least < most.")
-    worst = modes_at(least)[0]
-    if not worst.stable:
+    worst = growing(modes_at(least))
+    if worst is not None:
         return Threshold(0.0, worst.frequency)
     count = max(2, math.ceil(STEPS_PER_DECADE * math.log10(most / least)) + 1)
     low = least
-    for high in np.geomspace(least, most, count)[1:]:
-        if not modes_at(float(high))[0].stable:
+    for high in map(float, np.geomspace(least, most, count)[1:]):
+        worst = growing(modes_at(high))
+        if worst is not None:
             break
-        low = float(high)
+        low = high
     else:
         return Threshold(math.inf, math.nan)
-    high = float(high)
     while high - low > 1e-9 * high:
         middle = 0.5 * (low + high)
-        if modes_at(middle)[0].stable:
+        found = growing(modes_at(middle))
+        if found is None:
             low = middle
         else:
-            high = middle
-    return Threshold(low, modes_at(high)[0].frequency)
+            high, worst = middle, found
+    return Threshold(low, worst.frequency)
+
+
+def growing(modes: tuple[Mode, ...]) -> Mode | None:
+    """The motion that grows most, or None."""
+    return next((mode for mode in modes if not mode.stable), None)
 
 
 def critical_mass_of_condensed(coefficients: PadCoefficients, whirl_ratio: float = 1.0) -> float:

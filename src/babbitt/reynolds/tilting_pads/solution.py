@@ -32,7 +32,7 @@ class PadPosition:
     Attributes
     ----------
     tilt : float
-        rad, counter-clockwise.
+        rad, counter-clockwise; nan for a pad that does not carry.
     pivot_displacement : float
         Outward, m.
     tangential_displacement : float
@@ -53,7 +53,7 @@ class PadState:
     status : PadStatus
         An unloaded pad has no tilt of its own; its film stands for the pad concentric with its bore (eta = 0).
     position : PadPosition
-        ``tilt`` is nan where the pad is unloaded.
+        ``tilt`` is nan where the pad is unloaded or at its limit.
     radial, tangential : float
         xi and eta of the module, m.
     eccentricity_ratio : float
@@ -65,7 +65,7 @@ class PadState:
     stiffness, damping : ndarray, shape (2, 2)
         Of the film in (xi, eta): d(force) = -(K d(xi, eta) + C d(xi, eta)'), N/m and N s/m.
     pivot_stiffness : float
-        dP/du at the load, N/m; infinite where rigid.
+        dP/du at the load, N/m; infinite where rigid, nan where the load is beyond the law of the pivot.
     minimum_film_thickness, maximum_pressure : float
         m and Pa, on the lines of the film.
     inflow, outflow, side_flow : float

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import time
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -25,12 +25,13 @@ from babbitt.reynolds.lands._integrals import (
 )
 from babbitt.reynolds.lands.axial import even_axial_operator
 from babbitt.reynolds.lands.operators import kernel_operator
+from babbitt.reynolds.lands.profiles import common_profiles
 from babbitt.reynolds.model import ENGINEERING, Resolution
-from babbitt.reynolds.tilting_pads._pads import CLOSED, CONVERGED, LIMIT, find_pads
+from babbitt.reynolds.tilting_pads._pads import CLOSED, CONVERGED, LIMIT, TOUCH, WORK, find_pads
 from babbitt.reynolds.tilting_pads._pivot_curve import CURVE_COLUMNS
 from babbitt.reynolds.tilting_pads._place import new_places, pads_at, smooth_answers
 from babbitt.reynolds.tilting_pads._structs import PadPlaces, Pads
-from babbitt.reynolds.tilting_pads._tilt import LOADED, find_fold
+from babbitt.reynolds.tilting_pads._tilt import AT_LIMIT, LOADED, find_fold
 from babbitt.reynolds.tilting_pads.model import TiltingPad, TiltingPadBearing
 from babbitt.reynolds.tilting_pads.pivots import stiffness_of
 from babbitt.reynolds.tilting_pads.solution import PadPosition, PadState, PadStatus, TiltingPadSolution
@@ -43,14 +44,15 @@ LOWEST = -0.6
 """Eccentricity ratio at the pivot down to which a fold is sought."""
 
 
-OUTCOMES = {CONVERGED: Outcome.CONVERGED, CLOSED: Outcome.OUTSIDE_CLEARANCE, LIMIT: Outcome.PAD_AT_LIMIT}
+OUTCOMES = {
+    CONVERGED: Outcome.CONVERGED, CLOSED: Outcome.OUTSIDE_CLEARANCE, LIMIT: Outcome.PAD_AT_LIMIT,
+    WORK: Outcome.WORK_BOUND, TOUCH: Outcome.OVERLOADED,
+}  # fmt: skip
 
 
 def no_total() -> Array:
-    """What `find_pads` fills: force (2), stiffness (4), of two pads at a limit number, need and least load."""
-    total = np.zeros(12)
-    total[[6, 9]] = -1.0
-    return total
+    """What `find_pads` fills: force (2), stiffness (4)."""
+    return np.zeros(6)
 
 
 class PadScales:
@@ -81,11 +83,11 @@ def kernel_pads(bearing: TiltingPadBearing, scales: PadScales) -> Pads:
     """Pads in the frames and units of the kernels."""
     count = len(bearing.pads)
     lands, curves = np.zeros((count, LAND_COLUMNS)), np.zeros((count, CURVE_COLUMNS))
-    profiles = np.zeros((count, max(len(pad.profile) for pad in bearing.pads)))
+    profiles = common_profiles([pad.profile[:: int(bearing.sense)] for pad in bearing.pads]) / scales.length
     points = max(len(pad.pivot.curve().loads) for pad in bearing.pads)
     loads, displacements = np.zeros((count, points)), np.zeros((count, points))
     kappa, weight, angle, offset, rotational, neutral = np.zeros((6, count))
-    centred = np.zeros(count, dtype=bool)
+    plain, centred = np.zeros((2, count), dtype=bool)
     for k, pad in enumerate(bearing.pads):
         width = bearing.width if pad.width is None else pad.width
         thickness = 1.0 if pad.viscosity is None else pad.viscosity / bearing.viscosity
@@ -99,15 +101,12 @@ def kernel_pads(bearing: TiltingPadBearing, scales: PadScales) -> Pads:
         rotational[k] = tangential_spring(bearing, pad) * scales.length / scales.force
         neutral[k] = bearing.sense * bearing.lever(pad) * pad.rest_tilt / scales.length
         fill_curve(pad, scales, curves[k], loads[k], displacements[k])
-        centred[k] = abs(pad.pivot_fraction - 0.5) < 1e-12 and not pad.profile and bearing.groove_pressure == 0.0
-        if pad.profile:
-            samples = np.asarray(pad.profile)[:: int(bearing.sense)]
-            places = np.linspace(0.0, 1.0, profiles.shape[1])
-            profiles[k] = np.interp(places, np.linspace(0.0, 1.0, samples.size), samples) / scales.length
+        plain[k] = not pad.profile and bearing.groove_pressure == 0.0
+        centred[k] = plain[k] and abs(pad.pivot_fraction - 0.5) < 1e-12
     return Pads(
         Bearing(lands, profiles, math.nan, 1.0, 0.0, False, True, 1.0), kappa, weight, np.cos(angle),
-        np.sin(angle), offset, rotational, neutral, curves, loads, displacements, centred, np.ones((count, 0)),
-        np.ones((count, 0)),
+        np.sin(angle), offset, rotational, neutral, curves, loads, displacements, centred, plain,
+        np.ones((count, 0)), np.ones((count, 0)),
     )  # fmt: skip
 
 
@@ -155,7 +154,8 @@ def solve_tilting_pads(
     Returns
     -------
     TiltingPadSolution
-        Always; ``outcome`` says whether it is an equilibrium.
+        Always; ``outcome`` says whether it is an equilibrium. `Outcome.OVERLOADED`: an edge that a flexure presses
+        on the journal bars the way, or a pivot carries more than its law knows.
 
     Raises
     ------
@@ -190,7 +190,8 @@ def tilting_pads_at(
     Returns
     -------
     TiltingPadSolution
-        With `Outcome.OUTSIDE_CLEARANCE` where the journal would touch a pad.
+        With `Outcome.OUTSIDE_CLEARANCE` where the journal would touch a pad, `Outcome.PAD_AT_LIMIT` where a pad
+        on an elastic pivot would have to carry less than it can.
     """
     begun = time.perf_counter()
     scales = PadScales(bearing)
@@ -199,6 +200,8 @@ def tilting_pads_at(
     places, total = new_places(pads), no_total()
     is_open, is_found, grid = pads_at(axial, pads, resolution.intervals, at[0], at[1], places, total)
     outcome = Outcome.CONVERGED if is_found else Outcome.NOT_CONVERGED
+    if is_found and AT_LIMIT in places.status:
+        outcome = Outcome.PAD_AT_LIMIT
     if not is_open:
         outcome = Outcome.OUTSIDE_CLEARANCE
     return assembled(bearing, scales, axial, pads, grid, places, at, total, outcome, 0.0, False, 0, begun)
@@ -210,18 +213,15 @@ def assembled(
 ) -> TiltingPadSolution:  # fmt: skip
     """Everything in SI and in the fixed frame."""
     smooth_answers(axial, pads, grid, places)
-    limit = int(total[6]) if total[6] >= 0.0 else None
+    limit = int(np.argmax(places.status == AT_LIMIT)) if outcome is Outcome.PAD_AT_LIMIT else None
     states = tuple(
         loaded_state(bearing, scales, axial, pads, grid, places, at, k)
         if places.status[k] == LOADED
-        else unloaded_state(bearing, scales, axial, grid, places, at, k)
+        else unloaded_state(bearing, scales, axial, pads, grid, places, k)
         for k in range(len(bearing.pads))
     )
-    if limit is not None:
-        states = tuple(
-            replace(state, status=PadStatus.AT_LIMIT) if k in (limit, int(total[9])) else state
-            for k, state in enumerate(states)
-        )
+    if any(math.isnan(state.pivot_stiffness) for state in states):  # no law of its pivot holds there
+        outcome = Outcome.OVERLOADED
     return TiltingPadSolution(
         bearing=bearing,
         outcome=outcome,
@@ -231,11 +231,16 @@ def assembled(
         residual=residual * scales.force,
         indifferent=indifferent,
         limit_pad=limit,
-        limit_loads=() if limit is None else (float(total[7]) * scales.force, float(total[8]) * scales.force),
+        limit_loads=() if limit is None else limit_loads(scales, places, limit),
         iterations=steps,
         films=int(places.films[0]),
         wall_time=time.perf_counter() - begun,
     )
+
+
+def limit_loads(scales: PadScales, places: PadPlaces, k: int) -> tuple[float, float]:
+    """What a pad at its limit would have to carry, and the least that it can, N."""
+    return float(places.need[k]) * scales.force, float(places.least[k]) * scales.force
 
 
 def loaded_state(
@@ -297,9 +302,9 @@ def one_pad(grid: Grid, k: int) -> Grid:
 
 
 def unloaded_state(
-    bearing: TiltingPadBearing, scales: PadScales, axial: Axial, grid: Grid, places: PadPlaces, at: Array, k: int
+    bearing: TiltingPadBearing, scales: PadScales, axial: Axial, pads: Pads, grid: Grid, places: PadPlaces, k: int
 ) -> PadState:
-    """A pad that does not carry, concentric with its bore (eta = 0).
+    """A pad that does not carry, or is at its limit, concentric with its bore (eta = 0).
 
     Its narrowest place passes its drag flow, half the speed times the gap; elsewhere the same oil fills a part
     of the gap and shears there, as the streamers of a ruptured film do.
@@ -320,9 +325,9 @@ def unloaded_state(
     void = np.repeat(1.0 - narrowest / np.maximum(on_lines, 1e-300)[:, None], m + 1, axis=1)
     zero = np.zeros((2, 2))
     return PadState(
-        status=PadStatus.UNLOADED,
-        position=PadPosition(math.nan),
-        radial=float(at @ (np.array([1.0, sense]) * pad.normal())) * scales.length,
+        status=PadStatus.AT_LIMIT if places.status[k] == AT_LIMIT else PadStatus.UNLOADED,
+        position=PadPosition(math.nan, max(0.0, float(places.rigid[k]) - e) * scales.length),
+        radial=(e - float(pads.offset[k])) * scales.length,
         tangential=0.0,
         eccentricity_ratio=e * scales.length / pad.clearance,
         load=0.0,
@@ -364,7 +369,8 @@ class Fold:
     Attributes
     ----------
     outcome : Outcome
-        Read this first: not converged where a tilt was not found on the way, and the numbers are nan.
+        Read this first: not converged where a tilt was not found on the way, or the pad carries nowhere; the
+        numbers are nan.
     eccentricity_ratio : float
         eps_p below which the pad has no equilibrium; minus infinity where it carries down to `LOWEST`.
     load : float

@@ -36,7 +36,8 @@ RELAXATIONS = (0.8, 0.4, 0.2)
 """Shares of a new viscosity that a pass takes, in one attempt after the other."""
 SETTLED, SHAPED = 5e-3, 3e-4
 """Largest change of temperature in a pass, K, and of a pad's shape over the smallest gap, at which they rest."""
-MOST_PASSES = 60
+MOST_PASSES, GROWING_PASSES = 60, 40
+"""Of an attempt, and of one with a little more growth."""
 LOOSE, FINE = 1e-3, 1e-4
 """Residual force over load in the first pass, and behind one whose temperatures change by a kelvin or more; less
 in proportion."""
@@ -143,7 +144,7 @@ def grow(failed: Settled, load: Array | None, at: Array) -> Settled:
     while best.outcome.solved and share < 1.0 and step >= LEAST_SHARE:
         trial = best.films.copied()
         trial.share = min(share + step, 1.0)
-        found = settle(trial, load, best.placement.at, CAREFUL)
+        found = settle(trial, load, best.placement.at, CAREFUL, GROWING_PASSES)
         passes += found.passes
         if found.outcome.solved:
             best, share, step = found, trial.share, 1.5 * step
@@ -154,14 +155,14 @@ def grow(failed: Settled, load: Array | None, at: Array) -> Settled:
     return replace(best, passes=passes)
 
 
-def settle(films: PadFilms, load: Array | None, at: Array, part: float) -> Settled:
+def settle(films: PadFilms, load: Array | None, at: Array, part: float, most: int = MOST_PASSES) -> Settled:
     """Passes until temperatures, shapes and journal rest.
 
     Where the end of a film jumps from node to node for ever, temperatures next to it swing; they are let be once
     they only swing, by less than `SWING`.
     """
     tolerance, rises = LOOSE, np.zeros_like(films.films.temperature)
-    for passes in range(1, MOST_PASSES + 1):
+    for passes in range(1, most + 1):
         films.prepare(part)
         if load is None:
             placement = films.place(at)
