@@ -50,15 +50,19 @@ UNKNOWNS = (4, 6)
 
 
 def compile_pads(unknowns: int) -> None:
-    """Solve a bearing of tilting pads."""
+    """Solve a bearing of tilting pads, without and with its temperatures."""
     from babbitt.reynolds.model import Resolution
     from babbitt.reynolds.tilting_pads.model import TiltingPad, TiltingPadBearing
+    from babbitt.reynolds.tilting_pads.pad_heat import PadHeat
     from babbitt.reynolds.tilting_pads.solve import fold_of, solve_tilting_pads
+    from babbitt.reynolds.tilting_pads.thermal_pads import find_thermal_tilting_pads
 
     pads = tuple(TiltingPad(angle, 1.2, 1e-4, 6e-5, 0.02, 0.55) for angle in (0.8, 2.4, 4.0, 5.6))
     bearing = TiltingPadBearing(0.1, 0.07, 0.02, 300.0, pads)
     solve_tilting_pads(bearing, (0.0, -5e3), Resolution(unknowns, 24))
     fold_of(bearing, 0, Resolution(unknowns, 24))
+    heat = PadHeat(lambda temperature: 0.02 + 0.0 * temperature, 1.7e6, 0.14, 313.15)
+    find_thermal_tilting_pads(bearing, (0.0, -5e3), heat, Resolution(unknowns, 24))
 
 
 def compile_half(half: int) -> None:

@@ -97,13 +97,14 @@ def film_flows(axial, pads, grid, k, film, places, first, flows, totals):
         flux, liquid = 0.0, 1.0
         for i in range(n):
             r = first + i
-            here, behind, p_here, p_behind = True, True, 0.0, 0.0
+            here, behind, p_here, p_behind, push = True, True, 0.0, 0.0, 0.0
             if j < m:
                 here, behind = i == 0 or grid.wet[k, i, j], i + 1 == n or grid.wet[k, i + 1, j]
                 p_here = grid.value[k, i, j] / axial.root_weights[j] if here else 0.0
                 p_behind = grid.value[k, i + 1, j] / axial.root_weights[j] if behind else 0.0
+                push = film.conductance[i] * (p_here - p_behind)
                 if not here:
-                    flux += flow_aside(axial, pads, grid, k, i, j, film)
+                    flux += flow_aside(axial, pads, grid, k, i, j, film) - push
                     liquid = min(max(flux / film.couette[i], 0.0), 1.0)
                     flows.leak[r, 0] += weight * (flux - liquid * film.couette[i])
                 else:  # a film that begins behind streamers draws what they lack
@@ -111,7 +112,6 @@ def film_flows(axial, pads, grid, k, film, places, first, flows, totals):
                     liquid = 1.0
             elif i > 0:
                 liquid = side_leak(axial, pads, grid, k, i, film, flux, r, flows)
-            push = film.conductance[i] * (p_here - p_behind)
             drawn = film.couette[i] * liquid
             flux = drawn + push
             flows.shear[r, 0] += weight * drawn

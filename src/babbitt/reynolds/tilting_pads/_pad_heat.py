@@ -22,7 +22,7 @@ from babbitt.reynolds.heat._heat_cells import fill_cells
 from babbitt.reynolds.heat._heat_flows import spread_viscosity
 from babbitt.reynolds.heat._heat_pass import relax_viscosity
 from babbitt.reynolds.lands._grids import new_film
-from babbitt.reynolds.tilting_pads._pad_flows import pad_flows, take_viscosity
+from babbitt.reynolds.tilting_pads._pad_flows import NARROWEST, pad_flows, take_viscosity
 
 Array = NDArray[float64]
 
@@ -83,9 +83,12 @@ def prepare_films(pads, ring, columns, flows, films, fresh, part):
 def heat_pads(axial, pads, grid, places, ring, columns, flows, cells, oil, walls, films, totals):
     """Flows, temperatures, grooves, journal and pads for films that stand; the largest change of temperature, K.
 
-    It counts by the share of the width that oil fills.
+    It counts by the share of the width that oil fills. Infinite where a pad, concentric with its bore as an
+    unloaded one, would touch the journal.
     """
     pad_flows(axial, pads, grid, new_film(grid.step.shape[1]), places, oil.rise, flows, totals)
+    if not totals[:, NARROWEST].min() > 0.0:
+        return np.inf
     bush = walls.exchange / oil.wall_heat if walls.pads_open else 0.0
     journal = np.inf if walls.journal_open else 0.0
     fill_cells(ring, columns, flows, oil.conduction, 0.0, bush, journal, 0.0, films.viscosity, cells)
@@ -94,7 +97,7 @@ def heat_pads(axial, pads, grid, places, ring, columns, flows, cells, oil, walls
         sweep_pad(columns, flows, cells, walls, k * rows, rows, films.states)
     change = balance_grooves(columns, flows, cells, oil, walls, rows, films)
     if walls.pads_open:
-        answer_pads(ring, cells, oil, walls, rows, films)
+        change = max(change, answer_pads(ring, cells, oil, walls, rows, films))
     return change
 
 
@@ -199,6 +202,8 @@ def balance_grooves(columns, flows, cells, oil, walls, rows, films):
     right[count] = walls.journal[0]
     if walls.journal_open and not walls.journal_given:
         journal_balance(cells, oil, walls, rows, films, matrix[count], right)
+    if not np.isfinite(matrix.sum() + right.sum()):
+        return np.inf
     solution = np.linalg.solve(matrix, right)
     return take_temperatures(cells, flows, oil, walls, rows, films, solution)
 
@@ -256,8 +261,11 @@ def temperatures_on_lines(films, first, rows):
 
 @inner
 def answer_pads(ring, cells, oil, walls, rows, films):
-    """Let the pads take the heat of their films: bore temperatures, fluxes, and what the films know of them."""
-    alpha, count = walls.exchange, films.inlet.size
+    """Let the pads take the heat of their films: bore temperatures, fluxes, and what the films know of them.
+
+    Returns by how much the bores differ from the walls of their films, K.
+    """
+    alpha, count, apart = walls.exchange, films.inlet.size, 0.0
     asked = np.empty(rows)
     for k in range(count):
         first = k * rows
@@ -276,8 +284,12 @@ def answer_pads(ring, cells, oil, walls, rows, films):
             bore += walls.given[k, i, BACK] * walls.back
             for j in range(rows):
                 bore += walls.answer[k, i, j] * asked[j]
+            wall = 0.5 * (asked[i] / alpha + walls.datum[first + i])  # D + q/alpha
+            if i > 1:
+                apart = max(apart, abs(bore - wall))
             walls.bore[first + i] = bore
             walls.flux[first + i] = asked[i] - alpha * bore
             walls.datum[first + i] = 2.0 * bore - asked[i] / alpha
         # the first cell lies along the half step at the leading edge, too
         walls.datum[first + 1] += (walls.datum[first] - walls.datum[first + 1]) / 3.0
+    return apart

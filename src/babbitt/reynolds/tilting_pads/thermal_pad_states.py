@@ -56,7 +56,7 @@ def thermal_solution(found: Settled, begun: float) -> ThermalTiltingPadSolution:
     open_journal = films.walls.journal_open
     kept = {one.name: getattr(plain, one.name) for one in fields(TiltingPadSolution)}
     return ThermalTiltingPadSolution(
-        **kept | {"pads": states},
+        **kept | {"pads": states, "films": films.solved},
         heat=films.heat,
         temperatures=tuple(pad_temperatures(films, k) for k in range(count)),
         journal_temperature=float(films.walls.journal[0]) if open_journal else math.nan,

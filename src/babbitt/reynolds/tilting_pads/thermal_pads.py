@@ -34,9 +34,10 @@ THERMAL_PADS = Resolution(4, 48)
 """Usual grid: temperatures within 0.2 K of finer ones."""
 RELAXATIONS = (0.8, 0.4, 0.2)
 """Shares of a new viscosity that a pass takes, in one attempt after the other."""
-SETTLED, SHAPED = 0.01, 3e-4
+SETTLED, SHAPED = 5e-3, 3e-4
 """Largest change of temperature in a pass, K, and of a pad's shape over the smallest gap, at which they rest."""
-MOST_PASSES = 60
+MOST_PASSES, GROWING_PASSES = 60, 40
+"""Of an attempt, and of one with a little more growth."""
 LOOSE, FINE = 1e-3, 1e-4
 """Residual force over load in the first pass, and behind one whose temperatures change by a kelvin or more; less
 in proportion."""
@@ -48,7 +49,9 @@ FIRST_SHARE, LEAST_SHARE = 0.25, 0.02
 """Of the growth: the first step, and that at which no more is tried."""
 MOST_STEPS = 100
 """Of the journal in one pass."""
-ENDS = (Outcome.CONVERGED, Outcome.PAD_AT_LIMIT, Outcome.OUTSIDE_CLEARANCE)
+MOST_FILMS = 100_000
+"""Solutions of the film of a pad in one attempt: about a second."""
+ENDS = (Outcome.CONVERGED, Outcome.PAD_AT_LIMIT, Outcome.OUTSIDE_CLEARANCE, Outcome.WORK_BOUND)
 """What smaller steps would not change."""
 
 
@@ -141,7 +144,7 @@ def grow(failed: Settled, load: Array | None, at: Array) -> Settled:
     while best.outcome.solved and share < 1.0 and step >= LEAST_SHARE:
         trial = best.films.copied()
         trial.share = min(share + step, 1.0)
-        found = settle(trial, load, best.placement.at, CAREFUL)
+        found = settle(trial, load, best.placement.at, CAREFUL, GROWING_PASSES)
         passes += found.passes
         if found.outcome.solved:
             best, share, step = found, trial.share, 1.5 * step
@@ -152,14 +155,14 @@ def grow(failed: Settled, load: Array | None, at: Array) -> Settled:
     return replace(best, passes=passes)
 
 
-def settle(films: PadFilms, load: Array | None, at: Array, part: float) -> Settled:
+def settle(films: PadFilms, load: Array | None, at: Array, part: float, most: int = MOST_PASSES) -> Settled:
     """Passes until temperatures, shapes and journal rest.
 
     Where the end of a film jumps from node to node for ever, temperatures next to it swing; they are let be once
     they only swing, by less than `SWING`.
     """
     tolerance, rises = LOOSE, np.zeros_like(films.films.temperature)
-    for passes in range(1, MOST_PASSES + 1):
+    for passes in range(1, most + 1):
         films.prepare(part)
         if load is None:
             placement = films.place(at)
@@ -168,14 +171,16 @@ def settle(films: PadFilms, load: Array | None, at: Array, part: float) -> Settl
             at = placement.at
         if placement.status == CLOSED:
             return Settled(films, placement, Outcome.OUTSIDE_CLEARANCE, passes)
+        if films.solved > MOST_FILMS:
+            return Settled(films, placement, Outcome.WORK_BOUND, passes)
         before = films.films.temperature.copy()
         change = films.heat_up(placement)
         if not math.isfinite(change) or films.gap() < THINNEST:
             break
         shaped, last = films.deform(placement.grid), rises
         rises = films.films.temperature - before
-        swings = passes > PATIENT and change < SWING and float(np.vdot(rises, last)) < 0.0
-        if (change < SETTLED or swings) and shaped < SHAPED:
+        swings = passes > PATIENT and float(np.vdot(rises, last)) < 0.0
+        if change < (SWING if swings else SETTLED) and shaped < SHAPED:
             return Settled(films, placement, OUTCOMES.get(placement.status, Outcome.NOT_CONVERGED), passes)
         tolerance = FINE * min(change, 1.0)
     return Settled(films, placement, Outcome.NOT_CONVERGED, passes)
