@@ -178,6 +178,7 @@ OF_PADS = {
     "pads.mass": "2 kg",
     "pads.inertia": "0.01 kg m2",
     "pads.mass_offset": "5 mm",
+    "pads.mass_inset": "5 mm",
     "pads.each": [{"preload": 0.3}, {}, {}, {}],
     "clearance_cases": "all",
     "groove_pressure": "0.2 MPa",
@@ -254,6 +255,7 @@ OF_EACH = {
     "mass": "3 kg",
     "inertia": "0.02 kg m2",
     "mass_offset": "4 mm",
+    "mass_inset": "4 mm",
 }
 ELASTIC = {"fraction": 0.55, "damping": "50 kN s/m", "housing_stiffness": "300 MN/m"}
 HERTZ = {

@@ -152,6 +152,7 @@ def test_forms_that_contradict_each_other_are_refused_in_one_message(kind, metho
         ({"kind": "film", "walls": {}}, "method.walls", "beside method"),
         ({"kind": "segments", "colour": "red"}, "method.colour", "kind alone"),
         ({"kind": "flim"}, "method.kind", "did you mean 'film'?"),
+        ({"kind": ["film"]}, "method.kind", "a list of 1 is not allowed"),
         ({"accuracy": "draft"}, "method", "kind is missing; allowed: iso7902, film"),
         ({"kind": "film", "accuracy": "fine"}, "method.accuracy", "draft, engineering, reference"),
         ({"kind": "film", "thermal": "adiabatic", "carry_over": "120 %"}, "method.carry_over", "too large"),

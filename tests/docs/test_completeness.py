@@ -284,7 +284,7 @@ def keys(value: object) -> Iterator[str]:
     if isinstance(value, dict):
         for key, one in value.items():
             yield key
-            if key not in ("results", "last_state", "settings"):
+            if key not in ("results", "last_state", "settings", "values"):
                 yield from keys(one)
     elif isinstance(value, list):
         for one in value:

@@ -128,6 +128,16 @@ REFUSED = {
         "pads.each[1].mass_offset",
         "pad 2: its centre of gravity",
     ),
+    "inertia below that of the mass": (
+        {"pads.mass": "2 kg", "pads.mass_inset": "10 mm", "pads.inertia": "0.0001 kg m2"},
+        "pads.inertia",
+        "pad 1: 0.0001 kg m2 about the pivot",
+    ),
+    "inertia of one pad below that of its mass": (
+        {"pads.each": [{}, {"mass": "2 kg", "mass_offset": "10 mm", "inertia": "0.0001 kg m2"}, {}, {}]},
+        "pads.each[1].inertia",
+        "pad 2",
+    ),
     "carry-over above one": ({"carry_over": 1.2}, "carry_over", "0 to 1"),
     "ball larger than its hollow": (
         {"pads.pivot": POINT | {"housing_radius": "99 mm"}},

@@ -27,6 +27,7 @@ class JournalPads(OwnPart, pads.JournalPads):
         mass: Quantity | None = ...,
         inertia: Quantity | None = ...,
         mass_offset: Quantity | None = ...,
+        mass_inset: Quantity | None = ...,
         each: Iterable[Any] | None = ...,
     ) -> None: ...
 
@@ -44,6 +45,7 @@ class OnePad(OwnPart, pads.OnePad):
         mass: Quantity | None = ...,
         inertia: Quantity | None = ...,
         mass_offset: Quantity | None = ...,
+        mass_inset: Quantity | None = ...,
     ) -> None: ...
 
 class RigidPivot(OwnPart, pivots.RigidPivotInput):

@@ -97,7 +97,8 @@ def read_method(cls: type[Part], given: Mapping[str, Any]) -> Reading:
     if not isinstance(mapping, Mapping) or KIND not in mapping:
         return Reading(given, given)  # a name, or what is refused where the part is read
     method = mapping[KIND]
-    known = choices_of(cls, method) if method in method_models(cls) else every_choice(cls)
+    is_known = isinstance(method, str) and method in method_models(cls)
+    known = choices_of(cls, method) if is_known else every_choice(cls)
     today: dict[str, Any] = {**given, METHOD: method}
     moved: list[tuple[Path, Path]] = [((METHOD, KIND), (METHOD,))]
     twice: list[tuple[Path, Path]] = []

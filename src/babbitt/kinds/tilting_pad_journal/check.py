@@ -9,6 +9,7 @@ from time import perf_counter
 from babbitt.core.notices import InputError, Notice
 from babbitt.core.result import Bound, Check, Outcome, Result
 from babbitt.core.solution import Solution
+from babbitt.core.units import ZERO_CELSIUS
 from babbitt.design.checks import checks_not_made, limit_checks
 from babbitt.design.failure import failure
 from babbitt.design.heat_balance import Equilibrium
@@ -77,7 +78,7 @@ def pad_solution(case: PadCase) -> Solution:
         case.kind,
         METHOD,
         Outcome.CONVERGED,
-        {name: value for name, value in values.items() if math.isfinite(value)},
+        {name: float(value) for name, value in values.items() if math.isfinite(value)},
         checks=(*checks_of(case, values), *stability_checks(case, values), *heat_checks(case, values)),
         warnings=(*case.warnings, *warnings_of_solution(case, films, dynamics, margins, values)),
         not_checked=(*checks_not_made(case, values), *stability_not_checked(case, values)),
@@ -124,6 +125,12 @@ def why(case: PadCase, found: Equilibrium[PadFilms]) -> str:
             f"growth of pads and journal closes the clearance: a film was found with up to {share:.0%} of it. "
             "Try: the temperature that the housing really has (walls.housing.temperature), more clearance, more "
             "or cooler oil"
+        )
+    if found.outcome is Outcome.OVERLOADED:
+        return (
+            f"at {found.last_temperature - ZERO_CELSIUS:.1f} °C an edge of a pad touches the journal, or a pivot "
+            "is loaded beyond its law, before the pads carry the load. Try: less load, more or larger pads, "
+            "more viscous or cooler oil, a stiffer pivot"
         )
     if found.outcome is not Outcome.PAD_AT_LIMIT or found.film is None:
         return failure(case, found)

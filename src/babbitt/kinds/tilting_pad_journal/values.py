@@ -200,7 +200,7 @@ def pad_rows(case: PadCase, solution: TiltingPadSolution) -> dict[str, Matrix]:
         "pivot_displacement": [state.position.pivot_displacement for state in states],
         "pivot_stiffness": [state.pivot_stiffness if state.load > 0.0 else math.nan for state in states],
     }
-    return {name: (tuple(row),) for name, row in rows.items() if any(map(math.isfinite, row))}
+    return {name: (tuple(map(float, row)),) for name, row in rows.items() if any(map(math.isfinite, row))}
 
 
 def pivot_film(pad: TiltingPad, state: PadState) -> float:

@@ -24,6 +24,9 @@ WIDE_CONTACT = 0.05
 SETTLING = "W146"
 """Of a balance left open by less than a thousandth."""
 
+OIL_INVENTED_FROM = 0.05
+"""Mass balance error above which films that begin anew without oil are told."""
+
 HOTTEST = ("maximum_temperature", "trailing_temperature", "outlet_temperature", "effective_temperature")
 """Temperatures of the oil, of which the first known counts as the hottest."""
 
@@ -45,6 +48,8 @@ def warnings_of_solution(
     yield from about_contacts(films)
     if films.solution.indifferent:
         yield Notice("W411")
+    if abs(values["mass_balance_error"]) > OIL_INVENTED_FROM:
+        yield Notice("W412", values={"mass_balance_error": abs(values["mass_balance_error"])})
     yield from warnings_about_pressure(values["maximum_pressure"])
     hottest = next(values[name] for name in HOTTEST if name in values)
     supplied = None if case.oil_supply is None else case.oil_supply.temperature

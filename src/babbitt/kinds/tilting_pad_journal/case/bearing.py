@@ -254,6 +254,10 @@ class TiltingPadJournalCase(CaseFile):
         yield from rules.centres_of_gravity(self)
 
     @rule
+    def _inertia_holds_the_mass(self) -> Iterator[Issue]:
+        yield from rules.inertia_holds_the_mass(self)
+
+    @rule
     def _position_within_the_pads(self) -> Iterator[Issue]:
         yield from rules.position_within_the_pads(self)
 

@@ -137,6 +137,7 @@ def pad_of(case: TiltingPadJournalCase, number: int, which: str, backward: bool)
         mass=fields["mass"],
         inertia=fields["inertia"],
         mass_offset=-fields["mass_offset"] if backward else fields["mass_offset"],
+        mass_inset=fields["mass_inset"],
         **motions,
     )
 
@@ -196,8 +197,10 @@ def limits_not_used(case: TiltingPadJournalCase) -> Iterator[str]:
 
 def masses_not_felt(case: TiltingPadJournalCase) -> Iterator[str]:
     """Paths of masses that are given of pads whose pivots give way in no direction."""
-    rigid = [pad.is_rigid for pad in pad_bearing(case, "mean", case.sense).pads]
-    for name in ("mass", "mass_offset"):
+    pads = pad_bearing(case, "mean", case.sense).pads
+    still = [pad.is_rigid for pad in pads]
+    fixed = [math.isinf(pad.tangential_stiffness) for pad in pads]
+    for name, rigid in (("mass", still), ("mass_offset", still), ("mass_inset", fixed)):
         if all(rigid) and is_given(case.pads, name):
             yield f"pads.{name}"
         for number, one in enumerate(case.pads.each):

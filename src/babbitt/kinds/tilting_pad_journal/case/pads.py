@@ -50,6 +50,9 @@ class OnePad(Part):
     mass_offset: Offset | None = Field(
         None, description="Centre of gravity of this pad ahead of the pivot, in the sense of rotation."
     )
+    mass_inset: Offset | None = Field(
+        None, description="How much nearer to the bearing centre its centre of gravity is than its pivot."
+    )
 
 
 class JournalPads(Part):
@@ -88,6 +91,11 @@ class JournalPads(Part):
     inertia: Inertia = Field(0.0, description="Moment of inertia of a pad about its pivot.")
     mass_offset: Offset = Field(
         0.0, description="Centre of gravity of a pad ahead of the pivot, in the sense of rotation."
+    )
+    mass_inset: Offset = Field(
+        0.0,
+        description="How much nearer to the bearing centre the centre of gravity of a pad is than its pivot. It "
+        "counts where a flexure gives way along the motion.",
     )
     each: tuple[OnePad, ...] = Field(
         (),

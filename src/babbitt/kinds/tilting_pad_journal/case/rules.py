@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 __all__ = [
     "centres_of_gravity",
     "clearances_fit",
+    "inertia_holds_the_mass",
     "pads_have_room",
     "position_within_the_pads",
     "probes_know_their_pads",
@@ -113,6 +114,8 @@ def pads_have_room(case: TiltingPadJournalCase) -> Iterator[Issue]:
     """Complain of pads that overlap."""
     from babbitt.kinds.tilting_pad_journal.case.build import pad_bearing
 
+    if any(inertia_of_mass(case, number) > 0.0 for number in range(case.pads.count)):
+        return  # told of the inertia itself
     yield from refused(("pads", "extent"), lambda: pad_bearing(case, "mean", case.sense).film(1.0, case.sense))
 
 
@@ -128,6 +131,23 @@ def centres_of_gravity(case: TiltingPadJournalCase) -> Iterator[Issue]:
             says = f"pad {number + 1}: its centre of gravity, {at}, is not in the pad"
             allowed = f"{written(-behind, 'mm')} to {written(ahead, 'mm')}"
             yield Issue((*pad_path(case, number, "mass_offset"), "mass_offset"), says, allowed)
+            return
+
+
+def inertia_of_mass(case: TiltingPadJournalCase, number: int) -> float:
+    """What the inertia of a pad about its pivot lacks of that of its mass at its centre of gravity, kg m2."""
+    fields = case.pads.fields_of(number)
+    least = float(fields["mass"] * (fields["mass_offset"] ** 2 + fields["mass_inset"] ** 2))
+    return least if fields["inertia"] < least * (1.0 - 1e-12) else 0.0
+
+
+def inertia_holds_the_mass(case: TiltingPadJournalCase) -> Iterator[Issue]:
+    """Complain of an inertia below that of the mass alone."""
+    for number in range(case.pads.count):
+        if least := inertia_of_mass(case, number):
+            given = case.pads.fields_of(number)["inertia"]
+            says = f"pad {number + 1}: {given:.4g} kg m2 about the pivot is less than its mass has where it is"
+            yield Issue((*pad_path(case, number, "inertia"), "inertia"), says, f"{least:.4g} kg m2 or more")
             return
 
 
