@@ -32,7 +32,7 @@ WHIRL_RATIOS = (0.2, 0.4, 0.6, 0.8, 1.0, 1.2)
 FINE = Resolution(6, 192, tolerance=1e-9)
 """Grid of the accuracy ``reference``, on every pad."""
 
-COARSE_HEAT, FINE_HEAT = Resolution(4, 24), Resolution(6, 96)
+COARSE_HEAT, FINE_HEAT = Resolution(4, 24), Resolution(4, 192)
 """Grids of ``draft`` and ``reference`` of films with their own temperatures: within 0.2 K, and 0.03 K."""
 
 
