@@ -55,8 +55,9 @@ def warnings_of_solution(
     supplied = None if case.oil_supply is None else case.oil_supply.temperature
     yield from warnings_about_heating(hottest, supplied, case.lubricant)
     if films.temperature < case.lubricant.temperature_range[0]:
-        cold = {"effective_temperature": films.temperature, "lubricant": case.lubricant.name}
-        yield Notice("W107", "pads", cold)
+        yield Notice("W107", "pads", {
+            "effective_temperature": films.temperature, "lubricant": case.lubricant.name,
+        })  # fmt: skip
     yield from about_heat_balance(films, values)
 
 
@@ -74,8 +75,7 @@ def about_unloaded_pads(films: PadFilms, margins: tuple[PadMargin, ...]) -> Iter
         if not one.loaded:
             if one.fold == 0.0:
                 needed = loading_preload(pad, films.solution)
-                values = {"pad": one.number, "needed": needed, "preload": pad.preload}
-                yield Notice("W401", "centred", values)
+                yield Notice("W401", "centred", {"pad": one.number, "needed": needed, "preload": pad.preload})
             else:
                 yield Notice("W401", "offset", {"pad": one.number})
         elif one.margin < NEAR_FLUTTER:
@@ -114,5 +114,4 @@ def about_contacts(films: PadFilms) -> Iterator[Notice]:
         if isinstance(pad.pivot, LineContact) and state.load > 0.0:
             half = pad.pivot.half_width(state.load)
             if half > WIDE_CONTACT * pad.pivot.radius:
-                wide = {"pad": number, "half_width": half, "radius": pad.pivot.radius}
-                yield Notice("W408", values=wide)
+                yield Notice("W408", values={"pad": number, "half_width": half, "radius": pad.pivot.radius})
