@@ -1,9 +1,9 @@
 """Kernels: temperatures of the films of tilting pads, of the oil between them, and of the journal.
 
-The energy equation is linear. With the flows as they are, the temperatures of a pad are those without warm
-surroundings, plus T_in times those for oil that enters at 1 K, plus T_J times those for a journal at 1 K and
-nothing else warm: three states of one matrix. Balances of the oil between the pads and of the journal then give
-all T_in and T_J at once, exactly.
+The energy equation is linear. With the flows as they are, the temperatures of a pad are those in surroundings at
+0 K, plus T_in times those for oil that enters at 1 K, plus T_J times those for a journal at 1 K, all else at 0 K:
+three states of one matrix. Balances of the oil between the pads and of the journal then give all T_in and T_J at
+once, exactly.
 
 A pad meets its film at a conductance alpha on both sides (Robin): the film knows T_pad - q/alpha of the last pass,
 the pad q + alpha T_film of this one. Where both agree alpha is out of it.

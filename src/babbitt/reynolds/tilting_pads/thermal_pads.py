@@ -18,7 +18,7 @@ from babbitt.core.notices import InputError
 from babbitt.core.result import Outcome
 from babbitt.reynolds.lands._equilibrium import THINNEST
 from babbitt.reynolds.model import Resolution
-from babbitt.reynolds.tilting_pads._pads import CLOSED
+from babbitt.reynolds.tilting_pads._pads import CLOSED, CONVERGED
 from babbitt.reynolds.tilting_pads.model import TiltingPadBearing
 from babbitt.reynolds.tilting_pads.pad_films import PadFilms
 from babbitt.reynolds.tilting_pads.pad_heat import PadHeat
@@ -41,6 +41,8 @@ MOST_PASSES, GROWING_PASSES = 60, 40
 LOOSE, FINE = 1e-3, 1e-4
 """Residual force over load in the first pass, and behind one whose temperatures change by a kelvin or more; less
 in proportion."""
+SMALL_CHANGE = 5.0
+"""Change of temperature in a pass, K, behind which the journal needs no search."""
 PATIENT, SWING = 25, 0.3
 """Passes from which on temperatures may swing, and by how much, K."""
 CAREFUL = 0.4
@@ -161,13 +163,17 @@ def settle(films: PadFilms, load: Array | None, at: Array, part: float, most: in
     Where the end of a film jumps from node to node for ever, temperatures next to it swing; they are let be once
     they only swing, by less than `SWING`.
     """
-    tolerance, rises = LOOSE, np.zeros_like(films.films.temperature)
+    tolerance, change, rises = LOOSE, math.inf, np.zeros_like(films.films.temperature)
     for passes in range(1, most + 1):
         films.prepare(part)
         if load is None:
             placement = films.place(at)
         else:
-            placement = films.carry(load, at, max(films.resolution.tolerance, tolerance), MOST_STEPS)
+            asked = max(films.resolution.tolerance, tolerance)
+            if change < SMALL_CHANGE and placement.status == CONVERGED:
+                placement = films.follow(load, placement, asked, MOST_STEPS)
+            else:
+                placement = films.carry(load, at, asked, MOST_STEPS)
             at = placement.at
         if placement.status == CLOSED:
             return Settled(films, placement, Outcome.OUTSIDE_CLEARANCE, passes)
