@@ -38,10 +38,10 @@ SETTLED, SHAPED = 5e-3, 3e-4
 """Largest change of temperature in a pass, K, and of a pad's shape over the smallest gap, at which they rest."""
 MOST_PASSES, GROWING_PASSES = 60, 40
 """Of an attempt, and of one with a little more growth."""
-LOOSE, FINE = 1e-3, 1e-4
+LOOSE, FINE = 1e-2, 1e-4
 """Residual force over load in the first pass, and behind one whose temperatures change by a kelvin or more; less
 in proportion."""
-SMALL_CHANGE = 5.0
+SMALL_CHANGE = 15.0
 """Change of temperature in a pass, K, behind which the journal needs no search."""
 PATIENT, SWING = 25, 0.3
 """Passes from which on temperatures may swing, and by how much, K."""
