@@ -8,8 +8,8 @@ import numpy as np
 
 from babbitt.reynolds._compiling import compiled
 from babbitt.reynolds.lands._grids import new_film, new_lines, uniform_lines
-from babbitt.reynolds.tilting_pads._pads import allowed_moment, journal_step
-from babbitt.reynolds.tilting_pads._place import all_found, longest_step, place_all
+from babbitt.reynolds.tilting_pads._pads import journal_step
+from babbitt.reynolds.tilting_pads._place import TIGHT, all_found, longest_step, place_all
 from babbitt.reynolds.tilting_pads._tilt import AT_LIMIT
 
 MOST_SHORT_STEPS = 5
@@ -19,15 +19,14 @@ MOST_SHORT_STEPS = 5
 def step_pads(axial, pads, grid, load_x, load_y, x, y, tolerance, places, total):
     """Newton steps without a search along them: x, y, steps, and whether the force vanishes at the end.
 
-    Pads may have bent since the last time; their lines stand.
+    Pads may have bent since the last time; their lines stand. Tilts are tight: loose ones carry beyond folds.
     """
     n, m = grid.step.shape[1], len(axial.size)
     film, lines = new_film(n), new_lines(n, m)
     uniform_lines(pads.bearing, grid)
     floor = tolerance * math.hypot(load_x, load_y) + 1e-13
-    tilts = allowed_moment(places, floor)
     for step in range(MOST_SHORT_STEPS):
-        if not place_all(axial, pads, grid, film, lines, x, y, tilts, places, total):
+        if not place_all(axial, pads, grid, film, lines, x, y, TIGHT, places, total):
             return x, y, step, False
         rx, ry = total[0] + load_x, total[1] + load_y
         if math.hypot(rx, ry) <= floor:
