@@ -9,8 +9,8 @@ import numpy as np
 from babbitt.reynolds._compiling import compiled
 from babbitt.reynolds.lands._grids import new_film, new_lines, uniform_lines
 from babbitt.reynolds.tilting_pads._pads import journal_step
-from babbitt.reynolds.tilting_pads._place import TIGHT, all_found, longest_step, place_all
-from babbitt.reynolds.tilting_pads._tilt import AT_LIMIT
+from babbitt.reynolds.tilting_pads._place import all_found, longest_step, place_all
+from babbitt.reynolds.tilting_pads._tilt import AT_LIMIT, ROOT_MOMENT
 
 MOST_SHORT_STEPS = 5
 
@@ -26,7 +26,7 @@ def step_pads(axial, pads, grid, load_x, load_y, x, y, tolerance, places, total)
     uniform_lines(pads.bearing, grid)
     floor = tolerance * math.hypot(load_x, load_y) + 1e-13
     for step in range(MOST_SHORT_STEPS):
-        if not place_all(axial, pads, grid, film, lines, x, y, TIGHT, places, total):
+        if not place_all(axial, pads, grid, film, lines, x, y, ROOT_MOMENT, places, total):
             return x, y, step, False
         rx, ry = total[0] + load_x, total[1] + load_y
         if math.hypot(rx, ry) <= floor:
