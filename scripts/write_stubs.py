@@ -18,7 +18,7 @@ from typing import Any, Literal
 from babbitt.api.bearings import JournalBearing, Machine
 from babbitt.api.case import Case
 from babbitt.api.fields import quantity_in
-from babbitt.api.methods import MethodOptions
+from babbitt.case.method_mapping import MethodMapping
 from babbitt.case.part import Part
 from babbitt.case.shorthand import Shorthand
 
@@ -30,10 +30,11 @@ MODULES = (
     "journal_parts",
     "methods",
     "thrust_parts",
+    "tilting_pad_parts",
 )
 FOLDER = Path(__file__).parents[1] / "src" / "babbitt" / "api"
 
-OF_PYTHON = {"method": " | MethodOptions", "bore": " | Gap"}
+OF_PYTHON = {"bore": " | Gap"}
 """What fields of a journal bearing take besides what a case file has."""
 
 HEADING = '''"""Written by scripts/write_stubs.py: what the public classes take."""
@@ -81,8 +82,6 @@ def _own(cls: type) -> Iterator[str]:
         yield "default_name: ClassVar[str]"
     if cls is Machine:
         yield "bearings: tuple[JournalBearing, ...]"
-    if issubclass(cls, MethodOptions):
-        yield "method: ClassVar[str]"
 
 
 def _keywords(cls: type[Part]) -> Iterator[str]:
@@ -102,6 +101,8 @@ def _types(annotation: Any, is_quantity: bool) -> Iterator[str]:
         if any(isinstance(one, Shorthand) for one in arguments[1:]):
             yield "Quantity"
         yield from _types(arguments[0], is_quantity)
+        if any(isinstance(one, MethodMapping) for one in arguments[1:]):
+            yield from ("Mapping[str, Any]", "Part")
     elif origin in (typing.Union, types.UnionType):
         for one in arguments:
             if one is not type(None):
@@ -130,8 +131,6 @@ def _rest(module: Any) -> Iterator[str]:
     if module.__name__.endswith("bearings"):
         yield "PUBLIC: Mapping[type[CaseFile], type[Case]]\n"
         yield "def public_case(case: CaseFile) -> CaseFile: ...\n"
-    if module.__name__.endswith("methods"):
-        yield "METHODS: Mapping[str, type[MethodOptions]]\n"
 
 
 if __name__ == "__main__":

@@ -20,6 +20,7 @@ LIMITS = {
     "overhung_coupling": set(),
     "screw_heel": {"C130", "C131"},
     "thrust": {"C103", "C104", "C105", "C108", "C202"},
+    "tilting_pad_journal": JOURNAL | {"C401", "C402"},
     "thrust_line": {"C103", "C104", "C105", "C108", "C201", "C202", "C203", "C204", "C205"},
 }
 """Limits of the kinds besides journal bearings; a coupling's statics tell loads, and hold them against nothing."""
@@ -29,13 +30,14 @@ METHODS = {
     "screw_heel": ("superposition", "narrow_groove", "narrow_groove to metal"),
     "thrust": ("heat_balance", "adiabatic", "temperature", "viscosity"),
     "thrust_line": ("heat_balance", "viscosity"),
+    "tilting_pad_journal": ("global", "isothermal"),
 }
 """Ways of computing a kind: methods, or oils of thrust bearings."""
 OILS = {
     "temperature": {"kind": "temperature", "temperature": "53 degC"},
     "viscosity": {"kind": "viscosity", "viscosity": "45 mPa s"},
 }
-OPTIONAL = ("limits", "materials", "surfaces", "relief_pressure", "supply_limit")
+OPTIONAL = ("limits", "materials", "surfaces", "relief_pressure", "supply_limit", "rotor_mass")
 """Blocks and fields without which a limit has nothing to hold."""
 
 LEFT_OUT = ({}, {"surfaces"}, {"materials"}, {"limits"}, {"surfaces", "materials", "limits"})
@@ -96,6 +98,8 @@ def test_every_limit_of_another_kind_is_held_or_listed(kind, method, without):
             del given["wall"]
     elif kind == "overhung_coupling":
         assert "method" not in given
+    elif kind == "tilting_pad_journal":
+        given["thermal"] = method
     elif not kind.startswith("thrust"):
         given["method"] = method
     elif method == "adiabatic":
@@ -124,6 +128,7 @@ SOLVERS = {
     "solve_journal", "film_at_position", "converged_film", "solve_thermal_journal",
     "thermal_film_at", "elastic_film", "elastic_thermal_film", "feed_film", "closed_film", "tilt_coefficients",
     "operating_film", "thermal_operating_film", "film_equilibrium", "solve_sector", "find_equilibrium",
+    "solve_tilting_pads", "tilting_pads_at", "fold_of", "operating_films",
 }  # fmt: skip
 """What returns an outcome that a caller must read, or hand on."""
 

@@ -9,7 +9,8 @@ import pytest
 
 from babbitt import parse_case
 from babbitt.cli import main
-from babbitt.core.notices import EXPLANATIONS, Effect, Notice, Subject
+from babbitt.core.notices import Effect, Notice, Subject, explanations
+from babbitt.core.notices.words import words
 from babbitt.core.result import Bound, Check, Outcome, Result, Verdict
 from babbitt.solving import solve
 
@@ -35,8 +36,10 @@ BARE = CASE + "materials: {bearing: C10, journal: C45}\n"
 NAMED = CASE + "materials: {bearing_metal: SnSb8Cu4, bearing: C10, journal: C45}\n"
 
 
-def code_with(effect: Effect) -> str:
-    return next(code for code, one in EXPLANATIONS.items() if code.startswith("W") and one.effect is effect)
+def notice_with(effect: Effect) -> Notice:
+    """A warning of that effect which needs no values."""
+    plain = (key for key, text in words().messages.items() if key[0].startswith("W") and "{" not in text)
+    return next(Notice(*key) for key in plain if explanations()[key[0]].effect is effect)
 
 
 @pytest.mark.parametrize(
@@ -49,14 +52,14 @@ def code_with(effect: Effect) -> str:
 )
 def test_a_warning_acts_by_its_effect(effect: Effect, verdict: Verdict) -> None:
     assert GOOD.verdict is Verdict.PASS
-    warned = replace(GOOD, warnings=(Notice(code_with(effect), "test"),))
+    warned = replace(GOOD, warnings=(notice_with(effect),))
     assert warned.verdict is verdict
     assert warned.within_limits == (verdict in (Verdict.PASS, Verdict.REMARKS))
 
 
 def test_a_missed_limit_outweighs_a_model_that_ends_and_a_recommendation_weighs_nothing() -> None:
     thin = replace(FILM, value=5e-6)
-    outside = Notice(code_with(Effect.NO_VERDICT), "test")
+    outside = notice_with(Effect.NO_VERDICT)
     assert replace(GOOD, checks=(thin, WARM, LOAD), warnings=(outside,)).verdict is Verdict.FAIL
     screened = replace(thin, code="C112", advisory=True)
     assert replace(GOOD, checks=(*GOOD.checks, screened)).verdict is Verdict.PASS
@@ -79,7 +82,7 @@ def test_what_is_not_solved_has_no_solution_whatever_it_was_held_against() -> No
 )
 def test_each_subject_needs_one_check(subject: Subject, codes: tuple[str, str]) -> None:
     made = tuple(check for check in GOOD.checks if check.code not in codes)
-    missing = tuple(Notice(code, "no data") for code in codes)
+    missing = tuple(Notice(code, "prescribed_temperature") for code in codes)
     lacking = replace(GOOD, checks=made, not_checked=missing)
     assert lacking.verdict is Verdict.NO_VERDICT
     assert lacking.lacking == (subject,)
@@ -144,7 +147,7 @@ def test_one_rule_screens_for_whirl_and_it_changes_nothing() -> None:
     assert [check.ok for check in screened] == [False]
     assert screened[0].advisory
     assert light.verdict is Verdict.PASS
-    assert {"W108", "C113"}.isdisjoint(EXPLANATIONS)
+    assert {"W108", "C113"}.isdisjoint(explanations())
 
 
 def status_of(arguments: list[str]) -> int:

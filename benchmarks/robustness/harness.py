@@ -48,7 +48,7 @@ SIGNED = ("angular_speed",)
 """Of results whose sign tells the sense of rotation."""
 SHARED = 1e-5
 """Bound on what pads miss of the load: faces that lean settle to 1e-6 of their heights, films
-with temperatures of their own to 1e-4 K."""
+with temperatures of their own to 1e-4 K. The moment on the collar is a difference of such loads."""
 SEARCHED = {"threshold_speed": 1e-4, "transition_speed": 1e-4, "friction_torque_without_streamers": 1e-7}
 """Results that are searched for to a tolerance of their own, or leave out nodes that are nearly dry."""
 BY_DIFFERENCES = {

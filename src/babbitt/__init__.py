@@ -30,6 +30,7 @@ if TYPE_CHECKING:
         ThrustBearing,
         ThrustLine,
         ThrustRing,
+        TiltingPadBearing,
     )
     from babbitt.api.cases import (
         load_case,
@@ -175,6 +176,22 @@ if TYPE_CHECKING:
         Tilt,
         TiltingPivot,
     )
+    from babbitt.api.tilting_pad_parts import (
+        FlexurePivot,
+        JournalPads,
+        LinePivot,
+        OnePad,
+        PadJournalLimits,
+        PadLining,
+        PadOilSupply,
+        PadOperatingPoint,
+        PivotPoint,
+        PointPivot,
+        RigidPivot,
+        RockerPivot,
+        SpringPivot,
+        TablePivot,
+    )
     from babbitt.case import (
         CaseError,
         template,
@@ -193,7 +210,7 @@ _NAMES = {
     "babbitt.api.batch": "solve_batch",
     "babbitt.api.bearings": (
         "Footstep HydrostaticJournal HydrostaticPad JackingPocket JournalBearing Machine "
-        "OverhungCoupling ThrustBearing ThrustLine ThrustRing"
+        "OverhungCoupling ThrustBearing ThrustLine ThrustRing TiltingPadBearing"
     ),
     "babbitt.api.cases": "load_case parse_case",
     "babbitt.api.clearances": "diametral_clearance fit grooves radial_clearance relative_clearance",
@@ -223,6 +240,10 @@ _NAMES = {
     "babbitt.api.thrust_parts": (
         "FilmHeatBalance FilmTemperature FilmViscosity FixedPad LineLimits PadMaterials Pads Propeller "
         "Runout Seating ShaftPiece SpeedRange StepFace Taper ThrustRipple Tilt TiltingPivot"
+    ),
+    "babbitt.api.tilting_pad_parts": (
+        "FlexurePivot JournalPads LinePivot OnePad PadJournalLimits PadLining PadOilSupply PadOperatingPoint "
+        "PivotPoint PointPivot RigidPivot RockerPivot SpringPivot TablePivot"
     ),
     "babbitt.case": "CaseError template",
     "babbitt.core.notices": "InputError",
@@ -261,6 +282,7 @@ __all__ = [
     "FilmViscosity",
     "Fit",
     "FixedPad",
+    "FlexurePivot",
     "FlowValve",
     "Footstep",
     "Friction",
@@ -286,8 +308,10 @@ __all__ = [
     "IsoVgLubricant",
     "JackingPocket",
     "JournalBearing",
+    "JournalPads",
     "Limits",
     "LineLimits",
+    "LinePivot",
     "Liner",
     "LoadTable",
     "Lobes",
@@ -299,15 +323,22 @@ __all__ = [
     "Metal",
     "MeteredFlow",
     "Misalignment",
+    "OnePad",
     "OperatingPoint",
     "Orifice",
     "OverhungCoupling",
+    "PadJournalLimits",
+    "PadLining",
     "PadMaterials",
+    "PadOilSupply",
+    "PadOperatingPoint",
     "Pads",
     "ParabolicCrowning",
     "PedestalHousing",
+    "PivotPoint",
     "Pocket",
     "PocketElement",
+    "PointPivot",
     "Position",
     "PowerLawLubricant",
     "PressureDam",
@@ -319,7 +350,9 @@ __all__ = [
     "RadialClearance",
     "RelativeClearance",
     "Relief",
+    "RigidPivot",
     "Ring",
+    "RockerPivot",
     "RotatingLoad",
     "RoundBore",
     "Runout",
@@ -331,6 +364,7 @@ __all__ = [
     "Slot",
     "SlotElement",
     "SpeedRange",
+    "SpringPivot",
     "Step",
     "StepFace",
     "Structure",
@@ -338,6 +372,7 @@ __all__ = [
     "Surfaces",
     "TableCrowning",
     "TableLubricant",
+    "TablePivot",
     "Taper",
     "TaperedBore",
     "ThrustBearing",
@@ -345,6 +380,7 @@ __all__ = [
     "ThrustRing",
     "ThrustRipple",
     "Tilt",
+    "TiltingPadBearing",
     "TiltingPivot",
     "Tube",
     "TwoPointLubricant",

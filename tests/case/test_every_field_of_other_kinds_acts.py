@@ -22,6 +22,7 @@ from babbitt.kinds.hydrostatic.case.hydrostatic_thrust_ring import HydrostaticTh
 from babbitt.kinds.hydrostatic.case.jacking import JackingPocketCase
 from babbitt.kinds.shaft_line.case.shaft_line import ThrustLineCase
 from babbitt.kinds.thrust.case.thrust import ThrustCase
+from babbitt.kinds.tilting_pad_journal.case.bearing import TiltingPadJournalCase
 from babbitt.report import content as report_content
 from babbitt.solving import solve
 
@@ -36,6 +37,7 @@ KINDS = {
     "jacking_pocket": JackingPocketCase,
     "screw_heel": FootstepCase,
     "overhung_coupling": OverhungCouplingCase,
+    "tilting_pad_journal": TiltingPadJournalCase,
 }
 VISCOUS = {"kind": "viscosity", "viscosity": "45 mPa s"}
 LUBRICANT = {"lubricant": "ISO VG 46", "supply": {"pressure": "5 MPa", "temperature": "40 degC"}}
@@ -162,12 +164,117 @@ OF_HEELS = {
     "options.speed_reduction": 0.1,
     "assumptions": ["The pump runs steadily."],
 }
+OF_PADS = {
+    "pads.first_pivot": "20 deg",
+    "pads.pivot_angles": ["45 deg", "135 deg", "225 deg", "310 deg"],
+    "pads.extent": "70 deg",
+    "pads.width": "60 mm",
+    "pads.thickness": "30 mm",
+    "pads.clearance": {"kind": "radial", "mean": "160 um"},
+    "pads.preload": 0.3,
+    "pads.assembled_clearance": {"kind": "radial", "mean": "70 um"},
+    "pads.pivot": {"kind": "rocker"},
+    "pads.pivot.fraction": 0.55,
+    "pads.mass": "2 kg",
+    "pads.inertia": "0.01 kg m2",
+    "pads.mass_offset": "5 mm",
+    "pads.mass_inset": "5 mm",
+    "pads.each": [{"preload": 0.3}, {}, {}, {}],
+    "clearance_cases": "all",
+    "groove_pressure": "0.2 MPa",
+    "supply.temperature": "50 degC",
+    "supply.flow": "20 L/min",
+    "supply.circulation_time": "10 min",
+    "feed": "spray_bar",
+    "carry_over": 0.5,
+    "thermal": "isothermal",
+    "effective_temperature": "70 degC",
+    "materials": {},
+    "materials.bearing_metal": "B83",
+    "supply": {"temperature": "50 degC"},
+    "surfaces": {"kind": "direct", "roughness_bearing": "4 um", "roughness_journal": "2 um"},
+    "load": "9 kN",
+    "position": {"x": "3 um", "y": "-30 um"},
+    "load_angle": "-60 deg",
+    "speed": "5000 rpm",
+    "operating_points": [{"name": "half", "load": "5 kN"}],
+    "whirl_ratios": [0.3, 0.5, 1.0],
+    "rotor_mass": "3 t",
+    "shaft_stiffness": "100 MN/m",
+    "accuracy": "engineering",
+    "limits": {"minimum_film_thickness": "35 um"},
+    "limits.minimum_film_thickness": "35 um",
+    "limits.specific_load": "1 MPa",
+    "limits.temperature": "60 degC",
+    "limits.transition_film_thickness": "35 um",
+    "limits.log_decrement": 5.0,
+    "assumptions": ["The pads are new."],
+}
+OF_EACH = {
+    "extent": "70 deg",
+    "width": "60 mm",
+    "thickness": "25 mm",
+    "clearance": {"kind": "radial", "mean": "155 um"},
+    "preload": 0.4,
+    "pivot": {"kind": "spring", "stiffness": "500 MN/m"},
+    "mass": "3 kg",
+    "inertia": "0.02 kg m2",
+    "mass_offset": "4 mm",
+    "mass_inset": "4 mm",
+}
+ELASTIC = {"fraction": 0.55, "damping": "50 kN s/m", "housing_stiffness": "300 MN/m"}
+HERTZ = {
+    "pivot_radius": "101 mm",
+    "housing_radius": "110 mm",
+    "elastic_modulus": "100 GPa",
+    "poisson_ratio": 0.2,
+    "housing_elastic_modulus": "100 GPa",
+    "housing_poisson_ratio": 0.2,
+}
+PIVOTS = {
+    "spring": ({"stiffness": "500 MN/m"}, ELASTIC | {"stiffness": "400 MN/m"}),
+    "point": ({"pivot_radius": "100 mm", "housing_radius": "102 mm"}, ELASTIC | HERTZ),
+    "line": (
+        {"pivot_radius": "100 mm", "housing_radius": "102 mm", "depth": "20 mm", "housing_depth": "30 mm"},
+        ELASTIC | HERTZ | {"length": "40 mm", "depth": "25 mm", "housing_depth": "40 mm"},
+    ),
+    "rocker": ({}, ELASTIC | {"length": "40 mm"}),
+    "table": (
+        {"points": [{"load": "5 kN", "displacement": "6 um"}]},
+        {"fraction": 0.55, "damping": "50 kN s/m", "points": [{"load": "5 kN", "displacement": "8 um"}]},
+    ),
+    "flexure": (
+        {"rotational_stiffness": "10 kN m/rad", "stiffness": "500 MN/m", "tangential_stiffness": "900 MN/m"},
+        {
+            "fraction": 0.55,
+            "rotational_stiffness": "20 kN m/rad",
+            "rotational_damping": "200 N m s/rad",
+            "stiffness": "400 MN/m",
+            "damping": "50 kN s/m",
+            "tangential_stiffness": "500 MN/m",
+            "tangential_damping": "50 kN s/m",
+            "rest_tilt": "0.02 deg",
+        },
+    ),
+}
+POINTS = {"load": "7 kN", "load_angle": "-70 deg", "speed": "3000 rpm", "supply_temperature": "45 degC"}
 LINE = given("thrust_line", oil=VISCOUS, seating={"stiffness": "2 GN/m", "housing_mass": "12 t"})
 PAD, RING, JOURNAL = (
     given(f"hydrostatic_{one}", accuracy="draft", frequencies=["20 Hz"])
     for one in ("pad", "thrust_ring", "journal")
 )
 JACKING = given("jacking_pocket", accuracy="draft")
+ALIKE = given("tilting_pad_journal", accuracy="draft")
+PADS = changed(ALIKE, "pads.each", [{}, {}, {}, {}])
+CLEARANCES = ("clearance", "assembled_clearance")
+LIMITS_OF_PADS = {"minimum": "71 um", "maximum": "160 um"}
+LIMITED_PAD = {
+    "clearance": {"kind": "radial", "mean": "148 um", "minimum": "140 um", "maximum": "155 um"},
+    "assembled_clearance": {"kind": "radial", "mean": "78 um", "minimum": "75 um", "maximum": "90 um"},
+}
+BY_CLEARANCES = {name: value for name, value in PADS["pads"].items() if name not in ("preload", "clearance")} | (
+    LIMITED_PAD | {"each": [LIMITED_PAD, {}, {}, {}]}
+)
 PUMPED = given("jacking_pocket", "lift_gap", accuracy="draft", pump_flow="0.1 L/min")
 HEEL = given("screw_heel", "wall", method="superposition")
 STARVED = given("hydrostatic_journal", "load", method="quick", eccentricity_ratio=0.5, speed="20000 rpm",
@@ -268,6 +375,43 @@ TESTED = {
     "smooth heel in metal": (given("screw_heel", variants="smooth"), OF_HEELS),
     "odd grooves": (changed(HEEL, "groove", HEEL["groove"] | {"land_width": "4 mm", "accept_misfit": True}),
                     {"groove.accept_misfit": False}),
+    "tilting pads": (PADS, OF_PADS | {f"pads.each.0.{name}": value for name, value in OF_EACH.items()}),
+    "pads alike": (ALIKE | {"materials": {"bearing_metal": "B83"}},
+                   {"pads.number": 3, "materials.load_character": "shock"}),
+    "pads by their clearances": (
+        ALIKE | {"pads": BY_CLEARANCES},
+        {f"pads.{one}.{limit}": value for one in CLEARANCES for limit, value in LIMITS_OF_PADS.items()}
+        | {f"pads.each.0.{one}.{limit}": value for one in CLEARANCES for limit, value in LIMITS_OF_PADS.items()}
+        | {"pads.each.0.assembled_clearance": {"kind": "radial", "mean": "70 um"}},
+    ),
+    "pads in all their clearances": (
+        ALIKE | {"pads": BY_CLEARANCES, "clearance_cases": "all"},
+        {f"pads.{one}.{limit}": value for one in CLEARANCES for limit, value in LIMITS_OF_PADS.items()},
+    ),
+    "rough pads": (
+        ALIKE | {"surfaces": {"kind": "direct", "roughness_bearing": "4 um", "roughness_journal": "2 um",
+                              "waviness": "1 um"}},
+        {"surfaces.mean_deflection": "1 um", "surfaces.tilt_offset": "1 um", "surfaces.wave_factor": 2.0,
+         "surfaces.waviness": "3 um"},
+    ),
+    "placed pads": (
+        given("tilting_pad_journal", "load", accuracy="draft", position={"x": "3 um", "y": "-30 um"}),
+        {"position": {"x": "9 um", "y": "-30 um"}, "load_angle": "-60 deg"},
+    ),
+    "pads at a point": (
+        PADS | {"operating_points": [{"name": "A", "load": "8 kN"}]},
+        {f"operating_points.0.{name}": value for name, value in POINTS.items()}
+        | {"operating_points.0.position": {"x": "0 um", "y": "-40 um"}},
+    ),
+    "isothermal pads": (PADS | {"thermal": "isothermal", "effective_temperature": "60 degC"},
+                        {"supply.circulation_time": "10 min", "effective_temperature": "65 degC"}),
+    **{
+        f"pads on {kind}": (
+            changed(changed(PADS, "pads.pivot", {"kind": kind} | own), "pads.each.2.pivot", {"kind": kind} | own),
+            {f"pads.{where}pivot.{name}": value for where in ("", "each.2.") for name, value in fields.items()},
+        )
+        for kind, (own, fields) in PIVOTS.items()
+    },
     "coupling": (given("overhung_coupling"), {"assumptions": ["The bearings are rigid."]}),
 }  # fmt: skip
 """Cases, each with fields and other valid values of them."""
@@ -331,6 +475,7 @@ RANGES = {"face_gap_from": "8 um", "face_gap_to": "50 um", "clearance_from": "8 
           "map_points": 4}  # fmt: skip
 """Of the figures of a heel."""
 CHEAP = {
+    "tilting_pad_journal": given("tilting_pad_journal", accuracy="draft"),
     "thrust": given("thrust", oil=VISCOUS),
     "thrust_line": LINE,
     "hydrostatic_pad": PAD | QUICK,

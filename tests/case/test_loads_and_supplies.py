@@ -5,7 +5,7 @@ import math
 import pytest
 
 from babbitt.case import CaseError, case_from_dict
-from babbitt.core.notices import EXPLANATIONS
+from babbitt.core.notices import explanations
 from babbitt.core.notices.explanation import Effect
 from babbitt.solving import solve
 
@@ -39,7 +39,7 @@ def uneven(entry, leaving):
 def test_the_standard_tells_that_it_does_not_know_the_direction():
     downward, aside = solved(), solved(load_angle="-57.9 deg")
     assert "W182" in [one.code for one in aside.warnings]
-    assert EXPLANATIONS["W182"].effect is Effect.INFORMATION
+    assert explanations()["W182"].effect is Effect.INFORMATION
     assert aside.values["load_angle"] == pytest.approx(math.radians(-57.9))
     assert aside.values["minimum_film_thickness"] == downward.values["minimum_film_thickness"]
     assert "W182" not in [one.code for one in solved(load_angle="-90 deg").warnings]
@@ -149,5 +149,5 @@ def test_a_film_colder_than_the_data_of_its_oil_is_told():
         for temperature in ("-20 degC", "20 degC")
     )
     (said,) = [one.message for one in frost.warnings if one.code == "W145"]
-    assert "ISO VG 46 is described from 0 to 120 °C" in said
+    assert "ISO VG 46 is described from 0.0 °C to 120.0 °C" in said
     assert "W145" not in [one.code for one in mild.warnings]

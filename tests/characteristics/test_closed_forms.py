@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 from published_tables import BUTENSCHOEN
 
-from babbitt.core.notices import EXPLANATIONS, InputError
+from babbitt.core.notices import InputError, explanations
 from babbitt.kinds.journal.iso7902.characteristics import ClosedFormCurves, curves
 from babbitt.kinds.journal.iso7902.characteristics.closed_forms import DEVIATIONS, LARGEST_ATTITUDE_DEVIATION
 
@@ -41,7 +41,7 @@ def test_between_the_widths_of_the_tables_they_are_off_as_told():
     for name, stated in DEVIATIONS.items():
         assert 0.85 * stated < off[name] < 1.005 * stated, name
     assert 0.9 * LARGEST_ATTITUDE_DEVIATION < low < LARGEST_ATTITUDE_DEVIATION
-    assert "11 % in load" in EXPLANATIONS["W113"].meaning
+    assert "11 % in load" in explanations()["W113"].meaning
 
 
 @given(st.floats(0.125, 1.0), st.floats(1e-9, 0.99))

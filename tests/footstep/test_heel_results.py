@@ -83,16 +83,16 @@ def test_a_weak_groove_drains_the_rim():
 
 
 def test_states_that_are_no_operating_point_have_no_verdict():
-    from babbitt.core.notices import EXPLANATIONS
+    from babbitt.core.notices import explanations
     from babbitt.core.notices.explanation import Effect
 
     smooth, hot, cold = solved().results
     for result in (smooth, hot, cold):  # friction would warm the oil by 787, 285 and 110 K
-        assert any(EXPLANATIONS[code].effect is Effect.NO_VERDICT for code in codes(result))
-    assert EXPLANATIONS["W160"].effect is Effect.NO_VERDICT
+        assert any(explanations()[code].effect is Effect.NO_VERDICT for code in codes(result))
+    assert explanations()["W160"].effect is Effect.NO_VERDICT
     metal = solved(method=("method: superposition", "method: narrow_groove"), wall=("# wall:", "wall:"))
     for result in metal.results:
-        assert not any(EXPLANATIONS[code].effect is Effect.NO_VERDICT for code in codes(result))
+        assert not any(explanations()[code].effect is Effect.NO_VERDICT for code in codes(result))
 
 
 def test_balances_are_results():

@@ -217,13 +217,13 @@ def test_doubts(code):
 
 def test_turbulence_bounds_friction_below_and_flow_above():
     """Shear in a turbulent film is dearer, and the gap lets out less than the laminar law tells."""
-    from babbitt.core.notices import EXPLANATIONS
+    from babbitt.core.notices import explanations
     from babbitt.reynolds.oil.turbulence import NG_PAN
 
     resistance, shear = (a * 3000.0**b for a, b in (NG_PAN.across, NG_PAN.shear))
     assert resistance > 0.0
     assert shear > 0.0
-    remedy = EXPLANATIONS["W305"].remedy
+    remedy = explanations()["W305"].remedy
     assert "friction is a lower bound" in remedy
     assert "flow through the gap told an upper bound" in remedy
 
@@ -530,7 +530,7 @@ def test_a_given_viscosity_that_the_heat_contradicts_has_no_verdict():
 
 
 def test_absurd_heat_and_negative_damping_have_no_verdict():
-    from babbitt.core.notices import EXPLANATIONS
+    from babbitt.core.notices import explanations
     from babbitt.core.notices.explanation import Effect
 
     fast = hydrostatic_check(
@@ -543,7 +543,7 @@ def test_absurd_heat_and_negative_damping_have_no_verdict():
     assert fed.arrays["dynamic_damping"][0][0] < 0.0
     assert {"W310", "W323"} <= codes(fed)
     for code in ("W310", "W322", "W323", "W324", "W325", "W326", "W328"):
-        assert EXPLANATIONS[code].effect is Effect.NO_VERDICT
+        assert explanations()[code].effect is Effect.NO_VERDICT
     assert not {"W322", "W323", "W324", "W325", "W326"} & codes(hydrostatic_check(case()))
 
 

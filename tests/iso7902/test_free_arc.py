@@ -37,7 +37,7 @@ def test_a_span_wider_than_pockets_leave_is_questioned_with_the_film_of_the_arc(
     (message,) = said(found, "W189")
     clearance = found.operating_relative_clearance * 0.05
     thin = clearance * (1.0 - curves(120, 0.8).eccentricity_ratio(found.sommerfeld_number))
-    assert f"on 120°: h_min {thin * 1e6:.3g} µm" in message
+    assert f"on 120.0°: h_min {thin * 1e6:.1f} µm" in message
     assert found.verdict is not Verdict.PASS
     assert not said(solved("place: both_sides, extent: 60 deg", 120), "W189")
 
@@ -53,7 +53,7 @@ def test_pockets_that_leave_less_than_any_tabulated_arc_are_never_passed(element
     """The film of one temperature has 2.6 µm between pockets of 180 deg where 23.2 µm were passed."""
     found = solved(element)
     (message,) = said(found, "W105")
-    assert f"an arc of {arc}°" in message
+    assert f"an arc of {arc}.0°" in message
     assert not found.within_limits
 
 
@@ -96,7 +96,7 @@ def test_a_load_beside_a_pocket_of_the_case_is_questioned(load_angle, sense, dou
     messages = said(found, "W189")
     assert bool(messages) is doubted
     if doubted:
-        assert f"an arc of {arc}°" in messages[0]
+        assert f"an arc of {arc}.0°" in messages[0]
         assert found.verdict is not Verdict.PASS
 
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from film_bearings import answer, film
 
-from babbitt.core.notices import EXPLANATIONS, Effect
+from babbitt.core.notices import Effect, explanations
 from babbitt.kinds.journal.film.bore import Arc, LobedBore
 from babbitt.kinds.journal.film.elastic_film import displacement_under
 from babbitt.kinds.journal.film.equilibria import RestingPlace, RestingPlaces, find_equilibria
@@ -123,7 +123,7 @@ def test_places_of_which_one_is_missing_have_no_verdict():
     shown = held[0].film
     assert "W134" not in {notice.code for notice in warnings_about_rest(shown, found)}
     assert "W134" in {notice.code for notice in warnings_about_rest(shown, RestingPlaces(held))}
-    assert EXPLANATIONS["W134"].effect is Effect.NO_VERDICT
+    assert explanations()["W134"].effect is Effect.NO_VERDICT
 
 
 def test_a_thinner_film_where_only_a_heavy_journal_stays_is_held_against_the_limits():

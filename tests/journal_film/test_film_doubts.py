@@ -20,7 +20,7 @@ def test_a_pressure_that_no_bearing_metal_bears_is_doubted_and_fails():
     calm, absurd = answer(**QUICK), answer(**QUICK, load="8 MN")
     assert calm.maximum_pressure < 100e6 < absurd.maximum_pressure
     assert "W142" not in said(calm)
-    assert "> 100 MPa" in said(absurd)["W142"]
+    assert "> 100.0 MPa" in said(absurd)["W142"]
     verdicts = [{check.code: check.ok for check in result.checks}["C116"] for result in (calm, absurd)]
     assert verdicts == [True, False]
     metal = {"bearing_metal": "SnSb8Cu4", "bearing": "C10", "journal": "C45"}
@@ -41,7 +41,7 @@ def test_a_load_into_a_pocket_is_told(angle, told):
     warnings = said(answer(**QUICK, pockets=[pocket], load="5 kN", load_angle=f"{angle} deg"))
     assert ("W143" in warnings) is told
     if told:
-        assert warnings["W143"].endswith("the pocket or hole, 40 mm wide, reaches from -95° to -75°")
+        assert warnings["W143"].endswith("the pocket or hole, 40.00 mm wide, reaches from -95.0° to -75.0°")
 
 
 def test_a_supply_flow_from_the_side_is_not_called_a_flow_from_the_grooves():
@@ -140,6 +140,7 @@ def test_oil_that_the_sides_draw_in_is_told(given, told):
     assert ("W141" in said(result)) is told
     if told:
         assert result.side_inflow > 0.02 * result.side_flow
-        assert f"draw in {6e4 * result.side_inflow:.2g} L/min" in said(result)["W141"]
+        (drawn,) = [one.values for one in result.warnings if one.code == "W141"]
+        assert drawn == {"side_inflow": result.side_inflow}
     else:
         assert result.side_inflow < 1e-9 * result.side_flow

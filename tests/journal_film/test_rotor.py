@@ -11,7 +11,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 from routh_hurwitz import hurwitz_margins, is_stable
 
-from babbitt.core.notices import EXPLANATIONS
+from babbitt.core.notices import explanations
 from babbitt.kinds.journal.film.isothermal import operating_film
 from babbitt.kinds.journal.film.whirl import at_speed
 from babbitt.reynolds.stability.rotor import RIGID, critical_mass_of_rotor, growth_rates, stable_masses_of_rotor
@@ -152,6 +152,8 @@ def test_a_rotor_is_stable_within_the_stable_masses_and_nowhere_else(film, mass)
 
 @given(any_films(), st.floats(0.01, 100.0), st.floats(1.0, 1e3))
 def test_a_rotor_on_an_elastic_shaft_is_stable_within_its_stable_masses(film, mass, shaft):
+    # a film that pushes more than the shaft holds may be stable by its damping alone, and counts as unstable
+    assume(np.linalg.eigvalsh(film[0] + film[0].T + 2.0 * shaft * np.eye(2))[0] > 0.0)
     rate = growth_rates(mass, *film, shaft).item()
     assume(abs(rate) > 1e-6)
     assert (stable_masses_of_rotor(*film, shaft).reserve(mass) > 1.0) is (rate < 0.0)
@@ -218,7 +220,7 @@ def test_at_light_load_a_larger_clearance_invites_whirl_and_a_narrower_bearing_d
 @pytest.mark.parametrize("code", ["C112", "C115", "W120"])
 def test_advice_against_whirl_names_first_what_helps_at_any_load(code):
     """At light load a larger clearance and a thinner oil bring whirl nearer."""
-    remedy = EXPLANATIONS[code].remedy.lower()
+    remedy = explanations()[code].remedy.lower()
     helps = [
         remedy.find(word) for word in ("preload", "tilting pads", "narrower", "`method: film`") if word in remedy
     ]
@@ -227,7 +229,7 @@ def test_advice_against_whirl_names_first_what_helps_at_any_load(code):
 
 
 def test_the_recommended_clearance_warns_of_whirl():
-    assert "against whirl it can make things worse" in EXPLANATIONS["C114"].remedy
+    assert "against whirl it can make things worse" in explanations()["C114"].remedy
 
 
 @pytest.mark.parametrize(("here", "sought"), [(100.0, 995.0), (100.0, 940.0), (100.0, 11.0)])

@@ -48,8 +48,12 @@ CONTRACT = {
                         "type": "array",
                         "items": {
                             "type": "object",
-                            "required": ["code", "message"],
-                            "properties": {"code": {"type": "string"}, "message": {"type": "string"}},
+                            "required": ["code", "message", "values"],
+                            "properties": {
+                                "code": {"type": "string"},
+                                "message": {"type": "string"},
+                                "values": {"type": "object"},
+                            },
                         },
                     },
                 },
@@ -125,9 +129,11 @@ def test_the_verdict_is_that_of_the_table(reverse_gear, good, violated, unsolved
 
 
 def test_checks_not_made_are_told_with_what_is_missing(reverse_gear, good):
-    lacking = replace(good, not_checked=(Notice("C105", "no bearing metal is given"),))
+    lacking = replace(good, not_checked=(Notice("C105", "no_public_limit", {"metal": "Own"}),))
     first, second = to_json(replace(reverse_gear, results=(lacking, good)))["bearings"]
-    assert first["not_checked"] == [{"code": "C105", "message": "no bearing metal is given"}]
+    assert first["not_checked"] == [
+        {"code": "C105", "message": "no public limit of Own is on board", "values": {"metal": "Own"}}
+    ]
     assert second["not_checked"] == []
 
 

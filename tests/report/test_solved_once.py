@@ -16,12 +16,22 @@ from babbitt.kinds.shaft_line import check as line_check
 from babbitt.kinds.shaft_line.answer import line_answer
 from babbitt.kinds.thrust import check as thrust_check
 from babbitt.kinds.thrust.design import bearing_state, operating_state
+from babbitt.kinds.tilting_pad_journal import check as pad_check
+from babbitt.kinds.tilting_pad_journal.film import operating_films
 from babbitt.report.content import content
 from babbitt.report.figures import write_plots
 from babbitt.report.table import render
 from babbitt.solving import solve
 
-SOLVERS = (film_equilibrium, film_within_ducts, heated, bearing_state, operating_state, line_answer)
+SOLVERS = (
+    film_equilibrium,
+    film_within_ducts,
+    heated,
+    bearing_state,
+    operating_state,
+    line_answer,
+    operating_films,
+)
 """What finds the equilibrium of a bearing; sweeps of figures have entrances of their own."""
 
 pytest.importorskip("matplotlib")
@@ -47,7 +57,7 @@ def solved(monkeypatch):
     return calls
 
 
-@pytest.mark.parametrize("kind", ["film", "hydrostatic_pad", "thrust", "thrust_line"])
+@pytest.mark.parametrize("kind", ["film", "hydrostatic_pad", "thrust", "thrust_line", "tilting_pad_journal"])
 def test_nothing_is_solved_again_for_table_report_and_plots(kind, solved, tmp_path):
     case = film_bearings.case(accuracy="draft") if kind == "film" else parse_case(template(kind))
     machine = solve(case)
@@ -78,5 +88,6 @@ def test_the_checks_ask_what_is_counted():
         hydrostatic_check.heated,
         thrust_check.bearing_state,
         line_check.line_answer,
+        pad_check.operating_films,
     )
     assert set(asked) <= set(SOLVERS)

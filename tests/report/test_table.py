@@ -132,7 +132,7 @@ def test_a_pipe_is_wide_enough_for_every_column(reverse_gear, monkeypatch, capsy
 
 
 def lacking(result, *codes):
-    return replace(result, not_checked=tuple(Notice(code, "no bearing metal is given") for code in codes))
+    return replace(result, not_checked=tuple(Notice(code, "no_metal") for code in codes))
 
 
 def test_checks_that_could_not_be_made_are_told_once_with_their_codes(reverse_gear):

@@ -8,6 +8,7 @@ import pytest
 from trawler_line import duty
 from trawler_pads import PAD, SPEED, VISCOSITY
 
+from babbitt.kinds.shaft_line import inverse
 from babbitt.kinds.shaft_line.damped import damped_modes
 from babbitt.kinds.shaft_line.excitation import ThrustHarmonic
 from babbitt.kinds.shaft_line.inverse import admissible, ring_for_film_amplitude, ring_for_loss
@@ -15,7 +16,8 @@ from babbitt.kinds.shaft_line.line import Seating
 from babbitt.kinds.shaft_line.model import state_of
 from babbitt.kinds.shaft_line.natural import modes, undamped_frequencies
 from babbitt.kinds.shaft_line.stages import attribution, stages
-from babbitt.kinds.shaft_line.sweeps import barred_ranges, ring_sweep, speed_sweep, usual_rings
+from babbitt.kinds.shaft_line.sweeps import barred_ranges, ring_point, ring_sweep, speed_sweep, usual_rings
+from babbitt.kinds.thrust.failures import TiltedPadError
 from babbitt.kinds.thrust.load_curve import carrying
 from babbitt.kinds.thrust.state import TiltInertia
 
@@ -151,6 +153,24 @@ def test_rings_for_half_the_load_and_for_a_film(base):
     assert film.film_amplitude == pytest.approx(0.55e-6, rel=1e-4)
     assert film.stiffness == pytest.approx(3.6e8, rel=0.02)
     assert ring_for_loss(base.duty, FILMS, 0.01, rings) is None
+
+
+def test_a_ring_for_half_the_load_next_to_rings_without_a_film(base, monkeypatch):
+    """Of the rings that carry, the stiffest that reaches it; where there is no film tells nothing of the line."""
+    rings = usual_rings(base.duty, base, 12)
+    loss = 0.5 * base.losses.mean_bound
+    sought = ring_for_loss(base.duty, FILMS, loss, rings)
+    softer = max(ring for ring in rings if ring < sought.stiffness)
+
+    def without(duty, films, stiffness):
+        if softer < stiffness < min(ring for ring in rings if ring > softer):
+            raise TiltedPadError(1, 5e-6)
+        return ring_point(duty, films, stiffness)
+
+    monkeypatch.setattr(inverse, "ring_point", without)
+    found = ring_for_loss(base.duty, FILMS, loss, rings)
+    assert found.stiffness == softer
+    assert found.bound <= loss
 
 
 def test_there_is_an_optimum_ring(base):

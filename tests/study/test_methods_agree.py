@@ -8,20 +8,29 @@ import pytest
 from journal_cases import JOURNALS
 from pumped_trial import MAKERS
 
-from babbitt.api.methods import METHODS as OPTIONS
 from babbitt.case import CaseError, case_from_dict
+from babbitt.case.method_mapping import choices_of, every_choice
 from babbitt.core.notices import InputError
 from babbitt.kinds.hydrostatic.methods import JACKING_METHODS, METHODS
 from babbitt.kinds.journal.case.build import bearings_of, unknown_to_iso7902, unknown_to_long_film
+from babbitt.kinds.journal.case.journal import JournalBearing
 
 REASONS = {"iso7902": unknown_to_iso7902, "long_film": unknown_to_long_film}
 """Why compare leaves a method out; empty where it does not."""
+OF_ONE_METHOD = {
+    "walls": "film",
+    "pressure_viscosity": "film",
+    "heat_exchange": "long_film",
+    "segments": "segments",
+}
+"""Fields beside `method` that one method reads alone."""
 TWO_DIMENSIONAL = [name for name in JOURNALS if name not in ("long film", "segments")]
 
 
 def by(method: str, given: dict) -> dict:
     """The same bearing by another method, without the choices of the former one."""
-    choices = set().union(*(options.model_fields for name, options in OPTIONS.items() if name != method))
+    choices = every_choice(JournalBearing).keys() - choices_of(JournalBearing, method).keys()
+    choices |= {name for name, one in OF_ONE_METHOD.items() if one != method}
     return {name: value for name, value in given.items() if name not in choices} | {"method": method}
 
 

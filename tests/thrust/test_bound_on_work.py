@@ -9,8 +9,9 @@ from babbitt.core.result import Outcome, Verdict
 from babbitt.kinds.thrust.work import WorkBoundError, bounded_work, spend
 from babbitt.solving import solve
 
-ADIABATIC = template("thrust").replace("# thermal: adiabatic", "thermal: adiabatic")
-LINE = template("thrust_line").replace("# thermal: adiabatic", "thermal: adiabatic")
+CHOICE = ("# method:", "method: {kind: film, thermal: adiabatic}\n# method:")
+ADIABATIC = template("thrust").replace(*CHOICE)
+LINE = template("thrust_line").replace(*CHOICE)
 
 
 def test_work_is_counted_inside_the_bound_alone():
@@ -57,3 +58,15 @@ def test_ordinary_bearings_stay_far_below_the_bound(allow):
     (result,) = solve(parse_case(ADIABATIC)).results
     assert result.outcome.solved
     assert "W209" not in {notice.code for notice in result.warnings}
+
+
+def test_sweeps_of_a_line_that_use_up_the_work_leave_its_answer(allow):
+    """Pads that lean are solved one by one: 1000 units at rest, 11 000 for what is admissible, 400 for a ring."""
+    allow(15_000)
+    text = template("thrust_line").replace("kind: point, radius: 290 mm", "kind: line, radius: 290 mm")
+    (result,) = solve(parse_case(text)).results
+    assert result.outcome.solved
+    assert "loss_mean_bound" in result.values
+    assert "half_load_ring_stiffness" not in result.values
+    (left_out,) = (notice.message for notice in result.warnings if notice.code == "W208")
+    assert left_out.endswith("backing rings")

@@ -10,8 +10,9 @@ from babbitt import parse_case
 from babbitt.case import template
 from babbitt.core.notices import InputError
 from babbitt.core.result import Outcome, Verdict
+from babbitt.design.pad_heat import HeatBalance
 from babbitt.kinds.thrust.design import Oil, PrescribedThrust, operating_state
-from babbitt.kinds.thrust.heat import HeatBalance, temperatures_of
+from babbitt.kinds.thrust.heat import temperatures_of
 from babbitt.kinds.thrust.report.sentences import answers
 from babbitt.solving import solve
 from babbitt.study.comparison import compare_methods

@@ -8,7 +8,7 @@ from trawler_pads import PAD, SPEED, VISCOSITY
 
 from babbitt import parse_case
 from babbitt.case import template
-from babbitt.core.notices import EXPLANATIONS, Effect
+from babbitt.core.notices import Effect, explanations
 from babbitt.core.result import Verdict
 from babbitt.kinds.thrust.bearing import HousingTilt, ThrustBearing
 from babbitt.kinds.thrust.design import bearing_state
@@ -68,7 +68,7 @@ def test_oil_or_heat_that_is_lost_and_damping_below_zero_have_no_verdict(monkeyp
     assert told(losing(1e-5)) == told(open_by(-2e-3)) == told(open_by(math.nan)) == {"W211"}
     monkeypatch.setattr("babbitt.kinds.thrust.warnings.condensed", lambda *given: -1j)
     assert told(state) == {"W212"}
-    assert all(EXPLANATIONS[code].effect is Effect.NO_VERDICT for code in ("W211", "W212"))
+    assert all(explanations()[code].effect is Effect.NO_VERDICT for code in ("W211", "W212"))
 
 
 def test_one_pad_that_carries_all_has_no_verdict():
@@ -88,7 +88,7 @@ def test_one_pad_that_carries_all_has_no_verdict():
 
 def test_oil_that_friction_would_boil_has_no_verdict():
     """Of a given viscosity nothing follows the heat: what it would do to the oil is told."""
-    start, end = BASE.index("lubricant:"), BASE.index("# thermal:")
+    start, end = BASE.index("lubricant:"), BASE.index("# method:")
     text = BASE[:start] + "oil: {kind: viscosity, viscosity: 45 mPa s}\n" + BASE[end:]
     found = solve(parse_case(text.replace("125 rpm", "6000 rpm").replace("500 kN", "20 MN"))).results[0]
     assert found.temperature_rise > 100.0

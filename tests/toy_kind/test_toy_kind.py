@@ -13,14 +13,14 @@ from plane_slider import view
 from babbitt.api.on_board import explain
 from babbitt.case import CaseError, case_schema, kinds, parse_case, template
 from babbitt.core import kind as registry
-from babbitt.core.notices import EXPLANATIONS
+from babbitt.core.notices import words
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.quantities.quantity import quantity
 from babbitt.report.citations import citations_of
 from babbitt.report.content import content
 from babbitt.solving import solve
 
-TABLES = (registry._REGISTERED, QUANTITIES, EXPLANATIONS)
+TABLES = (registry._REGISTERED, QUANTITIES)
 
 
 @pytest.fixture(autouse=True)
@@ -32,6 +32,12 @@ def registered():
     for table, names in zip(TABLES, before, strict=True):
         for name in set(table) - names:
             del table[name]
+    forget_words()
+
+
+def forget_words():
+    words._OTHERS.clear()
+    words.words.cache_clear()
 
 
 def test_its_closed_form_is_that_of_the_textbook():
@@ -102,6 +108,7 @@ def test_its_code_is_explained_and_questions_a_result(run):
     text = template("plane_slider").replace("inlet_film: 60 um", "inlet_film: 160 um")
     (result,) = solve(parse_case(text)).results
     assert [notice.code for notice in result.warnings] == ["X101"]
+    assert result.warnings[0].message == "the film narrows 5.333 times"
     assert result.verdict.value == "pass with remarks"
     assert "Steep wedge" in run("explain", "x101")[1]
 
@@ -109,7 +116,7 @@ def test_its_code_is_explained_and_questions_a_result(run):
 def test_a_code_of_another_package_is_explained_though_no_case_named_it(monkeypatch):
     """`explain` read the codes that ship, and none of the registered kinds."""
     entry = type("Entry", (), {"name": "plane_slider", "load": lambda self: plane_slider.KIND})()
-    del EXPLANATIONS["X101"]
+    forget_words()
     del registry._REGISTERED["plane_slider"]
     monkeypatch.setattr(registry, "entry_points", lambda group: [entry])
     registry._load_others.cache_clear()
@@ -125,6 +132,8 @@ def test_a_name_or_quantity_that_means_something_else_is_refused_and_nothing_is_
         registry.register(replace(plane_slider.KIND, name="journal"))
     with pytest.raises(ValueError, match="another meaning to load"):
         registry.register(replace(plane_slider.KIND, name="other", quantities="test_toy_kind:ANOTHER_LOAD"))
+    with pytest.raises(ValueError, match="another meaning to E001"):
+        registry.register(replace(plane_slider.KIND, name="other", words="babbitt.core.notices"))
     registry.register(plane_slider.KIND)  # once more the same changes nothing
     assert [dict(table) for table in TABLES] == before
 

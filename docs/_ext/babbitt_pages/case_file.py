@@ -7,11 +7,11 @@ from dataclasses import dataclass, field
 from functools import cache
 from typing import Any
 
-from pydantic import TypeAdapter
-
-from babbitt.case import any_case
+from babbitt.case import case_schema
 from babbitt.case.aliases import FormerWords
+from babbitt.case.method_choices import MethodChoices
 from babbitt.case.part import Part
+from babbitt.case.schema import define_methods
 from babbitt.core.units import KINDS, Kind, written
 from babbitt_pages.markdown import anchor, code, table, text
 
@@ -61,8 +61,7 @@ class Section:
 
 def schema() -> Schema:
     """JSON Schema of all that a file can hold."""
-    described: Schema = TypeAdapter(any_case()).json_schema()
-    return described
+    return case_schema()
 
 
 PUBLIC = "babbitt.api"
@@ -85,6 +84,7 @@ def sections() -> list[Section]:
             return
         family = _family(parts[name])
         described = definitions[name] if name in definitions else parts[name].model_json_schema()
+        define_methods({name: described})
         found[name] = Section(name, described, [through] if through else [], family, parts[name].former_words)
         if family:
             visit(family, "")
@@ -115,7 +115,8 @@ def _below(part: type[Part]) -> Iterator[type[Part]]:
 def _family(part: type[Part]) -> str:
     """The nearest base that brings many fields, empty if there is none."""
     for base in part.__mro__[1:]:
-        if issubclass(base, Part) and base is not Part and len(base.model_fields) >= MANY:
+        whole = issubclass(base, Part) and MethodChoices not in base.__bases__
+        if whole and base is not Part and len(base.model_fields) >= MANY:
             return base.__name__
     return ""
 
@@ -132,7 +133,7 @@ def _section(section: Section, known: dict[str, Section]) -> str:
             text(says(described, known)),
         ]
         for name, described in sorted(section.fields.items(), key=_rank)
-        if family is None or family.fields.get(name) != described
+        if not described.get("deprecated") and (family is None or family.fields.get(name) != described)
     )
     body = table(["field", "what it takes", "range", "default", "meaning"], rows)
     description = text(section.schema.get("description", ""))
@@ -140,7 +141,8 @@ def _section(section: Section, known: dict[str, Section]) -> str:
         heading = family.heading.replace("Fields of", "fields of")
         description += f" It has the {heading if heading.startswith('fields') else 'fields of ' + heading} "
         description += f"([see there](#{family.label})), and:"
-    return f"{anchor(section.label)}## {section.heading}\n\n{description}\n\n{body}{_former_words(section)}"
+    former = _former_words(section) + _former_places(section, family)
+    return f"{anchor(section.label)}## {section.heading}\n\n{description}\n\n{body}{former}"
 
 
 def _former_words(section: Section) -> str:
@@ -151,6 +153,13 @@ def _former_words(section: Section) -> str:
         if former != (one if isinstance(one, str) else one.to).partition(".")[0]
     ]
     return f"\nFormer words, still read: {', '.join(named)}.\n" if named else ""
+
+
+def _former_places(section: Section, family: Section | None) -> str:
+    """What stands in the mapping of the method today, and is still read where it stood before."""
+    known = {} if family is None else family.fields
+    named = [code(name) for name, one in section.fields.items() if one.get("deprecated") and name not in known]
+    return f"\nFormer places, still read, of what stands in `method` now: {', '.join(named)}.\n" if named else ""
 
 
 def _rank(one: tuple[str, Schema]) -> int:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from importlib.metadata import metadata
 
-from babbitt.core.notices import EXPLANATIONS
+from babbitt.core.notices import explanations
 from babbitt.design import heat_balance
 from babbitt.kinds.journal.iso7902.characteristics import SPANS_DEGREES, table
 from babbitt.properties.lubricants import catalogue
@@ -28,6 +28,6 @@ def facts() -> dict[str, str]:
         "lubricant_count": str(len(catalogue())),
         "metal_count": str(len(bearing_metals())),
         "structure_count": str(len(structural_materials())),
-        "code_count": str(len(EXPLANATIONS)),
+        "code_count": str(len(explanations())),
         "ceiling": f"{heat_balance.CEILING - 273.15:.0f} °C",
     }

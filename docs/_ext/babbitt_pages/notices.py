@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from babbitt.core.notices import EXPLANATIONS
+from babbitt.core.notices import explanations
 from babbitt_pages.markdown import anchor, text
 
 FAMILIES = {
@@ -26,12 +26,12 @@ def page() -> str:
     parts = []
     for letter, (heading, meaning) in FAMILIES.items():
         parts.append(f"## {heading}\n\n{meaning}\n")
-        parts += [_entry(code) for code in sorted(EXPLANATIONS) if code.startswith(letter)]
+        parts += [_entry(code) for code in sorted(explanations()) if code.startswith(letter)]
     return "\n".join(parts)
 
 
 def _entry(code: str) -> str:
-    found = EXPLANATIONS[code]
+    found = explanations()[code]
     return (
         f"{anchor(code.lower())}### {code} {text(found.title)}\n\n{text(found.meaning)}\n\n"
         f"*What to do:* {text(found.remedy)}\n" + _effect(code)
@@ -39,4 +39,4 @@ def _entry(code: str) -> str:
 
 
 def _effect(code: str) -> str:
-    return f"\n*Verdict:* {EXPLANATIONS[code].effect.value}.\n" if code.startswith("W") else ""
+    return f"\n*Verdict:* {explanations()[code].effect.value}.\n" if code.startswith("W") else ""

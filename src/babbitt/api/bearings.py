@@ -7,9 +7,8 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from babbitt.api.case import Case
 from babbitt.api.machine_bearings import by_itself
-from babbitt.api.methods import MethodOptions
 from babbitt.api.own_bore import Gap, with_own_bore, with_own_bore_in_words, without_own_bore
-from babbitt.api.words import of_machine, with_method, with_method_in_words
+from babbitt.api.words import of_machine
 from babbitt.case.case_file import CaseFile
 from babbitt.core.solution import Calculation
 from babbitt.kinds.coupling.case.overhung_coupling import OverhungCouplingCase
@@ -21,6 +20,7 @@ from babbitt.kinds.hydrostatic.case.jacking import JackingPocketCase
 from babbitt.kinds.journal.case import files
 from babbitt.kinds.shaft_line.case.shaft_line import ThrustLineCase
 from babbitt.kinds.thrust.case.thrust import ThrustCase
+from babbitt.kinds.tilting_pad_journal.case.bearing import TiltingPadJournalCase
 
 __all__ = [
     "Footstep",
@@ -33,6 +33,7 @@ __all__ = [
     "ThrustBearing",
     "ThrustLine",
     "ThrustRing",
+    "TiltingPadBearing",
     "public_case",
 ]
 
@@ -57,21 +58,19 @@ class JournalBearing(Case, files.JournalCase):
 
     @classmethod
     def in_words(cls, given: Mapping[str, Any]) -> dict[str, Any]:
-        """What was given, its method as a name and fields of the bearing, an own bore as a table."""
-        return with_own_bore_in_words(with_method_in_words(given))
+        """What was given, an own bore as a table."""
+        return with_own_bore_in_words(given)
 
     def _in_order(self, changes: Mapping[str, Any]) -> Mapping[str, Any]:
         """An own bore comes last: it is sampled across the new width."""
         return dict(sorted(changes.items(), key=lambda change: isinstance(change[1], Gap)))
 
     def _given_with(self, given: dict[str, Any], path: str, value: Any) -> dict[str, Any]:
-        if path == "method" and isinstance(value, MethodOptions):
-            return with_method(given, value)
         if path == "bore":
             if isinstance(value, Gap):
                 return with_own_bore(given, value)
             given = without_own_bore(given)
-        return super()._given_with(given, path.removeprefix("method."), value)
+        return super()._given_with(given, path, value)
 
 
 class Machine(Case, files.Machine):
@@ -117,6 +116,13 @@ class ThrustLine(Case, ThrustLineCase):
 
     model: ClassVar[type[CaseFile]] = ThrustLineCase
     default_name: ClassVar[str] = "Shaft line"
+
+
+class TiltingPadBearing(Case, TiltingPadJournalCase):
+    """A journal bearing of tilting pads."""
+
+    model: ClassVar[type[CaseFile]] = TiltingPadJournalCase
+    default_name: ClassVar[str] = "Tilting-pad bearing"
 
 
 class HydrostaticJournal(Case, HydrostaticJournalCase):
@@ -174,6 +180,7 @@ PUBLIC: Mapping[type[CaseFile], type[Case]] = {
         JackingPocket,
         Footstep,
         OverhungCoupling,
+        TiltingPadBearing,
     )
 }
 """By its case model, the class of each kind that ships."""

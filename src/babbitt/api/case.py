@@ -13,7 +13,7 @@ from babbitt.api.given import as_given, content_of
 from babbitt.api.reading import read_case, refuse_incomplete
 from babbitt.api.shown import shown_call
 from babbitt.api.with_units import case_text, with_units
-from babbitt.case.aliases import in_todays_words, todays_path
+from babbitt.case.aliases import in_method_mappings, in_todays_words, todays_path
 from babbitt.case.case_file import CaseFile, Origin
 from babbitt.case.loading import located
 from babbitt.case.named_files import NamedFiles
@@ -113,9 +113,8 @@ class Case(CaseFile):
     def given(self) -> dict[str, Any]:
         """What it was given, in the words of a case file; numbers with their units."""
         origin = self.origin
-        if origin is None:
-            return with_units(content_of_fields(self), self)
-        return dict(in_todays_words(self.model, copy.deepcopy(dict(origin.given))))
+        words = with_units(content_of_fields(self), self) if origin is None else copy.deepcopy(dict(origin.given))
+        return dict(in_method_mappings(self.model, in_todays_words(self.model, words)))
 
     @property
     def text(self) -> str:
@@ -153,7 +152,7 @@ class Case(CaseFile):
     def _given_with(self, given: dict[str, Any], path: str, value: Any) -> dict[str, Any]:
         """What it would be given with another value in a field."""
         if value is None:
-            return _without(given, todays_path(self.model, path.split(".")))
+            return _without(in_todays_words(self.model, given), todays_path(self.model, path.split(".")))
         where = type(self).__name__
         words = as_given(self.in_words({path: value})[path], where, (path,))
         return CaseVariation(FilePath(where), given, path).given_with(words)

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from babbitt.core.notices import InputError
 from babbitt.export import CoefficientTable, Frame, Rotation
@@ -14,6 +15,7 @@ from babbitt.kinds.journal.film.coefficients_over_speed import STATIC as HEAT
 from babbitt.kinds.journal.film.coefficients_over_speed import method_of_coefficients
 from babbitt.kinds.journal.film.model import FilmCase
 from babbitt.kinds.journal.film.thermal_results import temperatures_of_coefficients
+from babbitt.kinds.tilting_pad_journal.model import PadCase
 
 if TYPE_CHECKING:
     from babbitt.api.results import BearingResult
@@ -46,13 +48,14 @@ def coefficients_of(results: Sequence[BearingResult]) -> CoefficientTable:
     if not results:
         raise InputError("E003", "no results; a coefficient table needs one speed or more")
     name = results[0].name
+    if all(isinstance(one.solution.problem, PadCase) for one in results):
+        return _of_pads(results)
     for one in results:
         if not isinstance(one.solution.problem, FilmCase):
             raise InputError(
                 "E004", f"{one.name}: the method {one.method} has no coefficients over speed; film has"
             )
-        if not one.solved:
-            raise InputError("E003", f"{one.name}: no equilibrium ({one.outcome.value}); leave this speed out")
+        _require_solved(one)
         if not {"stiffness", "damping"} <= set(one.arrays):
             raise InputError("E004", f"{one.name}: the film has no stiffness and damping under this cavitation")
         if one.solution.problem.bearing_speed:
@@ -60,10 +63,7 @@ def coefficients_of(results: Sequence[BearingResult]) -> CoefficientTable:
     ordered = sorted(results, key=lambda one: abs(one.solution.problem.journal_speed))
     cases: list[FilmCase] = [one.solution.problem for one in ordered]
     speeds = np.abs([case.journal_speed for case in cases])
-    if np.any(np.diff(speeds) <= 0.0):
-        raise InputError(
-            "E003", f"{name}: two results have one speed; a table is made from a sweep over speed alone"
-        )
+    _require_rising(name, speeds)
     angles = np.array([one.values["load_angle"] for one in ordered])
     if (
         len({case.rotation for case in cases}) > 1
@@ -85,3 +85,27 @@ def coefficients_of(results: Sequence[BearingResult]) -> CoefficientTable:
         method=method_of_coefficients(first),
         temperatures=temperatures_of_coefficients(first),
     )
+
+
+def _of_pads(results: Sequence[BearingResult]) -> CoefficientTable:
+    """Of tilting pads: over frequency, too, with the matrices of journal and pads."""
+    from babbitt.kinds.tilting_pad_journal.coefficients_over_speed import table_of
+
+    for one in results:
+        _require_solved(one)
+    ordered = sorted(results, key=lambda one: abs(one.solution.problem.journal_speed))
+    cases: list[PadCase] = [one.solution.problem for one in ordered]
+    _require_rising(results[0].name, np.abs([case.journal_speed for case in cases]))
+    return table_of([one.solution.result for one in ordered], cases)
+
+
+def _require_solved(one: BearingResult) -> None:
+    if not one.solved:
+        raise InputError("E003", f"{one.name}: no equilibrium ({one.outcome.value}); leave this speed out")
+
+
+def _require_rising(name: str, speeds: NDArray[np.float64]) -> None:
+    if np.any(np.diff(speeds) <= 0.0):
+        raise InputError(
+            "E003", f"{name}: two results have one speed; a table is made from a sweep over speed alone"
+        )

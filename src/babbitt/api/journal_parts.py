@@ -6,6 +6,7 @@ Each is the part of the case language of the same fields, with short names.
 from __future__ import annotations
 
 from babbitt.api.part import OwnPart
+from babbitt.case.parts import position
 from babbitt.kinds.journal.case import (
     dynamic_load,
     film_features,
@@ -175,7 +176,7 @@ class OperatingPoint(OwnPart, operating_point.OperatingPoint):
     """One of several operating points. What it does not give is taken from the bearing."""
 
 
-class Position(OwnPart, operating_point.PositionInput):
+class Position(OwnPart, position.PositionInput):
     """Where the journal centre stands."""
 
 

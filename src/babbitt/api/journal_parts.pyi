@@ -6,6 +6,7 @@ from typing import Any, ClassVar, Literal, SupportsFloat, SupportsIndex, TypeAli
 
 from babbitt.api.part import OwnPart
 from babbitt.case.part import Part
+from babbitt.case.parts import position
 from babbitt.kinds.journal.case import dynamic_load, film_features, film_heat, film_oil, film_surface, grooved_segments, heat_exchange, operating_point, supply_element
 
 Quantity: TypeAlias = str | SupportsFloat
@@ -312,7 +313,7 @@ class OperatingPoint(OwnPart, operating_point.OperatingPoint):
         supply_element: Mapping[str, Any] | Part | None = ...,
     ) -> None: ...
 
-class Position(OwnPart, operating_point.PositionInput):
+class Position(OwnPart, position.PositionInput):
     def __init__(
         self,
         *,
@@ -325,12 +326,12 @@ class HeatExchange(OwnPart, heat_exchange.HeatExchangeInput):
         self,
         *,
         nusselt: Quantity | Mapping[str, Any] | Part | None = ...,
+        discretisation: Literal["consistent", "published_mean", "published_literal"] | Enum | None = ...,
+        exchange_zone: Literal["liquid_fraction", "all_around", "film"] | Enum | None = ...,
         bush: Mapping[str, Any] | Part | None = ...,
         ambient: Mapping[str, Any] | Part | None = ...,
         shaft_conductance: Quantity | None = ...,
-        discretisation: Literal["consistent", "published_mean", "published_literal"] | Enum | None = ...,
         supply_angle: Quantity | None = ...,
-        exchange_zone: Literal["liquid_fraction", "all_around", "film"] | Enum | None = ...,
     ) -> None: ...
 
 class SegmentOptions(OwnPart, grooved_segments.SegmentsInput):

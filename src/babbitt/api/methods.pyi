@@ -6,56 +6,49 @@ from typing import Any, ClassVar, Literal, SupportsFloat, SupportsIndex, TypeAli
 
 from babbitt.api.part import OwnPart
 from babbitt.case.part import Part
-from babbitt.kinds.journal.case.journal import JournalBearing
+from babbitt.kinds.journal.case import methods
 
 Quantity: TypeAlias = str | SupportsFloat
 
-class MethodOptions(OwnPart):
-    method: ClassVar[str]
-
-class Film(MethodOptions):
-    method: ClassVar[str]
+class Film(OwnPart, methods.FilmMethod):
     def __init__(
         self,
         *,
         thermal: Literal["isothermal", "global", "adiabatic", "full"] | Enum | None = ...,
-        walls: Mapping[str, Any] | Part | None = ...,
         axial_temperature: Literal["mean", "resolved"] | Enum | None = ...,
         carry_over: Quantity | None = ...,
         temperature_coefficients: Literal["frozen", "following"] | Enum | None = ...,
         cavitation: Literal["mass_conserving", "reynolds", "half_sommerfeld"] | Enum | None = ...,
-        cavitation_pressure: Quantity | None = ...,
         film_start: Literal["groove", "widest_gap", "periodic"] | Enum | None = ...,
         turbulence: Literal["laminar", "ng_pan", "constantinescu"] | Enum | None = ...,
-        pressure_viscosity: Mapping[str, Any] | Part | None = ...,
         accuracy: Literal["draft", "engineering", "reference"] | Enum | None = ...,
         error_estimate: bool | None = ...,
         equilibria: Literal["auto", "all", "first"] | Enum | None = ...,
         tilt_coefficients: bool | None = ...,
+        kind: Literal["film"] | Enum | None = ...,
     ) -> None: ...
 
-class Iso7902(MethodOptions):
-    method: ClassVar[str]
+class Iso7902(OwnPart, methods.Iso7902Method):
     def __init__(
         self,
         *,
         characteristics: Literal["computed", "closed_form"] | Enum | None = ...,
+        kind: Literal["iso7902"] | Enum | None = ...,
     ) -> None: ...
 
-class LongFilm(MethodOptions):
-    method: ClassVar[str]
+class LongFilm(OwnPart, methods.LongFilmMethod):
     def __init__(
         self,
         *,
-        heat_exchange: Mapping[str, Any] | Part | None = ...,
+        nusselt: Quantity | Mapping[str, Any] | Part | None = ...,
+        discretisation: Literal["consistent", "published_mean", "published_literal"] | Enum | None = ...,
+        exchange_zone: Literal["liquid_fraction", "all_around", "film"] | Enum | None = ...,
+        kind: Literal["long_film"] | Enum | None = ...,
     ) -> None: ...
 
-class Segments(MethodOptions):
-    method: ClassVar[str]
+class Segments(OwnPart, methods.SegmentsMethod):
     def __init__(
         self,
         *,
-        segments: Mapping[str, Any] | Part | None = ...,
+        kind: Literal["segments"] | Enum | None = ...,
     ) -> None: ...
-
-METHODS: Mapping[str, type[MethodOptions]]

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from babbitt.core.files.printing import printable
 from babbitt.core.nearest_name import nearest_names
-from babbitt.core.notices import EXPLANATIONS, Explanation, InputError
+from babbitt.core.notices import Explanation, InputError, explanations
 
 if TYPE_CHECKING:
     from babbitt.validation.case import Comparison
@@ -60,17 +60,17 @@ def explain(code: str) -> Explanation:
     InputError
         E005 for a code that there is not.
 
-    >>> explain("W101").title == EXPLANATIONS["W101"].title
+    >>> explain("W101").title == explanations()["W101"].title
     True
     """
     asked = code.strip().upper()
-    if asked not in EXPLANATIONS:
+    if asked not in explanations():
         from babbitt.core.kind import kinds
 
         kinds()  # those of other packages bring codes of their own
-    found = EXPLANATIONS.get(asked)
+    found = explanations().get(asked)
     if found is None:
-        near = nearest_names(asked, EXPLANATIONS, most=4)
-        hint = f"did you mean {', '.join(near)}?" if near else f"there are: {', '.join(sorted(EXPLANATIONS))}"
+        near = nearest_names(asked, explanations(), most=4)
+        hint = f"did you mean {', '.join(near)}?" if near else f"there are: {', '.join(sorted(explanations()))}"
         raise InputError("E005", f"no code '{printable(code)}'; {hint}")
     return found

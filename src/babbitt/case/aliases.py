@@ -9,25 +9,41 @@ from __future__ import annotations
 import re
 import typing
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from decimal import Decimal
 from typing import TYPE_CHECKING, Any
 
 from babbitt.case.error_messages import Path
+from babbitt.case.method_mapping import (
+    KIND,
+    METHOD,
+    choices_of,
+    every_choice,
+    in_mapping,
+    method_models,
+    named_method,
+    read_method,
+)
+from babbitt.case.nested import values_at, with_value, without_value
+from babbitt.case.reading import Reading
 
 if TYPE_CHECKING:
     from babbitt.case.part import Part
 
 __all__ = [
     "FormerWords",
+    "Move",
     "Moved",
-    "Reading",
     "in_former_words",
+    "in_method_mappings",
     "in_todays_words",
+    "moves",
     "read_former",
+    "read_given",
     "scaled",
     "todays_field",
     "todays_path",
+    "part_at",
     "parts_in",
 ]
 
@@ -63,48 +79,35 @@ class Moved:
         return tuple(self.to.split("."))
 
 
-FormerWords = Mapping[str, str | Moved]
-
-
 @dataclass(frozen=True)
-class Reading:
-    """What a part was given, in the words of today.
+class Move:
+    """A value of a file that is written elsewhere today.
 
     Attributes
     ----------
-    given : Mapping
-    written : Mapping
-        The same as it stands in the file.
-    moved : tuple
-        Former path and path of today of every former word found.
-    twice : tuple
-        Likewise of those that stand beside the word of today, which is kept.
-    scales : Mapping
-        By former path, the value of today over the former one.
+    base : tuple
+        Path of the part that tells of it.
+    former, today : tuple
+        Paths of the value from the part.
+    kind : str
+        Of the mapping that holds it today, where that has a `kind`.
+    scale : float
+        The value of today over the former one.
     """
 
-    given: Mapping[str, Any]
-    written: Mapping[str, Any]
-    moved: tuple[tuple[Path, Path], ...] = ()
-    twice: tuple[tuple[Path, Path], ...] = ()
-    scales: Mapping[Path, float] = field(default_factory=dict)
+    base: Path
+    former: tuple[str, ...]
+    today: tuple[str, ...]
+    kind: str = ""
+    scale: float = 1.0
 
-    def remark(self, path: Path) -> str:
-        """Tell how a value was read that is not what the file has; empty for any other."""
-        for former, today in self.moved:
-            if path == today and (scale := self.scales.get(former, 1.0)) != 1.0:
-                return f"{former[-1]} is read as {today[-1]}, {scale:g} times as large"
-        return ""
+    @property
+    def path(self) -> Path:
+        """Where it stands in the file."""
+        return (*self.base, *self.former)
 
-    def as_written(self, path: Path) -> Path:
-        """Give the path in the words of the file for one in those of today."""
-        for former, today in self.moved:
-            if path[: len(today)] == today:
-                return (*former, *path[len(today) :])
-        for former, today in self.moved:
-            if path and path == today[: len(path)] and not any(True for _ in _at(self.written, path)):
-                return former  # the mapping that the move made
-        return path
+
+FormerWords = Mapping[str, str | Moved]
 
 
 def read_former(words: FormerWords, given: Mapping[str, Any]) -> Reading:
@@ -121,30 +124,79 @@ def read_former(words: FormerWords, given: Mapping[str, Any]) -> Reading:
         return Reading(given, given)
     today: dict[str, Any] = dict(given)
     found = [
-        (former, one, value) for former, one in _steps(words) for value in _at(given, former) if one.where(value)
+        (former, one, value)
+        for former, one in _steps(words)
+        for value in values_at(given, former)
+        if one.where(value)
     ]
     for former, _, _ in found:
-        today = _without(today, former)
+        today = without_value(today, former)
     moved: list[tuple[Path, Path]] = []
     twice: list[tuple[Path, Path]] = []
     for former, one, value in found:
         if (blocked := _occupied(today, one)) is not None:
             twice.append((former, blocked))
             continue
-        today = _with(today, one.path, scaled(value, one.scale))
+        today = with_value(today, one.path, scaled(value, one.scale))
         if one.kind:
-            today = _with(today, (*one.path[:-1], "kind"), one.kind)
+            today = with_value(today, (*one.path[:-1], "kind"), one.kind)
         moved.append((former, one.path))
     scales: dict[Path, float] = {former: one.scale for former, one, _ in found}
-    return Reading(today, given, tuple(moved), tuple(twice), scales)
+    return Reading(today, given, tuple(moved), tuple(twice), scales=scales)
+
+
+def read_given(cls: type[Part], given: Mapping[str, Any]) -> Reading:
+    """Read what a part was given as its model has it: the choices of its method, then former words."""
+    chosen = read_method(cls, given)
+    today = read_former(cls.former_words, chosen.given)
+    moved, twice = chosen.moved + today.moved, chosen.twice + today.twice
+    return Reading(today.given, given, moved, twice, chosen.unknown, today.scales)
 
 
 def in_todays_words(cls: type[Part], given: Any) -> Any:
-    """What a part was given, its parts included, in the words of today."""
+    """What a part was given, its parts included, in the words of its model: no former ones, and every choice of a
+    method where the part reads it."""
     if not isinstance(given, Mapping):
         return given
-    today = read_former(cls.former_words, given).given
-    return {name: _within(_parts_of(cls, name), value) for name, value in today.items()}
+    today = read_given(cls, given).given
+    return {name: _within(_parts_of(cls, name), value, in_todays_words) for name, value in today.items()}
+
+
+def in_method_mappings(cls: type[Part], given: Any) -> Any:
+    """What a part was given in the words of its model, as a file has it: the choices of methods in mappings."""
+    if not isinstance(given, Mapping):
+        return given
+    within = {name: _within(_parts_of(cls, name), value, in_method_mappings) for name, value in given.items()}
+    return in_mapping(cls, within)
+
+
+def moves(cls: type[Part], given: Any, base: Path = ()) -> Iterator[Move]:
+    """What of a part, and of the parts within, is not written as it is today.
+
+    Choices of another method than that of the part stay where they are: a comparison reads them.
+
+    Parameters
+    ----------
+    cls : type
+    given : object
+        As it stands in the file.
+    base : tuple
+        Path of the part.
+    """
+    if not isinstance(given, Mapping):
+        return
+    for former, one in _steps(cls.former_words):
+        if any(one.where(value) for value in values_at(given, former)):
+            yield Move(base, former, one.path, one.kind, one.scale)
+    method = named_method(cls, given)
+    for name, path in choices_of(cls, method).items():
+        if any(True for _ in values_at(given, path)):
+            yield Move(base, path, (METHOD, name), method)
+    for name, value in given.items():
+        several = enumerate(value) if isinstance(value, list | tuple) else ()
+        for at, one in (((name,), value), *(((name, index), piece) for index, piece in several)):
+            parts = (part for part in _parts_of(cls, name) if isinstance(one, Mapping) and _may_be(part, one))
+            yield from dict.fromkeys(move for part in parts for move in moves(part, one, (*base, *at)))
 
 
 def todays_path(cls: type[Part], steps: Sequence[str]) -> tuple[str, ...]:
@@ -161,6 +213,9 @@ def todays_path(cls: type[Part], steps: Sequence[str]) -> tuple[str, ...]:
 
 def todays_field(cls: type[Part], steps: Sequence[str]) -> tuple[tuple[str, ...], float]:
     """As `todays_path`, and the value of today over that at the path as it was told."""
+    if steps[0] == METHOD and len(steps) > 1 and method_models(cls):
+        choice = {**every_choice(cls), KIND: (METHOD,)}.get(steps[1], (METHOD, steps[1]))
+        return (*choice, *steps[2:]), 1.0
     for former, one in _steps(cls.former_words):
         has_two_forms = former == one.path[: len(former)]
         if tuple(steps[: len(former)]) == former and not has_two_forms:
@@ -179,11 +234,11 @@ def in_former_words(cls: type[Part], content: Mapping[str, Any]) -> dict[str, An
     """The content of one part with former words where it has them: what hashes are made of, so that they last."""
     told = dict(content)
     for former, one in _steps(cls.former_words):
-        values = list(_at(told, one.path))
+        values = list(values_at(told, one.path))
         if not values or (one.kind and not _is_alone(told, one)):
             continue
-        told = _without(told, one.path[:-1] if one.kind else one.path)
-        told = _with(told, former, values[0] if one.scale == 1.0 else values[0] / one.scale)
+        told = without_value(told, one.path[:-1] if one.kind else one.path)
+        told = with_value(told, former, values[0] if one.scale == 1.0 else values[0] / one.scale)
     return told
 
 
@@ -192,38 +247,14 @@ def _steps(words: FormerWords) -> Iterator[tuple[tuple[str, ...], Moved]]:
         yield tuple(former.split(".")), Moved(one) if isinstance(one, str) else one
 
 
-def _at(given: Any, path: Sequence[str | int]) -> Iterator[Any]:
-    """The value at a path, if there is one."""
-    for step in path:
-        if not isinstance(given, Mapping) or step not in given:
-            return
-        given = given[step]
-    yield given
-
-
 def _occupied(given: Mapping[str, Any], one: Moved) -> Path | None:
     """Path of what stands where a value is to go; None where there is room."""
     for count in range(1, len(one.path) + 1):
-        for value in _at(given, one.path[:count]):
+        for value in values_at(given, one.path[:count]):
             room = value is None or (isinstance(value, Mapping) and count < len(one.path) and not one.kind)
             if not room:
                 return one.path[:count]
     return None
-
-
-def _without(given: Mapping[str, Any], path: Sequence[str]) -> dict[str, Any]:
-    """A mapping without the value at a path, and without the mappings that this leaves empty."""
-    first, *rest = path
-    left = {name: value for name, value in given.items() if name != first}
-    if rest and isinstance(given.get(first), Mapping) and (below := _without(given[first], rest)):
-        return {name: below if name == first else value for name, value in given.items()}
-    return left
-
-
-def _with(given: Mapping[str, Any], path: Sequence[str], value: Any) -> dict[str, Any]:
-    """A mapping with a value at a path."""
-    first, *rest = path
-    return {**given, first: _with(given.get(first) or {}, rest, value) if rest else value}
 
 
 _QUANTITY = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)(\s*[^\d\s].*)?", re.DOTALL)
@@ -242,15 +273,15 @@ def scaled(value: Any, scale: float) -> Any:
 def _is_alone(content: Mapping[str, Any], one: Moved) -> bool:
     """Whether the mapping of a kind says no more than its kind and the value."""
     return all(dict(holder).keys() == {"kind", one.path[-1]} and holder["kind"] == one.kind
-               for holder in _at(content, one.path[:-1]))  # fmt: skip
+               for holder in values_at(content, one.path[:-1]))  # fmt: skip
 
 
-def _within(parts: Sequence[type[Part]], value: Any) -> Any:
+def _within(parts: Sequence[type[Part]], value: Any, change: Callable[[type[Part], Any], Any]) -> Any:
     if isinstance(value, list | tuple):
-        return [_within(parts, one) for one in value]
+        return [_within(parts, one, change) for one in value]
     for part in parts:
         if isinstance(value, Mapping) and _may_be(part, value):
-            value = in_todays_words(part, value)
+            value = change(part, value)
     return value
 
 
@@ -262,6 +293,14 @@ def _may_be(part: type[Part], value: Mapping[str, Any]) -> bool:
 def _parts_of(cls: type[Part], name: str) -> tuple[type[Part], ...]:
     known = cls.model_fields.get(name)
     return () if known is None else tuple(parts_in(known.annotation))
+
+
+def part_at(cls: type[Part], steps: Sequence[str]) -> type[Part]:
+    """The part that a path in the words of today leads to from another; of a union the first."""
+    for step in steps:
+        if not step.isdecimal():
+            cls = next(iter(_parts_of(cls, step)), cls)
+    return cls
 
 
 def parts_in(annotation: Any) -> Iterator[type[Part]]:

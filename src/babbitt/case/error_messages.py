@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from pydantic_core import ErrorDetails, InitErrorDetails, PydanticCustomError
 
+from babbitt.case.method_mapping import every_choice
 from babbitt.case.shorthand import Shorthand
 from babbitt.case.suggestions import meant_field, near_typo
 from babbitt.core.units import QuantityError, SiField
@@ -147,8 +148,14 @@ def _say(cls: type[Part], path: Path, details: ErrorDetails) -> tuple[str, str, 
         case "missing":
             return MISSING, "", _described(cls, name)
         case "extra_forbidden":
-            hint = _asked(meant_field(name, cls))
-            return "is not a field here", "" if hint else _listed(cls.model_fields), hint
+            meant = meant_field(name, cls)
+            moved = every_choice(cls)
+            hint = _asked(f"method.{meant}" if meant in moved else meant)
+            return (
+                "is not a field here",
+                "" if hint else _listed(n for n in cls.model_fields if n not in moved),
+                hint,
+            )
         case "union_tag_not_found" | "union_tag_invalid":
             return _say_branch(cls, path, given)
         case "model_attributes_type" | "model_type" if path and len(_branches(cls, str(path[0]))) > 1:
@@ -156,6 +163,8 @@ def _say(cls: type[Part], path: Path, details: ErrorDetails) -> tuple[str, str, 
         case "value_error" if isinstance(context.get("error"), QuantityError):
             error: QuantityError = context["error"]
             return error.says, error.allowed, _elsewhere(cls, path, given, error) or error.hint
+        case "literal_error" if name == "method" and isinstance(given, Mapping):  # one with a kind was read
+            return "kind is missing", context["expected"].replace("'", "").replace(" or ", ", "), ""
         case "model_attributes_type" | "model_type" if given is not None and not path and cls.example:
             return f"{shown(given)} is not allowed", f"a mapping such as {cls.example}", ""
     if given is None:

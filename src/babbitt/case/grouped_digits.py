@@ -65,11 +65,12 @@ def about_grouped_digits(part: Part | None, *path: str | int) -> Iterator[Notice
         if match is not None:
             whole, thousand, unit = match.groups()
             field = ".".join(map(str, (*path, name)))
-            yield Notice(
-                "W181",
-                f"{field}: '{text}' was read with a decimal point; write '{whole}{thousand}{unit}' if thousands "
-                f"were meant, or '{float(f'{whole}.{thousand}'):g}{unit}'",
-            )
+            yield Notice("W181", values={
+                "field": field,
+                "given": text,
+                "thousands": f"{whole}{thousand}{unit}",
+                "decimal": f"{float(f'{whole}.{thousand}'):g}{unit}",
+            })  # fmt: skip
     for name, value in vars(part).items() if part is not None else ():
         yield from _within(value, *path, name)
 

@@ -49,7 +49,8 @@ def kinds() -> Mapping[str, str]:
 
     >>> list(kinds())
     ['journal', 'machine', 'overhung_coupling', 'screw_heel', 'hydrostatic_pad',
-    'hydrostatic_thrust_ring', 'hydrostatic_journal', 'jacking_pocket', 'thrust', 'thrust_line']
+    'hydrostatic_thrust_ring', 'hydrostatic_journal', 'jacking_pocket', 'thrust', 'thrust_line',
+    'tilting_pad_journal']
     """
     return {name: kind.description for name, kind in registry.kinds().items()}
 

@@ -54,7 +54,7 @@ def load_case(path: str | FilePath, reach: Reach = Reach.FOLDER) -> CaseFile:
         With every problem of the file.
     """
     path = FilePath(path)
-    return _parsed(_text_of(path), printable(path), NamedFiles(path.parent, reach))
+    return parsed_in(_text_of(path), path, reach)
 
 
 def parse_case(text: str, name: str = "<text>", reach: Reach = Reach.FOLDER) -> CaseFile:
@@ -85,7 +85,7 @@ def parse_case(text: str, name: str = "<text>", reach: Reach = Reach.FOLDER) -> 
     Traceback (most recent call last):
     babbitt.case.problems.CaseError: a.yaml:1: kind: 'jurnal' is not a kind of case; allowed: journal, machine,
     overhung_coupling, screw_heel, hydrostatic_pad, hydrostatic_thrust_ring, hydrostatic_journal,
-    jacking_pocket, thrust, thrust_line; did you mean 'journal'? [E003]
+    jacking_pocket, thrust, thrust_line, tilting_pad_journal; did you mean 'journal'? [E003]
     """
     return _parsed(text, name, NamedFiles(FilePath(), reach))
 
@@ -126,6 +126,17 @@ def _document(text: str, name: str) -> Node:
 def _parsed(text: str, name: str, files: NamedFiles) -> CaseFile:
     root = _document(text, name)
     return _case(root.plain(), name, root, files).with_text(text)
+
+
+def parsed_in(text: str, file: FilePath, reach: Reach = Reach.FOLDER) -> CaseFile:
+    """Read a case from text as if it stood in a file.
+
+    Raises
+    ------
+    CaseError
+        With every problem of the text.
+    """
+    return _parsed(text, printable(file), NamedFiles(file.parent, reach))
 
 
 def case_from_dict(given: Mapping[str, Any], name: str = "<case>", reach: Reach = Reach.FOLDER) -> CaseFile:

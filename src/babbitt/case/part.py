@@ -25,9 +25,12 @@ from pydantic import (
 )
 from pydantic_core import ErrorDetails, InitErrorDetails, PydanticCustomError
 
-from babbitt.case.aliases import FormerWords, Reading, read_former
+from babbitt.case.aliases import FormerWords, read_given
 from babbitt.case.error_messages import ERROR_TYPE, MISSING, Path, is_echo, is_missing, misspelt, refusal
 from babbitt.case.grouped_digits import grouped_fields
+from babbitt.case.method_mapping import METHOD, choices_of, every_choice, method_models
+from babbitt.case.reading import Reading
+from babbitt.case.suggestions import near_typo
 from babbitt.core.notices import InputError, Notice
 
 
@@ -42,7 +45,7 @@ class Issue:
     says, allowed, hint : str
         What is wrong, what would do, what to try.
     code : str
-        A code of `babbitt.core.notices.EXPLANATIONS`.
+        A code of `babbitt.core.notices.explanations`.
     lacks : tuple, optional
         From `path` to the field to add, empty where they are the same. None where something is wrong, unless
         `says` is that it is missing.
@@ -129,15 +132,16 @@ class Part(BaseModel):
     def _tell_all(cls, given: Any, handler: ModelWrapValidatorHandler[Self], info: ValidationInfo) -> Self:
         if not isinstance(given, Mapping):
             return cls._told(given, handler, info)
-        reading = read_former(cls.former_words, given)
+        reading = read_given(cls, given)
         try:
             part = cls._told(reading.given, handler, info)
-            if not reading.twice:
+            if not reading.twice and not reading.unknown:
                 return part
             lines = []
         except ValidationError as error:
             lines = [_at_written(one, reading) for one in error.errors(include_url=False)]
         lines += [_line(_given_twice(former, today), given) for former, today in reading.twice]
+        lines += [_line(_no_choice(cls, path, reading.given), given) for path in reading.unknown]
         raise ValidationError.from_exception_data(cls.__name__, lines)
 
     @classmethod
@@ -182,9 +186,18 @@ def is_given(part: Part, name: str) -> bool:
 
 
 def not_read(part: Part, why: str, *paths: str) -> Iterator[Notice]:
-    """Tell of fields that are given and that nothing reads, by their paths from a piece, such as ``pads.mass``."""
-    if given := [path for path in paths if _is_given_at(part, path)]:
-        yield Notice("W183", f"{', '.join(given)}: {why}")
+    """Tell of fields that are given and that nothing reads.
+
+    Parameters
+    ----------
+    part : Part
+    why : str
+        The variant of the message of W183.
+    *paths : str
+        From the part, such as ``pads.mass``.
+    """
+    if given := tuple(path for path in paths if _is_given_at(part, path)):
+        yield Notice("W183", why, {"fields": given})
 
 
 def _is_given_at(part: Part, path: str) -> bool:
@@ -239,6 +252,20 @@ def _given_twice(former: Path, today: Path) -> Issue:
     return Issue(former, says, f"{word} alone", "remove one")
 
 
+def _no_choice(cls: type[Part], path: Path, given: Mapping[str, Any]) -> Issue:
+    """Tell of a key in the mapping of a method that is no choice of it."""
+    method, name = str(given[METHOD]), str(path[-1])
+    known = choices_of(cls, method)
+    if name in every_choice(cls):
+        others = ", ".join(one for one in method_models(cls) if name in choices_of(cls, one))
+        return Issue(path, f"is no choice of method {method}", f"kind: {others}, or leave it out", code="E003")
+    if name in cls.model_fields:
+        return Issue(path, "is no choice of a method", f"{name} beside method", code="E003")
+    meant = near_typo(name, known)
+    hint = f"did you mean '{meant}'?" if meant else ""
+    return Issue(path, "is not a field here", "" if hint else ", ".join(known) or "kind alone", hint, "E003")
+
+
 def usable_part(
     cls: type[PartT], given: Mapping[str, Any], context: Any, misspelt: frozenset[str] = frozenset()
 ) -> PartT:
@@ -248,7 +275,7 @@ def usable_part(
     """
     values: dict[str, Any] = {}
     unusable = set(misspelt)
-    given = read_former(cls.former_words, given).given
+    given = read_given(cls, given).given
     for name, field in cls.model_fields.items():
         if name not in given:
             unusable |= {name} if field.is_required() else set()

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from babbitt.core.notices import EXPLANATIONS, InputError
+from babbitt.core.notices import InputError, explanations
 
 MOST_SHOWN = 50
 """Problems printed of one file; who has more made one mistake many times."""
@@ -32,7 +32,7 @@ class Problem:
     hint : str
         What to try.
     code : str
-        A code of `babbitt.core.notices.EXPLANATIONS`.
+        A code of `babbitt.core.notices.explanations`.
     """
 
     file: str
@@ -45,7 +45,7 @@ class Problem:
     code: str = "E003"
 
     def __post_init__(self) -> None:
-        if self.code not in EXPLANATIONS:
+        if self.code not in explanations():
             raise KeyError(f"error code {self.code} is not registered in babbitt.core.notices")
 
     @property

@@ -6,6 +6,8 @@ import json
 from importlib.resources import files
 from typing import Any
 
+from babbitt.case.method_mapping import METHOD
+
 SCHEMA_FILE = "schema.json"
 
 
@@ -25,12 +27,23 @@ def case_schema() -> dict[str, Any]:
     from babbitt.case.kinds import any_case
 
     drawn = TypeAdapter(any_case()).json_schema()
+    define_methods(drawn["$defs"])
     return {
         "$schema": GenerateJsonSchema.schema_dialect,
         "title": "Babbitt case",
         "description": "A bearing, a machine of bearings, the statics of a shaft, or the footstep of a screw.",
         **drawn,
     }
+
+
+def define_methods(definitions: dict[str, Any]) -> None:
+    """Put the mappings of methods among the definitions, once each, as all other parts are."""
+    for part in list(definitions.values()):
+        ways = part.get("properties", {}).get(METHOD, {}).get("anyOf", [])
+        for place, way in enumerate(ways):
+            if way.get("type") == "object":
+                definitions[way["title"]] = way
+                ways[place] = {"$ref": f"#/$defs/{way['title']}"}
 
 
 def shipped_schema() -> str:

@@ -7,12 +7,14 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from babbitt.case.aliases import in_todays_words, scaled, todays_field
+from babbitt.case.aliases import in_method_mappings, in_todays_words, part_at, scaled, todays_field
 from babbitt.case.case_file import CaseFile, Origin
 from babbitt.case.case_hash import case_hash
 from babbitt.case.kinds import KINDS
 from babbitt.case.loading import build_case, load_case, read_file
+from babbitt.case.method_mapping import METHOD, every_choice
 from babbitt.case.named_files import NamedFiles
+from babbitt.case.nested import without_value
 from babbitt.case.parts.cooling import Cooling
 from babbitt.case.parts.load_and_speed import LOADS, SPEEDS
 from babbitt.case.parts.materials import Materials
@@ -72,9 +74,9 @@ class CaseVariation:
         inputs: tuple[Path, ...] = (),
     ) -> None:
         self.file, self.path, self.reach, self.inputs = file, path, reach, inputs
-        model, steps = KINDS[given["kind"]], (*start, *path.split("."))
-        self.given: dict[str, Any] = in_todays_words(model, given)
-        self._steps, self._scale = todays_field(model, steps)
+        self._model, steps = KINDS[given["kind"]], (*start, *path.split("."))
+        self.given: dict[str, Any] = in_todays_words(self._model, given)
+        self._steps, self._scale = todays_field(self._model, steps)
 
     @property
     def present(self) -> Any:
@@ -101,6 +103,8 @@ class CaseVariation:
     def given_with(self, value: Any) -> dict[str, Any]:
         """What stands in the file, with a value in the field in place of what says the same otherwise.
 
+        A mapping as `method` takes the place of the choices that there were.
+
         Raises
         ------
         InputError
@@ -113,11 +117,23 @@ class CaseVariation:
             if name in others and isinstance(place, dict):
                 for other in others:
                     place.pop(other, None)
+        if name == METHOD and isinstance(place, dict) and isinstance(value, Mapping):
+            self._forget_choices(place)
         try:
             place[_key(place, name)] = scaled(value, self._scale)
         except LookupError:
             raise InputError("E005", f"{self.file}: there is no '{self.path}'{_known(place)}") from None
-        return varied
+        made: dict[str, Any] = in_method_mappings(self._model, varied)
+        return made
+
+    def _forget_choices(self, place: dict[str, Any]) -> None:
+        """Take the choices of all methods out of a bearing."""
+        left = place
+        for path in every_choice(part_at(self._model, self._steps[:-1])).values():
+            left = without_value(left, path)
+        for name in place.keys() - left.keys():
+            del place[name]
+        place.update(left)
 
     def _refuse_if_overridden(self) -> None:
         """Refuse a field in whose place all bearings or operating points have their own: nothing would change."""

@@ -11,6 +11,7 @@ import typer
 
 from babbitt.cli.app import NO_SOLUTION, NOT_PASSED, AllowOutside, Files, app, reach
 from babbitt.cli.interruption import INTERRUPTED, raised_interrupts
+from babbitt.cli.upgrading import tell_former_places
 from babbitt.core.files.printing import printable
 
 __all__ = ["check", "compare", "export", "solve", "sweep"]
@@ -46,6 +47,8 @@ def solve(
 
         for path, case in zip(files, cases, strict=True):
             require_films(str(path), case)
+    for path, case in zip(files, cases, strict=True):
+        tell_former_places(path, case)
     machines, targets = [], []
     problems: list[Problem] = []
     for path, case, target in zip(files, cases, plan.targets, strict=True):
@@ -71,6 +74,7 @@ def solve(
 def check(files: Files, allow_outside: AllowOutside = False) -> None:
     """Validate case files: every problem at once, and all that `solve` would refuse."""
     from babbitt.case import CaseError, Problem, load_case, located
+    from babbitt.case.upgrade import former_places
     from babbitt.solving import refusal_of
 
     problems: list[Problem] = []
@@ -93,6 +97,8 @@ def check(files: Files, allow_outside: AllowOutside = False) -> None:
             f"{warning.code} {warning.message}" for problem in problems_to_solve for warning in problem.warnings
         ):
             print(f"  {said}")
+        for place in former_places(case):
+            print(f"  {place} (`babbitt upgrade` moves it)")
     if problems:
         raise CaseError(problems)
 
@@ -116,6 +122,7 @@ def compare(
     from babbitt.study.comparison import compare_methods
 
     case = load_case(file, reach(allow_outside))
+    tell_former_places(file, case)
     require_distinct([path for path in (report, plots) if path is not None], inputs_of([file], case.files))
     if report is not None or plots is not None:
         from babbitt.report.drawing import require_extra
@@ -226,14 +233,15 @@ def export(
 ) -> None:
     """Write stiffness and damping over speed for a rotor program; the heat balance is closed at each speed."""
     from babbitt.case import load_case
+    from babbitt.export import OVER_FREQUENCY, mirrored
     from babbitt.export import export as write_table
-    from babbitt.export import mirrored
     from babbitt.export.frame import declaration
     from babbitt.report.outputs import inputs_of
     from babbitt.study.speed_range import speeds_of
     from babbitt.study.table_target import chosen_problem, require_target
 
     case = load_case(file, reach(allow_outside))
+    tell_former_places(file, case)
     problem, method = chosen_problem(case, file, bearing)
     taken = speeds_of(speeds)
     name, clockwise = problem.name, method.is_clockwise(problem)
@@ -254,6 +262,12 @@ def export(
         f"temperatures: {table.temperatures}",
         file=sys.stderr,
     )
+    if table.over_frequency is not None and format_name not in OVER_FREQUENCY:
+        print(
+            f"{format_name} has no axis of frequency: the coefficients written are synchronous; ross3, csv and "
+            "json hold them over frequency, too",
+            file=sys.stderr,
+        )
     if "following" in table.temperatures:
         print(
             "the stiffness holds for slow changes; for whirl and vibration export with "

@@ -16,7 +16,7 @@ from importlib.resources import files
 from types import MappingProxyType
 from typing import Any
 
-from babbitt.core.notices import EXPLANATIONS
+from babbitt.core.notices.words import add_words
 from babbitt.core.quantities import QUANTITIES
 
 __all__ = ["Kind", "find_kind", "imported", "kinds", "register"]
@@ -63,8 +63,9 @@ class Kind:
         Quantities that occur in its calculation sheets only, as ``module:NAME``.
     quantities : str
         Quantities of its results that no other kind has, as ``module:NAME``; they join the vocabulary.
-    notices : str
-        Codes of its own with their explanations, a mapping, as ``module:NAME``.
+    words : str
+        Package in whose folder ``words.en.toml`` has the texts of its codes (`babbitt.core.notices.words`). Kinds
+        that ship name none: theirs are found in their folders.
     """
 
     name: str
@@ -78,7 +79,7 @@ class Kind:
     meanings: str = ""
     vocabulary: str = ""
     quantities: str = ""
-    notices: str = ""
+    words: str = ""
 
     def load_model(self) -> Any:
         """Import the case model."""
@@ -112,12 +113,11 @@ def register(kind: Kind) -> None:
 
 def _add(kind: Kind) -> None:
     own_quantities = {one.name: one for one in imported(kind.quantities)} if kind.quantities else {}
-    own_notices = imported(kind.notices) if kind.notices else {}
     _require_unused(kind, _REGISTERED, {kind.name: kind})
     _require_unused(kind, QUANTITIES, own_quantities)
-    _require_unused(kind, EXPLANATIONS, own_notices)
+    if kind.words:
+        add_words(kind.words)
     QUANTITIES.update(own_quantities)
-    EXPLANATIONS.update(own_notices)
     _REGISTERED[kind.name] = kind
 
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from enum import Enum
 from typing import Any
 
-from babbitt.core.notices import EXPLANATIONS, Effect, Notice, Subject
+from babbitt.core.notices import Effect, Notice, Subject, explanations
 from babbitt.core.quantities import QUANTITIES
 
 Matrix = tuple[tuple[float, ...], ...]
@@ -227,8 +227,8 @@ class Result:
 
         A kind lists its checks that could not be made under `not_checked`; one check of a subject is enough.
         """
-        missing = {EXPLANATIONS[notice.code].subject for notice in self.not_checked}
-        made = {EXPLANATIONS[check.code].subject for check in self.limits}
+        missing = {explanations()[notice.code].subject for notice in self.not_checked}
+        made = {explanations()[check.code].subject for check in self.limits}
         return tuple(one for one in Subject if one in missing - made)
 
     @property

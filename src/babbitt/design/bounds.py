@@ -10,7 +10,7 @@ from babbitt.design.conditions import CheckedProblem
 
 __all__ = ["FILM_CHECKS", "NO_BOUNDS", "Bounds", "bounds_of", "certain", "unjudged"]
 
-Bounds = Mapping[str, str]
+Bounds = Mapping[str, Notice]
 """Codes of checks whose value flatters the bearing, each with the reason why keeping the limit says nothing."""
 
 NO_BOUNDS: Bounds = {}
@@ -26,12 +26,9 @@ def bounds_of(case: CheckedProblem) -> Bounds:
     film that is prescribed cooler than its fresh oil is thicker than any that the oil can make."""
     if case.effective_temperature is None:
         return {}
-    reason = "the effective temperature is prescribed: no heat balance tells how hot oil and bearing become"
-    found = dict.fromkeys(TEMPERATURE_CHECKS, reason)
+    found = {code: Notice(code, "prescribed_temperature") for code in TEMPERATURE_CHECKS}
     if case.oil_supply is not None and case.effective_temperature < case.oil_supply.temperature:
-        found |= dict.fromkeys(
-            FILM_CHECKS, "the film is prescribed cooler than its fresh oil: the real one is thinner"
-        )
+        found |= {code: Notice(code, "prescribed_cooler") for code in FILM_CHECKS}
     return found
 
 
@@ -42,7 +39,7 @@ def certain(checks: Iterable[Check], bounds: Bounds) -> tuple[Check, ...]:
 
 def unjudged(checks: Iterable[Check], bounds: Bounds) -> tuple[Notice, ...]:
     """Tell the reasons of those left out by `certain`."""
-    return tuple(Notice(check.code, bounds[check.code]) for check in checks if _says_nothing(check, bounds))
+    return tuple(bounds[check.code] for check in checks if _says_nothing(check, bounds))
 
 
 def _says_nothing(check: Check, bounds: Bounds) -> bool:

@@ -63,33 +63,29 @@ def _every_check(case: CheckedProblem, values: Mapping[str, float]) -> Iterator[
 def _not_made(case: CheckedProblem, values: Mapping[str, float]) -> Iterator[Notice]:
     bearing, metal = case.bearing, case.bearing.metal
     if case.limits.minimum_film_thickness is None and "empirical_film_limit" not in values:
-        yield Notice("C101", f"no experience value for a diameter of {bearing.diameter * 1e3:.4g} mm")
+        yield Notice("C101", "no_experience", {"diameter": bearing.diameter})
     if bearing.surfaces is None:
-        yield Notice("C102", "roughness, tilt and waviness are not given (surfaces)")
+        yield Notice("C102", "no_surfaces")
     if case.limits.specific_load is None and (
         metal is None or specific_load_limit(metal.family, case.limits.tables) is None
     ):
-        yield Notice("C103", _without_metal(case))
+        if metal is None:
+            yield Notice("C103", "no_metal")
+        else:
+            yield Notice("C103", "no_experience", {"family": metal.family.value})
     if metal is None:
         for code in METAL_CHECKS:
-            yield Notice(code, "no bearing metal is given (materials: bearing_metal)")
+            yield Notice(code, "no_metal")
     else:
         limits = metal.limits(bearing.load_character)
         sources = (limits.specific_load, limits.sliding_speed, limits.pv)
         for code, limit in zip(METAL_CHECKS, sources, strict=True):
             if limit is None:
-                yield Notice(code, f"no public limit of {metal.name} is on board")
+                yield Notice(code, "no_public_limit", {"metal": metal.name})
     if limiting_temperature(case, values) is None:
-        own = case.limits.temperature is not None
-        why = "the limit of the case (C104) holds" if own else "only the temperature of the oil is known"
-        yield Notice("C108", f"no limit of a bearing metal is known; {why}")
+        yield Notice("C108", "oil_alone" if case.limits.temperature is None else "own_limit")
     if "transition_film_thickness" not in values:
-        yield Notice("C111", "surfaces are not given")
-
-
-def _without_metal(case: CheckedProblem) -> str:
-    metal = case.bearing.metal
-    return "no bearing metal is given" if metal is None else f"no experience value for {metal.family.value} alloys"
+        yield Notice("C111", "no_surfaces")
 
 
 def temperature_limit(case: CheckedProblem) -> ExperienceLimit:
@@ -111,8 +107,14 @@ def limited_temperature(values: Mapping[str, float]) -> str:
     return max(known, key=lambda name: values[name])
 
 
-HOTTEST_PLACES = ("maximum_bush_temperature", "maximum_wall_temperature", "maximum_temperature")
-"""Hottest metal, and where it is not known the hottest film, by the methods that know more than the outlet."""
+HOTTEST_PLACES = (
+    "maximum_bush_temperature",
+    "maximum_wall_temperature",
+    "maximum_temperature",
+    "trailing_temperature",
+)
+"""Hottest metal, where it is not known the hottest film, and where that is not the oil at the trailing edges of
+pads, by the methods that know more than the outlet."""
 
 
 def hottest_place(values: Mapping[str, float]) -> str:

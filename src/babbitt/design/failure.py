@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from babbitt.core.notices import EXPLANATIONS
+from babbitt.core.notices import explanations
 from babbitt.core.result import Outcome
 from babbitt.core.units import ZERO_CELSIUS
 from babbitt.design.conditions import CheckedProblem, PrescribedLoad
@@ -48,7 +48,7 @@ def failure(case: CheckedProblem, found: Equilibrium[FilmT]) -> str:
             far = f"no equilibrium of the journal was found at {reached}"
         case _:
             far = f"the last effective temperature was {reached}"
-    remedy = EXPLANATIONS[found.outcome.code].remedy
+    remedy = explanations()[found.outcome.code].remedy
     supply = case.oil_supply
     if supply is not None and supply.flow is None and supply.pressure <= 0.0:
         far += "; no pressure presses oil into the film"

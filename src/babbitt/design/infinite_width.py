@@ -17,12 +17,11 @@ Design, Cambridge 1998; B. J. Hamrock, Fundamentals of Fluid Film Lubrication, N
 
 def flattered_films(values: Mapping[str, float]) -> Bounds:
     """Film thicknesses that follow from a load that no bearing of finite width carries in so thick a film."""
-    ratio, film = values["width_ratio"], values["minimum_film_thickness"] * 1e6
-    reason = (
-        f"an infinitely wide film carries more than one of B/D = {ratio:.3g}: at the same temperatures the film "
-        f"of the bearing is thinner than {film:.3g} µm"
-    )
-    return dict.fromkeys(FILM_CHECKS, reason)
+    ratio, film = values["width_ratio"], values["minimum_film_thickness"]
+    return {
+        code: Notice(code, "infinite_width", {"width_ratio": ratio, "minimum_film_thickness": film})
+        for code in FILM_CHECKS
+    }
 
 
 def warnings_about_width(case: CheckedProblem, values: Mapping[str, float]) -> Iterator[Notice]:
@@ -30,6 +29,5 @@ def warnings_about_width(case: CheckedProblem, values: Mapping[str, float]) -> I
     ratio = values["width_ratio"]
     if ratio >= WIDE_FROM:
         return
-    shown = "film shown is thicker" if isinstance(case.duty, PrescribedLoad) else "load shown is larger"
-    said = f"the {shown} than that of the bearing at the same temperatures"
-    yield Notice("W158", f"B/D = {ratio:.3g} < {WIDE_FROM:g}: {said}")
+    shown = "film" if isinstance(case.duty, PrescribedLoad) else "load"
+    yield Notice("W158", shown, {"width_ratio": ratio, "limit": WIDE_FROM})

@@ -7,7 +7,6 @@ from collections.abc import Iterator, Mapping
 
 from babbitt.core.notices import Notice
 from babbitt.core.result import Check
-from babbitt.core.units import ZERO_CELSIUS
 from babbitt.design.conditions import CheckedProblem, OilSupply, surface_speed
 from babbitt.design.screening import ROTORDYNAMIC_CHECK_ABOVE
 from babbitt.properties.lubricants import Lubricant
@@ -22,11 +21,10 @@ Assumption: a white metal of Brinell hardness 30, the hardest on board, yields a
 (D. Tabor, The Hardness of Metals, 1951: a hardness is some three times the yield strength)."""
 
 
-def warnings_about_pressure(pressure: float, where: str = "in the film") -> Iterator[Notice]:
-    """Whether a film pressure in Pa is one that plain bearings know."""
+def warnings_about_pressure(pressure: float, where: str = "film") -> Iterator[Notice]:
+    """Whether a film pressure in Pa is one that plain bearings know; `where` is the variant of the message."""
     if pressure > PLAIN_BEARING_UP_TO:
-        limit = f"{PLAIN_BEARING_UP_TO * 1e-6:.0f} MPa, about what soft bearing metals withstand (assumption)"
-        yield Notice("W142", f"{pressure * 1e-6:.3g} MPa {where} > {limit}")
+        yield Notice("W142", where, {"maximum_pressure": pressure, "limit": PLAIN_BEARING_UP_TO})
 
 
 LARGEST_RISE = 100.0
@@ -45,9 +43,6 @@ USUAL_CLEARANCES = (0.3e-3, 5e-3)
 PLAIN_CLEARANCES = (0.1e-3, 10e-3)
 """Clearance over diameter outside which nothing is known of plain bearings (an assumption)."""
 
-UNKNOWN_ROUGHNESS = "; whether the surfaces touch is not known without their roughness (surfaces)"
-"""What is told of films too thin for rigid surfaces of a case that does not describe them."""
-
 HOTTEST_OIL = ("maximum_temperature", "outlet_temperature", "effective_temperature", "bearing_temperature")
 """Temperatures of a result in which the oil is not hotter than the hottest of them."""
 
@@ -64,31 +59,24 @@ def warnings_about_heating(hottest: float, supplied: float | None, lubricant: Lu
     lubricant : Lubricant
     """
     if supplied is not None and hottest - supplied > LARGEST_RISE:
-        yield Notice(
-            "W127",
-            f"{hottest - ZERO_CELSIUS:.1f} °C, {hottest - supplied:.0f} K warmer than the oil that enters, "
-            f"> {LARGEST_RISE:.0f} K",
-        )
+        yield Notice("W127", "oil", {"hottest": hottest, "rise": hottest - supplied, "limit": LARGEST_RISE})
     end = lubricant.temperature_range[1]
     if hottest > end + BESIDE_THE_END:
-        yield Notice(
-            "W128",
-            f"{hottest - ZERO_CELSIUS:.1f} °C > {end - ZERO_CELSIUS:.0f} °C, end of the data of {lubricant.name}",
-        )
+        yield Notice("W128", values={"hottest": hottest, "end": end, "lubricant": lubricant.name})
 
 
 def warnings_about_heat_balance(error: float) -> Iterator[Notice]:
     """Whether the heat balance closes, by its error over the friction power."""
     if not abs(error) < OPEN_HEAT:
-        yield Notice("W325", f"{abs(error):.2g} of the heat of the film is not accounted for")
+        yield Notice("W325", values={"energy_balance_error": abs(error)})
     elif abs(error) > SETTLED:
-        yield Notice("W146", f"{abs(error):.2g} of the friction power is not accounted for")
+        yield Notice("W146", values={"energy_balance_error": abs(error)})
 
 
 def _warnings_about_thin_film(case: CheckedProblem, film: float) -> Iterator[Notice]:
     surfaces = case.bearing.surfaces
     if surfaces is not None and film < (rough := surfaces.roughness_bearing + surfaces.roughness_journal):
-        yield Notice("W129", f"h_min = {film * 1e6:.3g} µm < Rz_B + Rz_J = {rough * 1e6:.3g} µm")
+        yield Notice("W129", "surfaces", {"minimum_film_thickness": film, "roughness": rough})
 
 
 def _warnings_about_clearance(clearances: tuple[float, ...]) -> Iterator[Notice]:
@@ -96,24 +84,23 @@ def _warnings_about_clearance(clearances: tuple[float, ...]) -> Iterator[Notice]
     outside = [one for one in clearances if not least <= one <= most]
     thin, wide = PLAIN_CLEARANCES
     if beyond := [one for one in outside if not thin <= one <= wide]:
-        yield Notice("W193", f"ψ = {beyond[0] * 1e3:.3g} ‰ lies outside {thin * 1e3:g} to {wide * 1e3:g} ‰")
+        yield Notice("W193", values={"relative_clearance": beyond[0], "least": thin, "most": wide})
     elif outside:
-        yield Notice("W130", f"ψ = {outside[0] * 1e3:.3g} ‰ lies outside {least * 1e3:g} to {most * 1e3:g} ‰")
+        yield Notice("W130", values={"relative_clearance": outside[0], "least": least, "most": most})
 
 
 def warnings_about_film(case: CheckedProblem, values: Mapping[str, float]) -> Iterator[Notice]:
     """Laminar film, range of the lubricant data, rigid surfaces."""
     reynolds, critical = values["film_reynolds_number"], values["critical_reynolds_number"]
     if reynolds > critical:
-        yield Notice("W101", f"film Reynolds number {reynolds:.0f} > {critical:.0f} = 41.3 sqrt(D/C) (ISO 7902-1)")
+        yield Notice("W101", "mean", {"film_reynolds_number": reynolds, "critical_reynolds_number": critical})
     coldest, hottest = case.lubricant.temperature_range
     temperature = values["effective_temperature"]
     if temperature < coldest:
-        yield Notice(
-            "W107",
-            f"T_eff = {temperature - ZERO_CELSIUS:.1f} °C lies outside {coldest - ZERO_CELSIUS:.0f} to "
-            f"{hottest - ZERO_CELSIUS:.0f} °C, for which {case.lubricant.name} is described",
-        )
+        yield Notice("W107", "mean", {
+            "effective_temperature": temperature, "coldest": coldest, "hottest": hottest,
+            "lubricant": case.lubricant.name,
+        })  # fmt: skip
     supplied = None if case.oil_supply is None else case.oil_supply.temperature
     reached = max(values[name] for name in HOTTEST_OIL if name in values)
     yield from warnings_about_heating(reached, supplied, case.lubricant)
@@ -121,12 +108,10 @@ def warnings_about_film(case: CheckedProblem, values: Mapping[str, float]) -> It
     yield from _warnings_about_clearance((values["relative_clearance"], values["operating_relative_clearance"]))
     yield from _warnings_about_thin_film(case, values["minimum_film_thickness"])
     clearance = 0.5 * values["operating_relative_clearance"] * case.bearing.diameter
-    depth, eccentricity = 1.0 - values["minimum_film_thickness"] / clearance, values["eccentricity_ratio"]
+    depth = 1.0 - values["minimum_film_thickness"] / clearance
     if depth > RIGID_FILM_UP_TO:
-        round_bore = abs(depth - eccentricity) < 1e-3
-        said = f"ε = {depth:.3f}" if round_bore else f"1 - h_min/c = {depth:.3f}"
-        unknown = "" if case.bearing.surfaces is not None else UNKNOWN_ROUGHNESS
-        yield Notice("W116", f"{said} > {RIGID_FILM_UP_TO:g}, end of the rigid film{unknown}")
+        known = "roughness_known" if case.bearing.surfaces is not None else "roughness_unknown"
+        yield Notice("W116", known, {"depth": depth, "limit": RIGID_FILM_UP_TO})
 
 
 def _warnings_about_cold_oil(case: CheckedProblem, values: Mapping[str, float]) -> Iterator[Notice]:
@@ -136,26 +121,15 @@ def _warnings_about_cold_oil(case: CheckedProblem, values: Mapping[str, float]) 
     entering, given = case.oil_supply.temperature, case.effective_temperature
     leaving = values.get("outlet_temperature", entering)
     if leaving < entering - 1e-6:
-        yield Notice(
-            "W118",
-            f"the oil leaves at {leaving - ZERO_CELSIUS:.1f} °C, {entering - leaving:.1f} K colder than it enters",
-        )
+        yield Notice("W118", values={"outlet_temperature": leaving, "colder": entering - leaving})
     if given is not None and given < entering - 1e-6:
-        yield Notice(
-            "W149",
-            f"effective_temperature of {given - ZERO_CELSIUS:.1f} °C < supply temperature of "
-            f"{entering - ZERO_CELSIUS:.1f} °C",
-        )
+        yield Notice("W149", values={"effective_temperature": given, "supply_temperature": entering})
 
 
 def warnings_about_supply(limit: float | None, wanted: float) -> Iterator[Notice]:
     """Whether tubes and holes pass what the film wants; m³/s, no limit where they do."""
     if limit is not None:
-        yield Notice(
-            "W111",
-            f"at the whole supply pressure tubes and holes pass {limit * 6e4:.3g} L/min, and the film wants "
-            f"{wanted * 6e4:.3g} L/min: no pressure is left at the supply element",
-        )
+        yield Notice("W111", values={"supply_limit": limit, "wanted": wanted})
 
 
 SHARE_OF_A_HOLE = 0.1
@@ -172,11 +146,9 @@ def warnings_about_hole(supply: OilSupply, diameter: float, flow: float, density
     velocity = flow / (math.pi / 4.0 * diameter**2)
     loss = 1.5 * density * velocity**2 / 2.0
     if loss > SHARE_OF_A_HOLE * supply.pressure:
-        yield Notice(
-            "W187",
-            f"{velocity:.1f} m/s in a hole of {diameter * 1e3:.3g} mm cost about {loss * 1e-3:.3g} kPa of the "
-            f"{supply.pressure * 1e-3:.3g} kPa supplied, which are not counted",
-        )
+        yield Notice("W187", values={
+            "velocity": velocity, "diameter": diameter, "loss": loss, "pressure": supply.pressure,
+        })  # fmt: skip
 
 
 def warnings_about_running(
@@ -185,13 +157,13 @@ def warnings_about_running(
     """Speed, heat that is not accounted for or has no pressure feed, and limits that no experience tells."""
     speed = surface_speed(case)
     if speed > ROTORDYNAMIC_CHECK_ABOVE:
-        yield Notice("W109", f"surface speed {speed:.1f} m/s > {ROTORDYNAMIC_CHECK_ABOVE:g} m/s")
+        yield Notice("W109", values={"surface_speed": speed, "limit": ROTORDYNAMIC_CHECK_ABOVE})
     yield from warnings_about_heat_balance(values.get("energy_balance_error", 0.0))
     too_hot = any(check.code == "C104" and not check.ok for check in checks)
     balanced = case.cooling is not None and case.effective_temperature is None
     if case.oil_supply is None and balanced and too_hot:
-        yield Notice("W110", f"T_B = {values['bearing_temperature'] - ZERO_CELSIUS:.0f} °C without pressure feed")
+        yield Notice("W110", values={"bearing_temperature": values["bearing_temperature"]})
     if "transition_film_thickness" in values and "transition_speed" not in values:
-        yield Notice("W112", "no speed is known at which the film thins to the film limit of the surfaces")
+        yield Notice("W112", "no_speed")
     if case.limits.minimum_film_thickness is None and "empirical_film_limit" not in values:
-        yield Notice("W115", f"no experience value of h_lim for D = {case.bearing.diameter * 1e3:.4g} mm")
+        yield Notice("W115", values={"diameter": case.bearing.diameter})

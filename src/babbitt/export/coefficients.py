@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from babbitt.core.notices import InputError
 from babbitt.core.quantities import QUANTITIES
 from babbitt.export.frame import Frame
+from babbitt.export.whirl import OverFrequency, SystemMatrices
 
 Array = NDArray[np.float64]
 
@@ -25,7 +26,8 @@ class CoefficientTable:
 
     The film force on the journal answers a small motion with ``dF = -(K dx + C dx' + M dx'')``; K, C and M are
     ordered [[xx, xy], [yx, yy]], first index the force, second the motion. The coefficients belong to the rotor
-    speed of their row and to no whirl frequency: they are those of a film without internal degrees of freedom.
+    speed of their row. Those of a film without motions of its own hold at any frequency; of a bearing whose pads
+    follow (`over_frequency` is given) they are synchronous, at the frequency of the rotation.
 
     Attributes
     ----------
@@ -49,6 +51,10 @@ class CoefficientTable:
     temperatures : str
         Whether the temperatures of the film are ``frozen`` while the journal moves or follow it, as in ``stiffness
         following, damping frozen``; one line, empty where it is not known.
+    over_frequency : OverFrequency or None
+        Coefficients at every speed and at frequencies apart from it, of a bearing with motions of its own.
+    systems : tuple of SystemMatrices
+        M, C and K of journal and pads at every speed; empty where the bearing has no motions of its own.
 
     Raises
     ------
@@ -69,6 +75,8 @@ class CoefficientTable:
     static: Mapping[str, Array] = field(default_factory=dict)
     method: str = ""
     temperatures: str = ""
+    over_frequency: OverFrequency | None = None
+    systems: tuple[SystemMatrices, ...] = ()
 
     def __post_init__(self) -> None:
         for attribute in ("name", "method", "temperatures"):
@@ -90,6 +98,14 @@ class CoefficientTable:
             given = getattr(self, attribute)
             if given is not None:
                 object.__setattr__(self, attribute, self._frozen(attribute, given, (speeds.size, 2, 2)))
+        over = self.over_frequency
+        if over is not None and over.stiffness.shape[0] != speeds.size:
+            have = f"over_frequency has {over.stiffness.shape[0]} speeds"
+            raise InputError("E004", f"{self.name}: {have}, the table {speeds.size}")
+        if self.systems and len(self.systems) != speeds.size:
+            raise InputError(
+                "E004", f"{self.name}: {len(self.systems)} systems are given for {speeds.size} speeds"
+            )
         static = {}
         for name, values in self.static.items():
             if name not in QUANTITIES:

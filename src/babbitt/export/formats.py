@@ -58,6 +58,10 @@ FORMATS: dict[str, ExportFormat] = {
 }
 
 
+OVER_FREQUENCY = frozenset({"ross3", "csv", "json"})
+"""Formats that hold coefficients over frequency; the others hold the synchronous ones alone."""
+
+
 def export(table: CoefficientTable, path: str | Path, format_name: str) -> None:
     """Write a table in one of `FORMATS`.
 

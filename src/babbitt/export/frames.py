@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -38,7 +37,7 @@ def rotated(table: CoefficientTable, angle: float) -> CoefficientTable:
         x_axis_angle=table.frame.x_axis_angle + angle,
         load_angle=None if load is None else load - angle,
     )
-    return replace(_transformed(table, lambda matrices: axes.T @ matrices @ axes), frame=frame)
+    return replace(_transformed(table, axes), frame=frame)
 
 
 def mirrored(table: CoefficientTable) -> CoefficientTable:
@@ -65,7 +64,7 @@ def mirrored(table: CoefficientTable) -> CoefficientTable:
         load_angle=None if load is None else np.pi - load,
         x_axis_angle=-axis,
     )
-    return replace(_transformed(table, lambda matrices: _MIRROR @ matrices @ _MIRROR), frame=frame)
+    return replace(_transformed(table, _MIRROR), frame=frame)
 
 
 def in_load_frame(table: CoefficientTable) -> CoefficientTable:
@@ -129,11 +128,18 @@ def for_rotor_programs(table: CoefficientTable) -> CoefficientTable:
     return table if table.frame.x_axis_angle == 0.0 else rotated(table, -table.frame.x_axis_angle)
 
 
-def _transformed(table: CoefficientTable, change: Callable[[Array], Array]) -> CoefficientTable:
-    """The table with a linear change of all its matrices; the frame is left to the caller."""
+def _transformed(table: CoefficientTable, axes: Array) -> CoefficientTable:
+    """The table in new axes, which turn or mirror the plane of the journal; the frame is left to the caller."""
+
+    def change(matrices: Array) -> Array:
+        return np.asarray(axes.T @ matrices @ axes)
+
+    over = table.over_frequency
     return replace(
         table,
         stiffness=change(table.stiffness),
         damping=change(table.damping),
         mass=None if table.mass is None else change(table.mass),
+        over_frequency=None if over is None else over.changed(change),
+        systems=tuple(system.turned(axes, axes is _MIRROR) for system in table.systems),
     )

@@ -16,12 +16,14 @@ from babbitt.core.notices import InputError
 from babbitt.export.coefficients import CoefficientTable
 from babbitt.export.frame import Frame, Rotation
 from babbitt.export.unit_names import static_column, static_quantity
+from babbitt.export.whirl import OverFrequency, SystemMatrices
 
 FORMAT = 1
 """Version of the layout, under the key ``babbitt_coefficients``."""
 
 _MATRICES = {"stiffness": "stiffness_N_per_m", "damping": "damping_N_s_per_m", "mass": "mass_kg"}
 _SPEED = "speed_rad_per_s"
+_FREQUENCY = "frequency_rad_per_s"
 
 
 def frame_record(frame: Frame) -> dict[str, Any]:
@@ -66,6 +68,47 @@ def temperatures_record(table: CoefficientTable) -> dict[str, str]:
     return {"temperatures": table.temperatures} if table.temperatures else {}
 
 
+def whirl_record(table: CoefficientTable) -> dict[str, Any]:
+    """Coefficients over frequency and the matrices of journal and pads, where a table has them."""
+    record: dict[str, Any] = {}
+    over = table.over_frequency
+    if over is not None:
+        record[_FREQUENCY] = over.frequencies.tolist()
+        record |= {
+            f"frequency_{_MATRICES[name]}": getattr(over, name).tolist() for name in ("stiffness", "damping")
+        }
+    if table.systems:
+        record["systems"] = [
+            {"labels": list(one.labels), **{key: getattr(one, name).tolist() for name, key in _MATRICES.items()}}
+            for one in table.systems
+        ]
+    return record
+
+
+def over_frequency_from(where: str, record: Mapping[str, Any]) -> OverFrequency | None:
+    """The coefficients over frequency that `whirl_record` wrote; None where there are none."""
+    if _FREQUENCY not in record:
+        return None
+    keys = (_FREQUENCY, f"frequency_{_MATRICES['stiffness']}", f"frequency_{_MATRICES['damping']}")
+    if missing := [key for key in keys if key not in record]:
+        raise InputError("E003", f"{where} lacks {', '.join(missing)}")
+    return OverFrequency(*(_numbers(where, key, record[key]) for key in keys))
+
+
+def systems_from(where: str, record: Mapping[str, Any]) -> tuple[SystemMatrices, ...]:
+    """The matrices of journal and pads that `whirl_record` wrote."""
+    systems = record.get("systems") or []
+    if not isinstance(systems, list):
+        raise InputError("E003", f"{where}: systems must be a list")
+    read = []
+    for one in systems:
+        if not isinstance(one, dict) or not {"labels", *_MATRICES.values()} <= set(one):
+            raise InputError("E003", f"{where}: every system needs labels, {', '.join(_MATRICES.values())}")
+        labels = tuple(str(label) for label in one["labels"])
+        read.append(SystemMatrices(labels, *(_numbers(where, key, one[key]) for key in _MATRICES.values())))
+    return tuple(read)
+
+
 def static_from(record: Mapping[str, Any]) -> dict[str, Any]:
     """The static data that `static_record` wrote; other keys are passed over."""
     return {quantity: values for column, values in record.items() if (quantity := static_quantity(column))}
@@ -87,6 +130,7 @@ def json_text(tables: CoefficientTable | Iterable[CoefficientTable]) -> str:
             values = getattr(table, matrix)
             if values is not None:
                 record[key] = values.tolist()
+        record |= whirl_record(table)
         record["static"] = static_record(table)
         records.append(record)
     content = {"babbitt_coefficients": FORMAT, "tables": records}
@@ -147,6 +191,8 @@ def _table(where: str, record: Any) -> CoefficientTable:
         static=static_from(static),
         method=str(record.get("method", "")),
         temperatures=str(record.get("temperatures", "")),
+        over_frequency=over_frequency_from(where, record),
+        systems=systems_from(where, record),
     )
 
 

@@ -3,8 +3,9 @@
 A file holds ``BearingElement_<tag>``: node, axis, and one list for each coefficient in N/m, N s/m and kg, axis in
 rad/s, x horizontal, y vertical, speed positive from x towards y. What differs is the name of the axis. Version 2
 calls the axis of rotor speed ``frequency``; version 3 calls it ``speed`` and keeps ``frequency`` for the whirl
-frequency. Version 3 loads a file for version 2 without a issue and takes its speeds for whirl frequencies, so
-the version is never guessed here, neither when writing nor when reading.
+frequency. With both axes, the lists of version 3 are lists of lists, a row for each speed. Version 3 loads a file
+for version 2 without a issue and takes its speeds for whirl frequencies, so the version is never guessed here,
+neither when writing nor when reading.
 
 References
 ----------
@@ -25,6 +26,7 @@ from babbitt.export.frame import Frame, declaration
 from babbitt.export.frames import for_rotor_programs
 from babbitt.export.json_file import frame_from, frame_record, static_from, static_record, temperatures_record
 from babbitt.export.ross_file import read_blocks, write_blocks
+from babbitt.export.whirl import OverFrequency
 
 BLOCK = "BearingElement_"
 RECOMMENDED_SPEEDS = 5
@@ -128,12 +130,15 @@ def read_ross(
             "E003", f"{where}: was written for ROSS {origin.get('ross_version')}; read it with that version"
         )
     speeds = _axis(where, element, wanted)
+    over = _over_frequency(where, element, speeds) if element.get("frequency") and element.get("speed") else None
 
     def matrix(letter: str) -> Array:
+        if over is not None:
+            return synchronous(over.stiffness if letter == "k" else over.damping, over.frequencies, speeds)
         values = [_list(where, element, letter + name, speeds.size) for name in NAMES]
         return np.array(values).T.reshape(-1, 2, 2)
 
-    mass = matrix("m") if "mxx" in element else None
+    mass = matrix("m") if "mxx" in element and over is None else None
     return CoefficientTable(
         name=str(element.get("tag") or block.removeprefix(BLOCK)),
         speeds=speeds,
@@ -144,6 +149,36 @@ def read_ross(
         static=static_from(origin.get("static", {})),
         method=str(origin.get("method", "")),
         temperatures=str(origin.get("temperatures", "")),
+        over_frequency=over,
+    )
+
+
+def _over_frequency(where: str, element: dict[str, Any], speeds: Array) -> OverFrequency:
+    """Coefficients over both axes of ROSS 3: a row for each speed."""
+    frequencies = np.array(element["frequency"], dtype=np.float64)
+
+    def matrix(letter: str) -> Array:
+        values = np.array([element.get(letter + name) for name in NAMES], dtype=np.float64)
+        if values.shape != (4, speeds.size, frequencies.size):
+            due = f"{speeds.size} rows of {frequencies.size}"
+            raise InputError("E004", f"{where}: {letter}xx, {letter}xy, {letter}yx and {letter}yy must have {due}")
+        return np.moveaxis(values, 0, -1).reshape(speeds.size, frequencies.size, 2, 2)
+
+    try:
+        return OverFrequency(frequencies, matrix("k"), matrix("c"))
+    except (TypeError, ValueError):
+        raise InputError("E003", f"{where}: coefficients over speed and frequency must be numbers") from None
+
+
+def synchronous(values: Array, frequencies: Array, speeds: Array) -> Array:
+    """Coefficients at the frequency of the rotation, by piecewise cubics (PCHIP) as of ROSS 3; ends are kept."""
+    if frequencies.size == 1:
+        return np.asarray(values[:, 0])
+    from scipy.interpolate import PchipInterpolator
+
+    at = np.clip(speeds, frequencies[0], frequencies[-1])
+    return np.array(
+        [PchipInterpolator(frequencies, row, axis=0)(one) for row, one in zip(values, at, strict=True)]
     )
 
 
@@ -160,9 +195,14 @@ def bearing_element(table: CoefficientTable, version: RossVersion, node: int) ->
     """The arguments of the constructor, and under ``babbitt`` what ROSS has no place for and passes over."""
     element: dict[str, Any] = {"n": node, "tag": table.name, "scale_factor": 1, "color": "#355d7a"}
     element[version.axis] = table.speeds.tolist()
-    for letter, values in (("k", table.stiffness), ("c", table.damping), ("m", table.mass)):
+    over = table.over_frequency if version is RossVersion.THREE else None
+    matrices: tuple[Array | None, ...] = (table.stiffness, table.damping, table.mass)
+    if over is not None:
+        element["frequency"] = over.frequencies.tolist()
+        matrices = (over.stiffness, over.damping, None)
+    for letter, values in zip("kcm", matrices, strict=True):
         if values is not None:
-            columns = values.reshape(-1, 4).T
+            columns = np.moveaxis(values.reshape(*values.shape[:-2], 4), -1, 0)
             element.update({letter + name: column.tolist() for name, column in zip(NAMES, columns, strict=True)})
     element["babbitt"] = {
         "ross_version": int(version),
@@ -196,7 +236,7 @@ def _axis(where: str, element: dict[str, Any], version: RossVersion) -> Array:
         raise InputError(
             "E003", f"{where}: has the axis 'speed', which ROSS 2 does not know; read it with version=3"
         )
-    if version is RossVersion.THREE and frequency is not None:
+    if version is RossVersion.THREE and frequency is not None and speed is None:
         raise InputError(
             "E003",
             f"{where}: has the axis 'frequency', in ROSS 3 the whirl frequency, and only tables over rotor speed "

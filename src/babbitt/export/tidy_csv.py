@@ -1,5 +1,8 @@
 """Tidy CSV: one row per bearing and speed, SI, the unit in every column name, the frame in columns of its own.
 
+Coefficients over frequency stand in further rows, one for each speed and frequency; rows without a frequency hold
+those of the speed itself. Matrices of journal and pads stand in one cell each, row after row, with their labels.
+
 One header line, comma, decimal point, UTF-8. Rows of several bearings stand below each other, as spreadsheets,
 pandas, COMSOL and other programs that interpolate in tables like it.
 """
@@ -21,10 +24,18 @@ from babbitt.export.coefficients import NAMES, Array, CoefficientTable
 from babbitt.export.frame import Frame, Rotation
 from babbitt.export.numbers import number
 from babbitt.export.unit_names import static_column, static_quantity
+from babbitt.export.whirl import OverFrequency, SystemMatrices
 
 _TEXT = ("bearing", "method", "temperatures", "rotation")
 _FRAME = ("x_axis_angle_rad", "load_angle_rad")
 _SPEED = "speed_rad_per_s"
+_FREQUENCY = "frequency_rad_per_s"
+_LABELS = "motions"
+_SYSTEM = {
+    "stiffness": "motions_stiffness_N_per_m",
+    "damping": "motions_damping_N_s_per_m",
+    "mass": "motions_mass_kg",
+}
 _MATRICES = {"stiffness": ("k", "N_per_m"), "damping": ("c", "N_s_per_m"), "mass": ("m", "kg")}
 
 
@@ -46,7 +57,13 @@ def csv_text(tables: CoefficientTable | Iterable[CoefficientTable]) -> str:
     """
     rows = [row for table in _listed(tables) for row in _rows(table)]
     present = {column for row in rows for column in row}
-    ordered = [*_TEXT, *_FRAME, _SPEED, *(column for matrix in _MATRICES for column in columns_of(matrix))]
+    ordered = [
+        *_TEXT,
+        *_FRAME,
+        _SPEED,
+        _FREQUENCY,
+        *(column for matrix in _MATRICES for column in columns_of(matrix)),
+    ]
     header = [column for column in ordered if column in present]
     header += sorted(present.difference(header))
     return rows_text([header, *([row.get(column) for column in header] for row in rows)])
@@ -118,11 +135,41 @@ def _rows(table: CoefficientTable) -> Iterable[dict[str, Cell]]:
             if values is not None:
                 row.update(zip(columns_of(matrix), (float(v) for v in values[i].flat), strict=True))
         row.update({static_column(name): float(values[i]) for name, values in table.static.items()})
+        if table.systems:
+            system = table.systems[i]
+            row[_LABELS] = "; ".join(system.labels)
+            row.update({column: _joined(getattr(system, name)) for name, column in _SYSTEM.items()})
         yield row
+        over = table.over_frequency
+        for j, frequency in enumerate(() if over is None else over.frequencies):
+            moving: dict[str, Cell] = {**shared, _SPEED: float(speed), _FREQUENCY: float(frequency)}
+            for name in ("stiffness", "damping"):
+                values = getattr(over, name)[i, j]
+                moving.update(zip(columns_of(name), (float(v) for v in values.flat), strict=True))
+            yield moving
+
+
+def _joined(matrix: Array) -> str:
+    """A matrix in one cell, row after row, in brackets: a minus alone would make a formula of it."""
+    return "[" + " ".join(repr(float(one)) for one in matrix.flat) + "]"
+
+
+def _parted(where: str, cell: str, size: int) -> Array:
+    """The matrix of a cell that `_joined` wrote."""
+    numbers = [number(where, one) for one in cell.strip("[]").split()]
+    if len(numbers) != size * size:
+        raise InputError("E004", f"{where} has {len(numbers)} numbers for {size} labels")
+    return np.array(numbers).reshape(size, size)
 
 
 def _table(where: str, name: str, rows: list[dict[str, str]]) -> CoefficientTable:
     """The table of the rows of one bearing."""
+    moving = [row for row in rows if row.get(_FREQUENCY)]
+    rows = [row for row in rows if not row.get(_FREQUENCY)]
+    if not rows:
+        raise InputError(
+            "E003", f"{where}: {name} has no row without a frequency, for the coefficients of its speeds"
+        )
     for column in (*_TEXT, *_FRAME):
         if len({row.get(column) for row in rows}) > 1:
             raise InputError("E004", f"{where}: the rows of {name} differ in {column}; give each its own name")
@@ -158,4 +205,35 @@ def _table(where: str, name: str, rows: list[dict[str, str]]) -> CoefficientTabl
         static={quantity: np.array(numbers(title)) for title, quantity in known.items() if first[title]},
         method=first.get("method") or "",
         temperatures=first.get("temperatures") or "",
+        over_frequency=_over_frequency(where, name, moving, len(rows)),
+        systems=tuple(_system(f"{where}: {name}", row) for row in rows if row.get(_LABELS)),
     )
+
+
+def _system(where: str, row: dict[str, str]) -> SystemMatrices:
+    """The matrices of journal and pads of a row."""
+    labels = tuple(label.strip() for label in row[_LABELS].split(";"))
+    return SystemMatrices(
+        labels, *(_parted(f"{where}, {column}", row.get(column) or "", len(labels)) for column in _SYSTEM.values())
+    )
+
+
+def _over_frequency(where: str, name: str, rows: list[dict[str, str]], speeds: int) -> OverFrequency | None:
+    """Coefficients of the rows that have a frequency, speed by speed."""
+    if not rows:
+        return None
+    if len(rows) % speeds:
+        raise InputError("E004", f"{where}: {name} has {len(rows)} rows with a frequency for {speeds} speeds")
+
+    def values(title: str) -> Array:
+        return np.array([number(f"{where}: {name}, {title}", row[title]) for row in rows]).reshape(speeds, -1)
+
+    def matrix(which: str) -> Array:
+        return np.moveaxis(np.array([values(title) for title in columns_of(which)]), 0, -1).reshape(
+            speeds, -1, 2, 2
+        )
+
+    frequencies = values(_FREQUENCY)
+    if np.any(frequencies != frequencies[0]):
+        raise InputError("E004", f"{where}: the frequencies of {name} differ from speed to speed")
+    return OverFrequency(frequencies[0], matrix("stiffness"), matrix("damping"))

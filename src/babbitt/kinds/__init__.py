@@ -1,6 +1,6 @@
 """Bearing kinds, one folder each: case language, methods, views. A new kind is one folder and one line here."""
 
-from babbitt.kinds import coupling, footstep, hydrostatic, journal, shaft_line, thrust
+from babbitt.kinds import coupling, footstep, hydrostatic, journal, shaft_line, thrust, tilting_pad_journal
 
 KINDS = (
     *journal.KINDS,
@@ -9,5 +9,6 @@ KINDS = (
     *hydrostatic.KINDS,
     *thrust.KINDS,
     *shaft_line.KINDS,
+    *tilting_pad_journal.KINDS,
 )
 """The kinds that ship, in the order in which they are listed."""

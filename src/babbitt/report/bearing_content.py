@@ -6,7 +6,7 @@ import math
 from dataclasses import replace
 from typing import Any
 
-from babbitt.core.notices import EXPLANATIONS, Effect
+from babbitt.core.notices import Effect, explanations
 from babbitt.core.quantities import QUANTITIES
 from babbitt.report import findings
 from babbitt.report import verdict as judge
@@ -126,7 +126,7 @@ def _sections(chapter: Chapter) -> tuple[Section, ...]:
 
 def _outcome(member: Member) -> Data:
     outcome = member.result.outcome
-    explanation = EXPLANATIONS.get(outcome.code)
+    explanation = explanations().get(outcome.code)
     message = plain_text(member.result.message).removesuffix(".")
     return {
         "clearance": f"{format_members([member.clearance]).capitalize()}: " if member.clearance else "",
@@ -197,12 +197,12 @@ def _warnings(chapter: Chapter, effect: Effect) -> list[Data]:
     return [
         {
             "code": code,
-            "title": EXPLANATIONS[code].title,
+            "title": explanations()[code].title,
             "message": "; ".join(
                 f"{message} ({format_members(whose)})" if 0 < len(whose) < len(chapter.members) else message
                 for message, whose in messages.items()
             ),
-            "remedy": EXPLANATIONS[code].remedy,
+            "remedy": explanations()[code].remedy,
         }
         for code, messages in found.items()
     ]

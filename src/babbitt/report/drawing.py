@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from babbitt.core.files.marks import CREATOR
 from babbitt.core.notices import InputError
-from babbitt.core.notices.unusable import how_to_install
+from babbitt.core.optional_package import how_to_install
 from babbitt.core.quantities import QUANTITIES, Quantity
 
 if TYPE_CHECKING:

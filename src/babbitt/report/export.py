@@ -68,7 +68,11 @@ def escaped(text: str) -> str:
 def bearing_record(result: Result) -> dict[str, Any]:
     """One bearing of `to_json`."""
     numbers: dict[str, Any] = {**_finite(result.values)}
-    numbers |= {name: [list(row) for row in rows] for name, rows in result.arrays.items() if _all_finite(rows)}
+    numbers |= {
+        name: [[_number(value) for value in row] for row in rows]
+        for name, rows in result.arrays.items()
+        if _has_numbers(rows)
+    }
     solved, governing = result.outcome.solved, result.governing_check
     record: dict[str, Any] = {
         "name": result.name,
@@ -93,11 +97,13 @@ def bearing_record(result: Result) -> dict[str, Any]:
     return record
 
 
-def _notices(notices: Iterable[Notice]) -> list[dict[str, str]]:
-    return [{"code": notice.code, "message": notice.message} for notice in notices]
+def _notices(notices: Iterable[Notice]) -> list[dict[str, Any]]:
+    return [
+        {"code": notice.code, "message": notice.message, "values": notice.plain_values()} for notice in notices
+    ]
 
 
-def _warnings(notices: Iterable[Notice]) -> list[dict[str, str]]:
+def _warnings(notices: Iterable[Notice]) -> list[dict[str, Any]]:
     effects = [notice.effect.name.lower() for notice in notices]
     return [{**told, "effect": effect} for told, effect in zip(_notices(notices), effects, strict=True)]
 
@@ -120,8 +126,10 @@ def _check(check: Check) -> dict[str, Any]:
     }
 
 
-def _all_finite(rows: Matrix) -> bool:
-    return all(math.isfinite(value) for row in rows for value in row)
+def _has_numbers(rows: Matrix) -> bool:
+    """Whether a quantity has a number anywhere; an empty one has all it should."""
+    values = [value for row in rows for value in row]
+    return not values or any(map(math.isfinite, values))
 
 
 def _number(value: float) -> float | None:

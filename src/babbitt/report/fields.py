@@ -12,8 +12,7 @@ from babbitt import __version__
 from babbitt.case.case_file import CaseFile
 from babbitt.core.files.writing import require_writable, write_file
 from babbitt.core.notices import InputError
-from babbitt.core.notices.unusable import how_to_install
-from babbitt.core.optional_package import optional_package
+from babbitt.core.optional_package import how_to_install, optional_package
 from babbitt.core.solution import Solution
 from babbitt.report.text import plain_text
 from babbitt.report.view import find_view, view_of

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
-from babbitt.core.notices import EXPLANATIONS, Effect, Notice, Subject
+from babbitt.core.notices import Effect, Notice, Subject, explanations
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Check, Result
 from babbitt.report.names import listed, shortened
@@ -78,7 +78,7 @@ def _missed(results: Sequence[Result], concerned: Callable[[Check], bool]) -> tu
                 tuple(result.name for result, _ in misses),
                 _names(results),
                 comparison(check) if len(misses) == 1 else f"worst {comparison(check)}",
-                EXPLANATIONS[code].remedy if code in EXPLANATIONS else "",
+                explanations()[code].remedy if code in explanations() else "",
             )
         )
     return tuple(groups)
@@ -108,7 +108,7 @@ def lacking(results: Sequence[Result]) -> Iterator[Group]:
     for subject in Subject:
         found = [result for result in results if result.outcome.solved and subject in result.lacking]
         if found:
-            missing = [one for one in found[0].not_checked if EXPLANATIONS[one.code].subject is subject]
+            missing = [one for one in found[0].not_checked if explanations()[one.code].subject is subject]
             reasons = dict.fromkeys(plain_text(one.message) for one in missing)
             yield Group(
                 ", ".join(dict.fromkeys(one.code for one in missing)),
@@ -159,7 +159,7 @@ def _gathered(results: Sequence[Result], told: Callable[[Result], Iterable[Notic
     for code, notices in sorted(found.items()):
         messages = list(dict.fromkeys(message for _, message in notices))
         message = messages[0] if len(messages) == 1 else f"for example: {messages[0]}"
-        explanation = EXPLANATIONS[code]
+        explanation = explanations()[code]
         concerned = {id(result): result.name for result, _ in notices}
         names = tuple(concerned.values())
         groups.append(Group(code, explanation.title, names, _names(results), message, explanation.remedy))
@@ -175,7 +175,7 @@ def unsolved(results: Sequence[Result]) -> tuple[Group, ...]:
             (result.name,),
             _names(results),
             plain_text(result.message),
-            EXPLANATIONS[result.outcome.code].remedy if result.outcome.code in EXPLANATIONS else "",
+            explanations()[result.outcome.code].remedy if result.outcome.code in explanations() else "",
         )
         for result in results
         if not result.outcome.solved

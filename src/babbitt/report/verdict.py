@@ -80,10 +80,7 @@ def alike(quantity: str, *values: float) -> tuple[str, ...]:
     if known is None:
         return tuple(number(quantity, value) for value in values)
     shown = known.suited(*values)
-    return tuple(
-        f"{shown.format(value)} {shown.display.label}".rstrip() if math.isfinite(value) else "–"
-        for value in values
-    )
+    return tuple(map(shown.with_unit, values))
 
 
 def number(quantity: str, value: float) -> str:

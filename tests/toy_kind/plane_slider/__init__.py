@@ -9,5 +9,5 @@ KIND = Kind(
     template="plane_slider:plane_slider.yaml",
     views={"closed_form": "plane_slider.view:CLOSED_FORM"},
     quantities="plane_slider.view:QUANTITIES",
-    notices="plane_slider.notices:NOTICES",
+    words="plane_slider",
 )

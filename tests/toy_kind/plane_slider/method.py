@@ -57,7 +57,7 @@ class ClosedForm(Method):
         thin = Check(
             "C101", "minimum_film_thickness", problem.outlet_film, problem.least_film, Bound.AT_LEAST, "given"
         )
-        steep = (Notice("X101", f"the film narrows {ratio:.3g} times"),) if ratio > STEEP else ()
+        steep = (Notice("X101", values={"film_ratio": ratio}),) if ratio > STEEP else ()
         result = Result(problem.name, problem.kind, self.name, Outcome.CONVERGED, values, (thin,), warnings=steep)
         return (Solution(problem, result),)
 

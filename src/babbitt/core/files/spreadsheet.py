@@ -11,7 +11,7 @@ from typing import Any
 
 from babbitt.core.files.marks import CREATOR
 from babbitt.core.notices import InputError
-from babbitt.core.notices.unusable import how_to_install
+from babbitt.core.optional_package import how_to_install
 
 __all__ = ["Cell", "openpyxl_library", "plain_word", "read_rows", "rows_text", "workbook", "written_word"]
 

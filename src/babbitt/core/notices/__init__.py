@@ -1,47 +1,19 @@
 """Every error, warning and status that Babbitt can say: code, meaning, remedy.
 
-A notice in a result carries its code and the message with the numbers of the case. What the code means in
-general and what can be done stands here once; ``babbitt explain CODE`` and the documentation print it.
-The first letter tells the kind: E unusable input, W warning that rides along with a result, S no solution.
+A notice in a result carries its code and the values of the case; its sentence is made where it is shown. What the
+code means in general and what can be done stands once, in the ``words.en.toml`` of its kind or of this folder;
+``babbitt explain CODE`` and the documentation print it. The first letter tells the kind: E unusable input, W
+warning that rides along with a result, S no solution, C check.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
-from babbitt.core.notices.checks import CHECKS
 from babbitt.core.notices.explanation import Effect, Explanation, Subject
-from babbitt.core.notices.footstep import FOOTSTEP
-from babbitt.core.notices.hydrostatics import HYDROSTATICS
-from babbitt.core.notices.journal import JOURNAL
-from babbitt.core.notices.no_solution import NO_SOLUTION
-from babbitt.core.notices.one_dimension import ONE_DIMENSION
-from babbitt.core.notices.thrust import THRUST
-from babbitt.core.notices.unusable import UNUSABLE
+from babbitt.core.notices.notice import Notice
+from babbitt.core.notices.words import explanations
 from babbitt.core.picklable_error import PicklableError
 
-__all__ = ["EXPLANATIONS", "BabbittError", "Effect", "Explanation", "InputError", "Notice", "Subject"]
-
-EXPLANATIONS: dict[str, Explanation] = (
-    UNUSABLE | JOURNAL | ONE_DIMENSION | FOOTSTEP | HYDROSTATICS | THRUST | NO_SOLUTION | CHECKS
-)
-
-
-@dataclass(frozen=True)
-class Notice:
-    """A warning about a result: the code of an `Explanation` and the numbers of this case."""
-
-    code: str
-    message: str
-
-    def __post_init__(self) -> None:
-        if self.code not in EXPLANATIONS:
-            raise KeyError(f"notice code {self.code} is not registered in babbitt.core.notices")
-
-    @property
-    def effect(self) -> Effect:
-        """What it does to the verdict of the result that carries it."""
-        return EXPLANATIONS[self.code].effect
+__all__ = ["BabbittError", "Effect", "Explanation", "InputError", "Notice", "Subject", "explanations"]
 
 
 class BabbittError(PicklableError):
@@ -50,13 +22,13 @@ class BabbittError(PicklableError):
     Parameters
     ----------
     code : str
-        A code of `EXPLANATIONS`.
+        A code of `explanations`.
     message : str
         What was wrong in this case, with its numbers and what is allowed.
     """
 
     def __init__(self, code: str, message: str) -> None:
-        if code not in EXPLANATIONS:
+        if code not in explanations():
             raise KeyError(f"error code {code} is not registered in babbitt.core.notices")
         super().__init__(message)
         self.code = code

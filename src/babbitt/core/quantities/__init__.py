@@ -15,10 +15,21 @@ from babbitt.core.quantities.quantity import DisplayUnit, Quantity
 from babbitt.core.quantities.shaft_lines import SHAFT_LINES
 from babbitt.core.quantities.shafts import SHAFTS
 from babbitt.core.quantities.thrust import THRUST
+from babbitt.core.quantities.tilting_pads import TILTING_PADS
 
 __all__ = ["DisplayUnit", "QUANTITIES", "Quantity"]
 
 QUANTITIES: dict[str, Quantity] = {
     one.name: one
-    for one in (*JOURNAL, *DYNAMICS, *ONE_DIMENSION, *FOOTSTEP, *HYDROSTATICS, *SHAFTS, *THRUST, *SHAFT_LINES)
+    for one in (
+        *JOURNAL,
+        *DYNAMICS,
+        *ONE_DIMENSION,
+        *FOOTSTEP,
+        *HYDROSTATICS,
+        *SHAFTS,
+        *THRUST,
+        *SHAFT_LINES,
+        *TILTING_PADS,
+    )
 }

@@ -161,6 +161,12 @@ class Quantity:
             decimals = min(decimals, max(0, self.display.digits - 1 - math.floor(math.log10(size))))
         return f"{shown:.{decimals}f}" if decimals <= LONGEST and size < 1e7 else f"{shown:.{LEAST_DIGITS - 1}e}"
 
+    def with_unit(self, value: float) -> str:
+        """Write an SI value in the engineer's unit, with the unit; a dash for what is not finite."""
+        if not math.isfinite(value):
+            return "–"
+        return f"{self.format(value)}{'' if self.display.label == '°' else ' '}{self.display.label}".rstrip()
+
 
 LEAST_DIGITS, LONGEST = 3, 6
 """Significant digits of a number below one; decimals beyond which an exponent reads better."""

@@ -269,6 +269,8 @@ _ALL = (
         "kg m2", "a moment of inertia", "0.06 kg m2", {"kg m2": 1.0, "g m2": 1e-3, "kg cm2": 1e-4, "kg mm2": 1e-6}
     ),
     Kind("N m", "a moment", "200 N m", {"N m": 1.0, "kN m": 1e3}),
+    Kind("N m/rad", "a stiffness against tilt", "40 kN m/rad", {"N m/rad": 1.0, "kN m/rad": 1e3, "MN m/rad": 1e6}),
+    Kind("N m s/rad", "a damping of tilt", "5 N m s/rad", {"N m s/rad": 1.0, "kN m s/rad": 1e3}),
     Kind(
         "m3/(s Pa)",
         "a conductance",

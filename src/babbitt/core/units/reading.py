@@ -120,15 +120,31 @@ def bare_number(given: object) -> float | None:
 def plausible_units(number: float, kind: Kind, bounds: tuple[float, float] | None) -> list[str]:
     """Give the most usual units that bring a bare number into a range; rare ones are no good guess.
 
+    A number that is large enough to be written without the prefix of the usual unit is rather in the unit without:
+    12000 is 12 kN rather than 12 MN. Where no usual unit fits, that of SI may.
+
     >>> plausible_units(250.0, KINDS["m"], (0.001, 3.0)), plausible_units(36.0, KINDS["N"], (1.0, 1e9))
     (['mm'], ['kN', 'N'])
+    >>> plausible_units(12000.0, KINDS["N"], (1.0, 1e9)), plausible_units(333.0, KINDS["K"], (243.15, 473.15))
+    (['N', 'kN'], ['K'])
     """
     fits: dict[float, str] = {}
-    for unit in list(kind.everyday)[:3]:
+    usual = list(kind.everyday)[:3]
+    for unit in _unprefixed_first(usual, number, kind):
         value = kind.to_si(number, unit)
         if bounds is None or bounds[0] <= value <= bounds[1]:
             fits.setdefault(value, unit)  # rpm and 1/min are one
+    if not fits and bounds is not None and kind.unit in kind.everyday and bounds[0] <= number <= bounds[1]:
+        return [kind.unit]
     return list(fits.values())[:2]
+
+
+def _unprefixed_first(usual: list[str], number: float, kind: Kind) -> list[str]:
+    """Move the SI unit before its multiples where the number counts at least one of the first of them."""
+    first = kind.everyday[usual[0]]
+    if kind.unit in usual and 1e3 <= first <= abs(number):
+        return sorted(usual, key=lambda unit: unit != kind.unit)
+    return usual
 
 
 @lru_cache(maxsize=4096)

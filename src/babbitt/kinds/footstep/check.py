@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from time import perf_counter
 
-from babbitt.core.notices import EXPLANATIONS, Notice
+from babbitt.core.notices import Notice, explanations
 from babbitt.core.result import Bound, Check, Outcome, Result
 from babbitt.core.result_name import ResultName
 from babbitt.core.units import ZERO_CELSIUS
@@ -111,8 +111,8 @@ def _unsolved(case: FootstepProblem, error: NoSteadyStateError, begun: float) ->
         values["fold_clearance"] = fold
         far += f" At this face gap such states exist from a clearance of {1e6 * fold:.3f} µm."
     for state in draining_states(case.footstep):
-        far += f" {_drained(state)}"
-    remedy = EXPLANATIONS["S020"].remedy
+        far += f" {_drained(state).message}."
+    remedy = explanations()["S020"].remedy
     message = f"{far} Try: {remedy[0].lower()}{remedy[1:]}"
     return Result(
         ResultName(case.name, state="grooved heel"), case.kind, case.method.value, Outcome.NO_STEADY_STATE,
@@ -122,14 +122,14 @@ def _unsolved(case: FootstepProblem, error: NoSteadyStateError, begun: float) ->
     )  # fmt: skip
 
 
-def _drained(state: SteadyState) -> str:
-    """A state whose groove drains the rim, in a sentence."""
-    return (
-        f"With a groove that drains the rim instead there is a {'stable' if state.stable else 'not stable'} "
-        f"state: "
-        f"{1e-6 * state.rim_pressure:.4g} MPa at the rim, {-1e9 * state.groove_flow:.4g} mm³/s leave through the "
-        f"groove, warmed to {state.groove_temperature - ZERO_CELSIUS:.1f} °C, load {state.load:.5g} N."
-    )
+def _drained(state: SteadyState) -> Notice:
+    """A state whose groove drains the rim."""
+    return Notice("W178", "stable" if state.stable else "not_stable", {
+        "rim_pressure": state.rim_pressure,
+        "flow": -state.groove_flow,
+        "groove_outlet_temperature": state.groove_temperature,
+        "load": state.load,
+    })  # fmt: skip
 
 
 def _result(
@@ -239,81 +239,68 @@ def _warnings_about_inputs(case: FootstepProblem) -> Iterator[Notice]:
     step = case.footstep
     yield from case.warnings
     if step.ambient_pressure < LOWEST_AMBIENT:
-        yield Notice("W163", f"ambient pressure {1e-3 * step.ambient_pressure:.4g} kPa absolute < 50 kPa")
+        yield Notice("W163", values={"pressure": step.ambient_pressure, "limit": LOWEST_AMBIENT})
     groove = step.groove
     if groove is None:
         return
     if step.clearance >= LAND_SHARE * groove.depth:
-        yield Notice(
-            "W162",
-            f"clearance {1e6 * step.clearance:.4g} µm ≥ a third of the groove depth, {1e6 * groove.depth:.4g} µm",
-        )
+        yield Notice("W162", values={"heel_clearance": step.clearance, "depth": groove.depth})
     misfit = groove.misfit(step.geometry.radius)
     if abs(misfit) > PITCH_TOLERANCE:
-        yield Notice("W165", f"starts (groove + land) = {1.0 + misfit:.4g} of 2π r₁ sin φ")
+        yield Notice("W165", values={"part": 1.0 + misfit})
     if case.method is Method.SUPERPOSITION:
-        yield Notice(
-            "W168",
-            "groove and clearance as two separate flows, no heat to the metal, no shear of the lands in the heat",
-        )
+        yield Notice("W168")
     elif groove.starts < MANY_GROOVES:
-        yield Notice("W169", f"{groove.starts} starts < {MANY_GROOVES}")
+        yield Notice("W169", values={"starts": groove.starts, "least": MANY_GROOVES})
 
 
 def _warnings(case: FootstepProblem, state: SteadyState, values: dict[str, float]) -> Iterator[Notice]:
     if not state.stable:
-        yield Notice("W160", _departure(case, state))
+        yield _departure(case, state)
     if state.name is StateName.DRAINING:
-        yield Notice("W178", _drained(state))
+        yield _drained(state)
     if state.residual > OPEN_BALANCE:
-        yield Notice("W177", f"{state.residual:.2g} of the leakage is not accounted for at the rim")
+        yield Notice("W177", values={"error": state.residual})
     hotter = state.maximum_temperature - case.footstep.oil.temperature
     if hotter > LARGEST_RISE:
-        yield Notice("W176", f"oil warmed by {hotter:.0f} K > {LARGEST_RISE:.0f} K")
+        yield Notice("W176", "warmed", {"rise": hotter, "limit": LARGEST_RISE})
     if state.maximum_temperature > HOTTEST:
-        yield Notice("W161", f"oil of {state.maximum_temperature - ZERO_CELSIUS:.0f} °C > 150 °C")
-    for name, what in (
-        ("groove_reynolds_number", "groove"), ("recess_reynolds_number", "recess"),
-        ("clearance_reynolds_number", "clearance"),
-    ):  # fmt: skip
-        if values.get(name, 0.0) > LAMINAR_UP_TO:
-            yield Notice("W164", f"Reynolds number of the {what} {values[name]:.0f} > {LAMINAR_UP_TO:.0f}")
+        yield Notice("W161", values={"maximum_temperature": state.maximum_temperature, "limit": HOTTEST})
+    for where in ("groove", "recess", "clearance"):
+        if (reynolds := values.get(f"{where}_reynolds_number", 0.0)) > LAMINAR_UP_TO:
+            yield Notice("W164", where, {"reynolds_number": reynolds, "limit": LAMINAR_UP_TO})
     if state.face_flow < 0.0:
-        yield Notice(
-            "W166", f"Q₂ = {1e9 * state.face_flow:.4g} mm³/s: p₁ = {1e-6 * state.rim_pressure:.4g} MPa > "
-            f"p₂ = {1e-6 * case.footstep.supply_pressure:.4g} MPa",
-        )  # fmt: skip
+        yield Notice("W166", values={
+            "face_flow": state.face_flow,
+            "rim_pressure": state.rim_pressure,
+            "recess_pressure": case.footstep.supply_pressure,
+        })  # fmt: skip
     if state.axial_stiffness < 0.0:
-        yield Notice("W167", f"dF/dh = {-1e-6 * state.axial_stiffness:+.3g} N/µm")
+        yield Notice("W167", values={"slope": -state.axial_stiffness})
     heat, rise = heat_residual(case.footstep, state, case.method)
     if rise > MINOR_RISE:
-        oil = f"the oil alone would be warmed by {rise:.0f} K"
-        yield Notice("W171", f"{heat:.3g} W of friction and lost pressure warm neither oil nor metal; {oil}")
+        yield Notice("W171", values={"heat": heat, "rise": rise})
         if rise > LARGEST_RISE and hotter <= LARGEST_RISE:
-            yield Notice(
-                "W176", f"the oil that leaves would be warmed by {rise:.0f} K > {LARGEST_RISE:.0f} K by heat that "
-                "the method leaves out",
-            )  # fmt: skip
+            yield Notice("W176", "left_out", {"rise": rise, "limit": LARGEST_RISE})
     if case.is_grooved and "leak_factor" in values:
-        yield Notice(
-            "W170",
-            f"eccentricity at rim and outer end {', '.join(f'{e:.3g}' for e in case.footstep.end_eccentricities)}",
-        )
+        yield Notice("W170", values={"eccentricities": case.footstep.end_eccentricities})
 
 
-def _departure(case: FootstepProblem, state: SteadyState) -> str:
+def _departure(case: FootstepProblem, state: SteadyState) -> Notice:
     """How a state that is not stable is left, and where to."""
     if state.loop_gain < 1.0:
-        return "a disturbance of temperature grows from swing to swing"
-    how = f"thermal loop gain {state.loop_gain:.3g} > 1"
+        return Notice("W160", "swinging")
+    how = Notice("W160", "gain", {"thermal_loop_gain": state.loop_gain})
     if case.method is not Method.SUPERPOSITION or not case.is_grooved or state.groove_flow <= 0.0:
         return how
     model = GroovedFootstep(case.footstep)
     rate = RimDisturbance(model, model.balance(number(state.groove_flow))).growth_rate()
     if rate > 0.0:
-        how += f"; a disturbance grows e-fold in {1.0 / rate:.3g} s"
-    drained = " ".join(map(_drained, draining_states(case.footstep)))
-    return f"{how}: cooler, it goes to the cold state; warmer, the flow of the groove reverses. {drained}"
+        how = Notice("W160", "growth", {"thermal_loop_gain": state.loop_gain, "time": 1.0 / rate})
+    drained = tuple(map(_drained, draining_states(case.footstep)))
+    if not drained:
+        return Notice("W160", "left", {"how": how})
+    return Notice("W160", "drained", {"how": how, "drained": drained})
 
 
 def _assumptions(case: FootstepProblem) -> tuple[str, ...]:

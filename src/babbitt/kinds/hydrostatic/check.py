@@ -247,11 +247,11 @@ def not_checked(case: HydrostaticCase, found: Answer, named: dict[str, float]) -
     loaded = case.duty.load is not None
     if case.least_gap is None:
         for code in ("C301", "C302") if loaded else ("C301",):
-            yield Notice(code, "no least_gap is given")
+            yield Notice(code, "no_least_gap")
     elif loaded and "load_capacity" not in named:
-        yield Notice("C302", "no load was found whose smallest gap is least_gap")
+        yield Notice("C302", "not_found")
     if highest_pressure(case, found.network) is None:
-        yield Notice("C303", "no highest_pressure of the pump is given (supply)")
+        yield Notice("C303")
 
 
 def refuse_contact(case: HydrostaticCase) -> None:

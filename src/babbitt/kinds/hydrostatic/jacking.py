@@ -306,9 +306,9 @@ def checks(case: JackingCase, named: dict[str, float]) -> Iterator[Check]:
 def not_checked(case: JackingCase) -> Iterator[Notice]:
     """Limits that were held against nothing, and why; a gap that is given needs no limit."""
     if case.lift_gap is None:
-        yield Notice("C301", "no lift_gap is given that the pump is to reach")
+        yield Notice("C301", "no_lift_gap")
     if case.relief_pressure is None:
-        yield Notice("C304", "no relief_pressure is given")
+        yield Notice("C304")
 
 
 def assumptions(case: JackingCase) -> tuple[str, ...]:
@@ -357,12 +357,10 @@ def failure(case: JackingCase, lifted: LiftPoint, gap: float) -> tuple[Outcome, 
 def jacking_warnings(case: JackingCase, upper: float, gap: float) -> Iterator[Notice]:
     """Breakaway above the relief valve; several pockets on one pump without restrictors; rough closed forms."""
     if case.relief_pressure is not None and upper > case.relief_pressure:
-        yield Notice("W314", f"up to {1e-6 * upper:.4g} MPa to break away, the relief valve opens at "
-                     f"{1e-6 * case.relief_pressure:.4g} MPa")  # fmt: skip
+        yield Notice("W314", values={"breakaway_pressure": upper, "relief": case.relief_pressure})
     if case.bearing.count > 1 and not case.own_restrictors:
-        yield Notice("W320", f"{case.bearing.count} pockets on one pump without restrictors or flow divider")
+        yield Notice("W320", values={"pockets": case.bearing.count})
         if case.method == "film" and Pockets.of(case, gap).rolls_aside():
-            yield Notice("W328", "displaced to one side, the shaft is pushed farther to it")
+            yield Notice("W328")
     if case.method == "quick":
-        yield Notice("W321", "pressure on the pocket and half of its axial lands, none around the bore: less "
-                     "area, more pressure and flow than by the film")  # fmt: skip
+        yield Notice("W321")

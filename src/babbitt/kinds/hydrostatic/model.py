@@ -6,7 +6,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from babbitt.core.notices import InputError, Notice
-from babbitt.core.units import ZERO_CELSIUS
 from babbitt.kinds.hydrostatic.geometry import (
     AnnularPad,
     CircularPad,
@@ -90,12 +89,13 @@ def beyond_data(lubricant: Lubricant, temperature: float, place: str) -> Iterato
     temperature : float
         K.
     place : str
-        What has that temperature.
+        What has that temperature: ``film`` or ``supply``.
     """
     if not lubricant.covers(temperature):
-        low, high = (kelvin - ZERO_CELSIUS for kelvin in lubricant.temperature_range)
-        yield Notice("W326", f"{place} is at {temperature - ZERO_CELSIUS:.0f} °C, the data of {lubricant.name} "
-                     f"reach from {low:.0f} to {high:.0f} °C")  # fmt: skip
+        low, high = lubricant.temperature_range
+        yield Notice("W326", place, {
+            "temperature": temperature, "lubricant": lubricant.name, "low": low, "high": high,
+        })  # fmt: skip
 
 
 @dataclass(frozen=True)

@@ -19,6 +19,10 @@ __all__ = ["warnings_of_solution"]
 
 LAMINAR_FILM, LAMINAR_TUBE = 1000.0, 2000.0
 SLENDER, SMALLEST_ORIFICE = 20.0, 0.3e-3
+USUAL_PRESSURES, USUAL_POWERS = (0.3, 0.8), (1.0, 3.0)
+"""Recess over supply pressure; friction over pumping power."""
+DEEP, WIDE_RECESS = 10.0, 2.0
+"""Least depth of a recess over the gap; least side of a recess over its land."""
 OPEN_MASS = 1e-6
 """Relative error of the oil's balance from which there is no verdict; the temperature is sought to 1e-6 K."""
 MOST_EDGE_INERTIA, MOST_LOSS, WARMEST = 0.2, 0.2, 20.0
@@ -52,25 +56,20 @@ def of_restrictors(case: HydrostaticCase, found: Answer) -> Iterator[Notice]:
     network = found.network
     for k, flow in enumerate(network.flows):
         if flow < -1e-9 * float(np.abs(network.flows).max()):
-            yield Notice("W301", f"recess {k + 1} pushes {-6e4 * flow:.3g} L/min back through its restrictor")
-    worst, said = 0.0, ""
-    for k, (restrictor, flow) in enumerate(zip(case.feeding.restrictors, network.flows, strict=True)):
-        law = law_of(restrictor)
-        if isinstance(law, Capillary):
-            number = law.reynolds_number(float(flow))
-            if number > max(worst, LAMINAR_TUBE):
-                worst, said = (
-                    number,
-                    f"Re = {number:.0f} in the capillary of recess {k + 1}, above {LAMINAR_TUBE:.0f}",
-                )
-    if said:
-        yield Notice("W303", said)
+            yield Notice("W301", values={"recess": k + 1, "restrictor_flow": -float(flow)})
+    numbers = [
+        law.reynolds_number(float(flow)) if isinstance(law := law_of(restrictor), Capillary) else 0.0
+        for restrictor, flow in zip(case.feeding.restrictors, network.flows, strict=True)
+    ]
+    if (worst := max(numbers)) > LAMINAR_TUBE:
+        yield Notice("W303", "turbulent", {
+            "restrictor_reynolds_number": worst, "recess": numbers.index(worst) + 1, "limit": LAMINAR_TUBE,
+        })  # fmt: skip
     for law in dict.fromkeys(law_of(one) for one in case.feeding.restrictors):
         if isinstance(law, Capillary) and law.length < SLENDER * law.diameter:
-            ratio = law.length / law.diameter
-            yield Notice("W303", f"the capillary is {ratio:.3g} diameters long, less than {SLENDER:.0f}")
+            yield Notice("W303", "short", {"ratio": law.length / law.diameter, "least": SLENDER})
         if isinstance(law, Orifice) and law.diameter < SMALLEST_ORIFICE:
-            yield Notice("W304", f"the orifice has {1e3 * law.diameter:.3g} mm, less than 0.3 mm")
+            yield Notice("W304", values={"diameter": law.diameter, "least": SMALLEST_ORIFICE})
 
 
 def of_pressures(case: HydrostaticCase, found: Answer, named: Mapping[str, float]) -> Iterator[Notice]:
@@ -79,37 +78,35 @@ def of_pressures(case: HydrostaticCase, found: Answer, named: Mapping[str, float
     if is_pumped(case):
         worst, supply = int(found.network.pressures.argmax()), found.network.supply_pressure
         if float(found.network.pressures[worst]) > supply:
-            yield Notice("W313", f"recess {worst + 1} stands at {1e-6 * found.network.pressures[worst]:.4g} MPa, "
-                         f"its pump is given {1e-6 * supply:.4g} MPa")  # fmt: skip
-    elif not 0.3 <= ratio <= 0.8:
-        yield Notice("W302", f"recess over supply pressure is {ratio:.3f} on average, outside 0.3 to 0.8")
+            pressure = float(found.network.pressures[worst])
+            yield Notice("W313", "recess", {"recess": worst + 1, "recess_pressure": pressure, "given": supply})
+    elif not USUAL_PRESSURES[0] <= ratio <= USUAL_PRESSURES[1]:
+        least, most = USUAL_PRESSURES
+        yield Notice("W302", values={"mean_pressure_ratio": ratio, "least": least, "most": most})
     highest = case.highest_supply_pressure
     if highest is not None and not is_pumped(case) and named["supply_pressure"] > highest:
-        yield Notice("W313", f"{1e-6 * named['supply_pressure']:.4g} MPa are needed, the pump holds "
-                     f"{1e-6 * highest:.4g} MPa")  # fmt: skip
+        yield Notice("W313", "supply", {"needed": named["supply_pressure"], "held": highest})
     inertia = named.get("edge_inertia", 0.0)
     if inertia > MOST_EDGE_INERTIA:
-        yield Notice("W308", f"rho U²/2 is {inertia:.3g} of the lowest recess pressure, above {MOST_EDGE_INERTIA}")
+        yield Notice("W308", values={"edge_inertia": inertia, "limit": MOST_EDGE_INERTIA})
     loss = named["compressibility_damping_loss"]
     if loss > 1.0:
-        yield Notice("W310", f"the oil in recess and line takes away {loss:.2f} times the damping")
+        yield Notice("W310", values={"times": loss})
     elif loss > MOST_LOSS:
-        yield Notice("W309", f"the oil in recess and line takes away {100.0 * loss:.0f} % of the damping")
+        yield Notice("W309", values={"compressibility_damping_loss": loss})
 
 
 def of_film(case: HydrostaticCase, found: Answer, named: Mapping[str, float]) -> Iterator[Notice]:
     """Laminar flow, deep recesses, rupture beside a recess."""
-    for name, where in (("film_reynolds_number", "film"), ("recess_reynolds_number", "recess")):
+    for code, name in (("W305", "film_reynolds_number"), ("W306", "recess_reynolds_number")):
         number = named.get(name, 0.0)
         if number > LAMINAR_FILM:
-            code = "W305" if where == "film" else "W306"
-            yield Notice(code, f"Re = {number:.0f} in the {where}, above {LAMINAR_FILM:.0f}")
+            yield Notice(code, values={"reynolds_number": number, "limit": LAMINAR_FILM})
     gap = case.rest_gap if case.is_journal else named["gap"]
-    if case.recesses.depth < 10.0 * gap:
-        yield Notice("W307", f"the recess is {case.recesses.depth / gap:.3g} gaps deep, less than 10")
+    if case.recesses.depth < DEEP * gap:
+        yield Notice("W307", values={"gaps": case.recesses.depth / gap, "least": DEEP})
     if found.film is not None and dry_beside_recess(found):
-        share = 100.0 * found.film.dry_share
-        yield Notice("W315", f"{share:.2g} % of the lands are without film, some at a recess")
+        yield Notice("W315", values={"cavitated_share": float(found.film.dry_share)})
 
 
 def dry_beside_recess(found: Answer) -> bool:
@@ -127,28 +124,28 @@ def dry_beside_recess(found: Answer) -> bool:
 def of_powers(case: HydrostaticCase, named: Mapping[str, float]) -> Iterator[Notice]:
     """Power ratio and temperature rise."""
     ratio = named["power_ratio"]
-    if case.surface_speed > 0.0 and not 1.0 <= ratio <= 3.0:
-        yield Notice("W311", f"friction over pumping power is {ratio:.3g}, outside 1 to 3")
+    least, most = USUAL_POWERS
+    if case.surface_speed > 0.0 and not least <= ratio <= most:
+        yield Notice("W311", values={"power_ratio": ratio, "least": least, "most": most})
     rise = named["temperature_rise"]
     if rise > WARMEST:
-        yield Notice("W312", f"the oil warms by {rise:.3g} K between manifold and drain")
+        yield Notice("W312", values={"temperature_rise": rise})
     balanced = "energy_balance_error" in named
     bound = LARGEST_RISE if balanced else LARGEST_RISE_UNBALANCED
     if rise > bound:
-        given = "" if balanced else "; viscosity or temperature of the film is given, which it would then not have"
-        yield Notice("W322", f"the oil would warm by {rise:.0f} K > {bound:.0f} K{given}")
+        yield Notice("W322", "balanced" if balanced else "given", {"temperature_rise": rise, "limit": bound})
     oil = case.oil
     if oil.is_warmed and oil.lubricant is not None and oil.temperature is not None:  # a given one: by the case
-        yield from beyond_data(oil.lubricant, oil.temperature, "the film")
+        yield from beyond_data(oil.lubricant, oil.temperature, "film")
 
 
 def of_balances(case: HydrostaticCase, named: Mapping[str, float]) -> Iterator[Notice]:
     """Oil and heat that are not accounted for."""
     mass, heat = named["mass_balance_error"], named.get("energy_balance_error", 0.0)
     if not mass < OPEN_MASS:
-        yield Notice("W324", f"{mass:.2g} of the oil is not accounted for")
+        yield Notice("W324", values={"mass_balance_error": mass})
     if not heat < OPEN_HEAT:
-        yield Notice("W325", f"{heat:.2g} of the heat of the film is not accounted for")
+        yield Notice("W325", values={"energy_balance_error": heat})
 
 
 def of_vibration(case: HydrostaticCase, found: Answer) -> Iterator[Notice]:
@@ -158,20 +155,20 @@ def of_vibration(case: HydrostaticCase, found: Answer) -> Iterator[Notice]:
         if case.kind == "hydrostatic_pad":
             damping = damping[:1, :1]
         if float(np.linalg.eigvalsh(0.5 * (damping + damping.T)).min()) < 0.0:
-            yield Notice("W323", f"a motion at {frequency / (2.0 * np.pi):.4g} Hz is not damped but fed")
+            yield Notice("W323", values={"frequency": frequency})
 
 
 def of_method(case: HydrostaticCase) -> Iterator[Notice]:
     """Limits of closed forms, and journals with too few recesses."""
     shape = case.shape
     if isinstance(shape, RecessedJournal) and shape.count < 3:
-        yield Notice("W316", f"{shape.count} recess{'es' * (shape.count > 1)} cannot carry in every direction")
+        yield Notice("W316", values={"recesses": shape.count})
     if case.method == "quick" and isinstance(shape, RectangularPad):
         along, aside = shape.lands
         if abs(along - aside) > 1e-6 * along:
-            yield Notice("W317", f"lands of {1e3 * along:.4g} and {1e3 * aside:.4g} mm by strips without corners")
-        elif min(shape.recess_length, shape.recess_width) < 2.0 * along:
-            least = min(shape.recess_length, shape.recess_width) / along
-            yield Notice("W318", f"the shorter recess side is {least:.3g} land widths, less than 2")
+            yield Notice("W317", values={"along": along, "across": aside})
+        elif min(shape.recess_length, shape.recess_width) < WIDE_RECESS * along:
+            widths = min(shape.recess_length, shape.recess_width) / along
+            yield Notice("W318", values={"widths": widths, "least": WIDE_RECESS})
     if case.method == "quick" and isinstance(shape, RecessedJournal | ThrustRing):
-        yield Notice("W319", "lands lumped between recesses; damping without squeeze between them")
+        yield Notice("W319")

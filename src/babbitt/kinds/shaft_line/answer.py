@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass
 from functools import lru_cache
 
+from babbitt.core.notices import Notice
 from babbitt.kinds.shaft_line.admissible_amplitude import limit_margin
 from babbitt.kinds.shaft_line.design import LineDesign
 from babbitt.kinds.shaft_line.inverse import Admissible, admissible, ring_for_loss
@@ -18,6 +19,7 @@ from babbitt.kinds.shaft_line.sweeps import CampbellPoint, RingPoint, ring_sweep
 from babbitt.kinds.thrust.design import ThrustState, exact_state
 from babbitt.kinds.thrust.pad_attitude import attitude_at_rest
 from babbitt.kinds.thrust.thermal_films import ThermalLoadCurve
+from babbitt.kinds.thrust.work import WorkBoundError
 
 __all__ = ["MODES", "RINGS", "LineAnswer", "line_answer"]
 
@@ -46,8 +48,8 @@ class LineAnswer:
         The stiffest ring that halves the dynamic load.
     campbell : tuple of CampbellPoint
     nonlinear : PeriodicMotion or None
-    not_repeating : str
-        Why no nonlinear motion was found; empty where one was, or none was asked for.
+    not_repeating : Notice or None
+        Why no nonlinear motion was found; None where one was, or none was asked for.
     """
 
     static: ThrustState
@@ -61,7 +63,7 @@ class LineAnswer:
     half: RingPoint | None
     campbell: tuple[CampbellPoint, ...]
     nonlinear: PeriodicMotion | None
-    not_repeating: str
+    not_repeating: Notice | None
 
     @property
     def best(self) -> RingPoint | None:
@@ -90,7 +92,7 @@ def line_answer(design: LineDesign) -> LineAnswer:
     natural = modes(design.line, state.pads, MODES)
     similar = duty.bearing.pad.is_plane and not isinstance(films, ThermalLoadCurve)
     wanted = RINGS if similar and not attitude_at_rest(duty.bearing).is_tilted else FEWER_RINGS
-    nonlinear, not_repeating = _nonlinear(state) if design.nonlinear else (None, "")
+    nonlinear, not_repeating = _nonlinear(state) if design.nonlinear else (None, None)
     rings = usual_rings(duty, state, wanted)
     return LineAnswer(
         static=static,
@@ -108,8 +110,10 @@ def line_answer(design: LineDesign) -> LineAnswer:
     )
 
 
-def _nonlinear(state: LineState) -> tuple[PeriodicMotion | None, str]:
+def _nonlinear(state: LineState) -> tuple[PeriodicMotion | None, Notice | None]:
     try:
-        return periodic_motion(state), ""
+        return periodic_motion(state), None
     except NoPeriodicMotionError as failure:
-        return None, str(failure)
+        return None, failure.why
+    except WorkBoundError:
+        return None, Notice("W210", "work")

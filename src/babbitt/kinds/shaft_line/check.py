@@ -119,9 +119,9 @@ def _checks(design: LineDesign, values: dict[str, float]) -> Iterator[Check]:
 
 def _not_checked(design: LineDesign) -> Iterator[Notice]:
     if not (design.thrusts or design.runouts):
-        yield Notice("C201", "neither thrust ripple nor runout is given")
+        yield Notice("C201")
     if design.axial_limit is None:
-        yield Notice("C205", "no admissible amplitude of axial vibration is given (limits: axial_amplitude)")
+        yield Notice("C205")
 
 
 def _assumptions(design: LineDesign) -> Iterator[str]:

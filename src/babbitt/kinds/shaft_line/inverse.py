@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass
 
 from babbitt.kinds.shaft_line.admissible_amplitude import Excess
@@ -12,6 +13,7 @@ from babbitt.kinds.shaft_line.sweeps import RingPoint, ring_point
 from babbitt.kinds.thrust.failures import NoPadFilmError
 from babbitt.kinds.thrust.load_curve import LoadCurve
 from babbitt.kinds.thrust.sharing import share_of
+from babbitt.kinds.thrust.work import WorkBoundError
 from babbitt.numerics.roots import bracketed_root
 
 __all__ = [
@@ -149,6 +151,9 @@ def ring_for_loss(
 ) -> RingPoint | None:
     """The stiffest ring on which L1 (bound) falls to ``loss``; None where no ring among ``rings`` reaches it.
 
+    Where the pads find no film on rings between two of ``rings``, or the work that is allowed ends, it is the
+    stiffest of those that reach it.
+
     Parameters
     ----------
     duty : LineOperation
@@ -174,14 +179,16 @@ def _stiffest(
     for ring in sorted(rings, reverse=True):
         try:
             point = ring_point(duty, films, ring)
-        except NoPadFilmError:
+        except (NoPadFilmError, WorkBoundError):
             continue
         if excess(point) <= 0.0:
             if stiff is None:
                 return point
-            root = bracketed_root(
-                lambda c: excess(ring_point(duty, films, c)), ring, stiff.stiffness, relative=1e-6
-            )
-            return ring_point(duty, films, root)
+            with suppress(NoPadFilmError, WorkBoundError):
+                root = bracketed_root(
+                    lambda c: excess(ring_point(duty, films, c)), ring, stiff.stiffness, relative=1e-6
+                )
+                return ring_point(duty, films, root)
+            return point
         stiff = point
     return None

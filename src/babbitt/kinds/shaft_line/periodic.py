@@ -15,7 +15,8 @@ from fractions import Fraction
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.core.notices import InputError
+from babbitt.core.notices import InputError, Notice
+from babbitt.core.picklable_error import PicklableError
 from babbitt.kinds.shaft_line.compliance import LineCompliance, line_compliance
 from babbitt.kinds.shaft_line.excitation import WITHOUT_WOBBLE, WOBBLE_LEFT_OUT
 from babbitt.kinds.shaft_line.forced import crests
@@ -47,8 +48,17 @@ NEAREST = 1e-8
 """Film at a pivot below which forces are no longer followed, m."""
 
 
-class NoPeriodicMotionError(Exception):
-    """No motion was found that repeats; the message says why."""
+class NoPeriodicMotionError(PicklableError):
+    """No motion was found that repeats.
+
+    Attributes
+    ----------
+    why : Notice
+    """
+
+    def __init__(self, why: Notice) -> None:
+        super().__init__(why.message)
+        self.why = why
 
 
 @dataclass(frozen=True, eq=False)
@@ -152,17 +162,12 @@ def periodic_motion(state: LineState, amplitude: float = 1.0) -> PeriodicMotion:
         elif step > LEAST_STEP and films.work < MOST_WORK:
             step *= 0.5
         else:
-            raise NoPeriodicMotionError(
-                f"no motion that repeats was found beyond {reached:.0%} of the excitations; pads lose their load, "
-                "or films move by nearly their thickness"
-            )
+            raise NoPeriodicMotionError(Notice("W210", "not_found", {"share": float(reached)}))
     loads, outside = films.loads(motion)
     gaps = films.static + motion
     miss = np.abs(films.missed(motion, amplitude)[..., 0]).max() / max(np.abs(motion[..., 0]).max(), 1e-300)
     if not miss < REPEATS:
-        raise NoPeriodicMotionError(
-            f"films miss themselves after a period by {miss:.1%} of their largest change, more than {REPEATS:.1%}"
-        )
+        raise NoPeriodicMotionError(Notice("W210", "missed", {"miss": float(miss), "bound": REPEATS}))
     pad = state.duty.bearing.pad
     return PeriodicMotion(
         angles=films.angles,
@@ -188,10 +193,7 @@ def _turns(state: LineState) -> int:
     near = [Fraction(order).limit_denominator(MOST_TURNS) for order in orders]
     turns = math.lcm(*(one.denominator for one in near))
     if turns > MOST_TURNS or any(abs(float(a) - b) > 1e-9 * b for a, b in zip(near, orders, strict=True)):
-        raise NoPeriodicMotionError(
-            f"excitations of {', '.join(f'{order:g}' for order in orders)} times the frequency of the shaft do "
-            f"not repeat together within {MOST_TURNS} revolutions"
-        )
+        raise NoPeriodicMotionError(Notice("W210", "orders", {"orders": tuple(orders), "turns": MOST_TURNS}))
     return turns
 
 
@@ -224,10 +226,9 @@ class _Films:
         fastest = max(part.harmonic.order for part in state.forced.parts)
         count = turns * max(SAMPLES, math.ceil(PER_HARMONIC * fastest))
         if count * share.bearing.number > MOST_POINTS:
-            raise NoPeriodicMotionError(
-                f"an excitation of {fastest:g} times the frequency of the shaft asks for {count} samples of "
-                f"{share.bearing.number} pads, more than {MOST_POINTS} points"
-            )
+            raise NoPeriodicMotionError(Notice("W210", "samples", {
+                "order": fastest, "samples": count, "pads": share.bearing.number, "most": MOST_POINTS,
+            }))  # fmt: skip
         self.angles = 2.0 * math.pi * turns * np.arange(count) / count
         self.shape = (count, share.bearing.number, 3)
         self.speed, self.work = duty.speed, 0

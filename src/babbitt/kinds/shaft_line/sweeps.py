@@ -14,6 +14,7 @@ from babbitt.kinds.shaft_line.natural import undamped_frequencies
 from babbitt.kinds.shaft_line.resonance import NEAR, Resonances, lobes_of, resonances_about
 from babbitt.kinds.thrust.failures import NoPadFilmError
 from babbitt.kinds.thrust.load_curve import LoadCurve
+from babbitt.kinds.thrust.work import WorkBoundError
 
 __all__ = ["CampbellPoint", "RingPoint", "barred_ranges", "ring_point", "ring_sweep", "speed_sweep", "usual_rings"]
 
@@ -71,10 +72,13 @@ def ring_point(duty: LineOperation, films: LoadCurve, stiffness: float) -> RingP
 
 
 def ring_sweep(duty: LineOperation, films: LoadCurve, stiffnesses: Sequence[float]) -> tuple[RingPoint, ...]:
-    """Solve the line on rings of several stiffnesses (N/m per pad); without those on which pads find no film."""
+    """Solve the line on rings of several stiffnesses (N/m per pad).
+
+    Those on which pads find no film are left out, and what is left when the work that is allowed ends.
+    """
     points = []
     for stiffness in stiffnesses:
-        with suppress(NoPadFilmError):
+        with suppress(NoPadFilmError, WorkBoundError):
             points.append(ring_point(duty, films, stiffness))
     return tuple(points)
 
@@ -105,7 +109,7 @@ def speed_sweep(
 ) -> tuple[CampbellPoint, ...]:
     """Solve the line at several speeds, thrust and ripple growing with the square of the speed.
 
-    Speeds at which pads find no film are left out.
+    Speeds at which pads find no film are left out, and what is left when the work that is allowed ends.
 
     Parameters
     ----------
@@ -122,7 +126,7 @@ def speed_sweep(
     shown = SHOWN_ABOVE * max(orders, default=0.0) * max(speeds, default=0.0)
     for speed in speeds:
         at = duty.at_speed(speed)
-        with suppress(NoPadFilmError):
+        with suppress(NoPadFilmError, WorkBoundError):
             state = state_of(at, films_at(at))
             natural = undamped_frequencies(duty.line, state.pads, MODES)
             points.append(CampbellPoint(speed, natural, resonances_about(state, shown), state))

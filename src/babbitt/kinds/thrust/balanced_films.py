@@ -27,13 +27,14 @@ from numpy.typing import NDArray
 from babbitt.core.notices import InputError
 from babbitt.design.heat_balance import BOLD, NoFilmError, coolest_equilibrium
 from babbitt.design.oil import highest_usable
+from babbitt.design.pad_heat import HeatBalance, PadTemperatures, Temperatures, pad_temperatures
 from babbitt.kinds.thrust.equilibrium import leaning_state, pad_state
 from babbitt.kinds.thrust.failures import NoPadFilmError, ThermalRunawayError
-from babbitt.kinds.thrust.heat import HeatBalance, Temperatures, film_of, pad_temperatures
+from babbitt.kinds.thrust.heat import film_of
 from babbitt.kinds.thrust.load_curve import LoadCurve
 from babbitt.kinds.thrust.pad import ThrustPad
 from babbitt.kinds.thrust.pad_attitude import PARALLEL, PadTilt
-from babbitt.kinds.thrust.state import PadState, PadTemperatures
+from babbitt.kinds.thrust.state import PadState
 from babbitt.kinds.thrust.tabulated import MOST_STEPS, TabulatedFilms
 
 __all__ = ["BalancedFilms", "temperatures_together"]

@@ -73,10 +73,9 @@ def _checked(design: ThrustDesign) -> Solution:
             of_turning, least_load = _turned(design, state)
             values |= of_turning
             if least_load < LEAST_SHARE <= values["smallest_pad_load"] / state.share.mean_load:
-                said = f"while the collar turns, a pad carries {least_load:.2%} of the mean load"
-                of_runout.append(Notice("W201", said))
+                of_runout.append(Notice("W201", "turning", {"share": least_load}))
         except (NoPadFilmError, WorkBoundError) as failure:
-            of_runout.append(Notice("W209", f"no quasi_static_load_ratio is given: {failure.said}"))
+            of_runout.append(Notice("W209", values={"reason": failure.said}))
     values["wall_time"] = perf_counter() - start
     least, thinnest = "minimum_film_thickness", values["minimum_film_thickness"]
     if any(one.amplitude > 0.0 for one in design.runouts):

@@ -6,17 +6,18 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 
 from babbitt.core.notices import Notice
+from babbitt.design.pad_heat import HeatBalance, PadTemperatures, Temperatures
 from babbitt.kinds.thrust.balanced_films import BalancedFilms, temperatures_together
 from babbitt.kinds.thrust.bearing import HousingTilt, ThrustBearing
 from babbitt.kinds.thrust.failures import ConcavePadError, NoPadFilmError
 from babbitt.kinds.thrust.fed_pads import share_of_fed_pads
-from babbitt.kinds.thrust.heat import HeatBalance, Temperatures, balanced
+from babbitt.kinds.thrust.heat import balanced
 from babbitt.kinds.thrust.load_curve import LoadCurve, carrying
 from babbitt.kinds.thrust.neighbours import SETTLED, share_with_neighbours
 from babbitt.kinds.thrust.pad_attitude import PadAttitude, attitude_at_rest
 from babbitt.kinds.thrust.runout import RunoutHarmonic
 from babbitt.kinds.thrust.sharing import Share, exactly_shared, share_at_film, share_of
-from babbitt.kinds.thrust.state import PadState, PadTemperatures
+from babbitt.kinds.thrust.state import PadState
 from babbitt.kinds.thrust.tabulated import TabulatedFilms
 from babbitt.kinds.thrust.temperature_limits import TemperatureLimits
 from babbitt.kinds.thrust.thermal import PadOil

@@ -43,12 +43,9 @@ def pressure_checks(given_metal: BearingMetal | None, values: Mapping[str, float
 def pressures_not_checked(given_metal: BearingMetal | None) -> Iterator[Notice]:
     """Which of these checks lack data: without a metal they are recommendations only."""
     if given_metal is None:
-        yield from (
-            Notice(code, "no bearing metal is given (materials: bearing_metal)") for code in ("C103", "C105")
-        )
+        yield from (Notice(code, "no_metal") for code in ("C103", "C105"))
         return
-    missing = f"no public limit of {given_metal.name} is on board"
     if specific_load_limit(given_metal.family) is None:
-        yield Notice("C103", missing)
+        yield Notice("C103", "no_public_limit", {"metal": given_metal.name})
     if given_metal.limits(LoadCharacter.CALM).specific_load is None:
-        yield Notice("C105", missing)
+        yield Notice("C105", "no_public_limit", {"metal": given_metal.name})

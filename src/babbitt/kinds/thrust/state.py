@@ -8,13 +8,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from babbitt.design.pad_heat import PadTemperatures
 from babbitt.kinds.thrust.pad import ThrustPad
 
 if TYPE_CHECKING:
     from babbitt.reynolds.sector.sector import SectorFilm
     from babbitt.reynolds.sector.thermal_sector import SectorHeat
 
-__all__ = ["PadState", "PadTemperatures", "TiltInertia", "condensed", "tilt_answer", "face_runout_response"]
+__all__ = ["PadState", "TiltInertia", "condensed", "tilt_answer", "face_runout_response"]
 
 Array = NDArray[np.float64]
 ComplexArray = NDArray[np.complex128]
@@ -29,32 +30,6 @@ class TiltInertia:
 
     radial: float = 0.0
     along: float = 0.0
-
-
-@dataclass(frozen=True)
-class PadTemperatures:
-    """Temperatures of a pad whose film has one, by its own heat balance, K.
-
-    Attributes
-    ----------
-    inlet : float
-        T_in of the mixture that the pad takes in.
-    rise : float
-        dT of the oil along the pad.
-    """
-
-    inlet: float
-    rise: float
-
-    @property
-    def trailing(self) -> float:
-        """T_t = T_in + dT."""
-        return self.inlet + self.rise
-
-    @property
-    def effective(self) -> float:
-        """T_eff = T_in + dT/2, also of the oil that leaves at the sides."""
-        return self.inlet + 0.5 * self.rise
 
 
 @dataclass(frozen=True, eq=False)

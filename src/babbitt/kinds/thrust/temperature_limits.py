@@ -20,8 +20,6 @@ __all__ = ["ASSUMED_METAL", "TemperatureLimits", "hottest_of_pads"]
 ASSUMED_METAL = "B83"
 """Assumption where neither metal nor limit is given: tin Babbitt, with which thrust pads are lined as a rule."""
 
-UNKNOWN = "temperature or viscosity of the films is given: no heat balance tells how hot they become"
-
 PRESCRIBED = "effective_temperature"
 """Of films whose temperature is given: no answer of a heat balance, so that it can miss a limit, never keep it."""
 
@@ -81,10 +79,10 @@ class TemperatureLimits:
         """Which of these checks lack data, and which."""
         if hottest_of_pads(values) is None:
             missed = {check.code for check in self.checks(values)}
-            yield from (Notice(code, UNKNOWN) for code in ("C104", "C108") if code not in missed)
+            yield from (Notice(code, "no_heat_balance") for code in ("C104", "C108") if code not in missed)
             return
         if self.metal is None:
-            yield Notice("C108", "no bearing metal is given (materials: bearing_metal)")
+            yield Notice("C108", "no_metal")
 
     def assumptions(self, values: Mapping[str, float]) -> Iterator[str]:
         """What is assumed of the metal where a temperature is held against it."""

@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.core.notices import InputError
+from babbitt.design.pad_heat import Temperatures
 from babbitt.kinds.thrust.failures import NoPadFilmError, ThermalRunawayError
-from babbitt.kinds.thrust.heat import Temperatures
 from babbitt.kinds.thrust.pad import ThrustPad
 from babbitt.kinds.thrust.pad_attitude import PARALLEL, PadTilt
 from babbitt.kinds.thrust.state import PadState

@@ -7,10 +7,10 @@ from collections.abc import Iterable
 import numpy as np
 
 from babbitt.core.result import Matrix
+from babbitt.design.pad_heat import PadTemperatures, Temperatures
 from babbitt.kinds.thrust.design import ThrustDesign, ThrustState
-from babbitt.kinds.thrust.heat import Temperatures
 from babbitt.kinds.thrust.sharing import Share
-from babbitt.kinds.thrust.state import PadTemperatures, condensed
+from babbitt.kinds.thrust.state import condensed
 
 __all__ = [
     "effective_viscosity",

@@ -29,35 +29,24 @@ def sharing_warnings(design: ThrustDesign, state: ThrustState) -> Iterator[Notic
     nearest = -float(bearing.departures().min())
     runout = sum(one.amplitude for one in design.runouts)
     if nearest >= even:
-        yield Notice(
-            "W201",
-            f"tilt and heights bring pad {1 + int(bearing.departures().argmin())} {nearest * 1e6:.1f} µm "
-            "nearer to the collar, more than the "
-            f"film of {even * 1e6:.1f} µm that an even share has",
-        )
+        pad = 1 + int(bearing.departures().argmin())
+        yield Notice("W201", "uneven", {"pad": pad, "nearer": nearest, "film": even})
     elif runout > 0.0 and nearest + runout >= even:
-        yield Notice(
-            "W201",
-            f"tilt, heights and a runout of {runout * 1e6:.1f} µm bring a pad up to "
-            f"{(nearest + runout) * 1e6:.1f} µm nearer to the collar, more than "
-            f"the film of {even * 1e6:.1f} µm that an even share has",
-        )
+        yield Notice("W201", "runout", {"runout": runout, "nearer": nearest + runout, "film": even})
     least = float(share.loads.min() / share.mean_load)
     if least < LEAST_SHARE:
-        yield Notice("W201", f"pad {1 + int(share.loads.argmin())} carries {least:.2%} of the mean load")
-    yield from warnings_about_pressure(max(pad.maximum_pressure for pad in share.states), "in the film of a pad")
+        yield Notice("W201", "light", {"pad": 1 + int(share.loads.argmin()), "share": least})
+    yield from warnings_about_pressure(max(pad.maximum_pressure for pad in share.states), "pad")
     yield from _about_the_model(design, state)
     films = [pad.minimum_film_thickness for pad in share.states]
-    if min(films) <= CONTACT:
-        yield Notice(
-            "W207",
-            f"pad {1 + films.index(min(films))} would run on {min(films) * 1e6:.2f} µm under "
-            f"{share.states[films.index(min(films))].load / 1e3:.0f} kN; surfaces touch below "
-            f"{CONTACT * 1e6:g} µm",
-        )
+    if (film := min(films)) <= CONTACT:
+        pad = films.index(film)
+        yield Notice("W207", values={
+            "pad": 1 + pad, "film": film, "load": share.states[pad].load, "contact": CONTACT,
+        })  # fmt: skip
     reynolds = reynolds_number(design, share, effective_viscosity(design, state), state.temperatures)
     if design.turbulence is None and reynolds > LAMINAR_UP_TO:
-        yield Notice("W204", f"Re = {reynolds:.0f} > {LAMINAR_UP_TO:.0f}")
+        yield Notice("W204", values={"film_reynolds_number": reynolds, "limit": LAMINAR_UP_TO})
     known = (*hottest_oil(share).values(), *([] if state.temperatures is None else [state.temperatures.trailing]))
     hottest = max(known, default=design.oil.effective_temperature)
     if hottest is not None:
@@ -69,23 +58,20 @@ def _about_the_model(design: ThrustDesign, state: ThrustState) -> Iterator[Notic
     share = state.share
     lost = max(pad.mass_balance_error for pad in share.states)
     if not lost < CONSERVED:
-        yield Notice("W211", f"oil by {lost:.1e} of what passes a pad, bound {CONSERVED:g}")
+        yield Notice("W211", "oil", {"error": lost, "bound": CONSERVED})
     heat = 0.0 if state.temperatures is None else abs(state.temperatures.error)
     if not heat < OPEN_HEAT:
-        yield Notice("W211", f"heat by {heat:.1e} of the friction power, bound {OPEN_HEAT:g}")
+        yield Notice("W211", "heat", {"error": heat, "bound": OPEN_HEAT})
     if state.temperatures is None and (rise := rise_of_passing_oil(design, share)) > LARGEST_RISE:
-        yield Notice(
-            "W127", f"friction warms the oil that passes the pads by {rise:.0f} K, > {LARGEST_RISE:.0f} K"
-        )
+        yield Notice("W127", "passing", {"rise": rise, "limit": LARGEST_RISE})
     damping = [condensed(pad, design.speed, share.bearing.inertia).imag for pad in share.states]
     if min(damping) < 0.0:
-        said = f"pad {1 + damping.index(min(damping))} at the frequency of the shaft"
-        yield Notice("W212", f"{said}, {min(damping) / design.speed:.3g} N s/m")
+        pad, least = 1 + damping.index(min(damping)), float(min(damping) / design.speed)
+        yield Notice("W212", "shaft", {"pad": pad, "damping": least})
     loads, number = share.loads, share.bearing.number
     alike = float(loads.sum() ** 2 / (loads**2).sum())
     if alike < min(FEWEST, 0.75 * number):
-        yield Notice(
-            "W213",
-            f"pad {1 + int(loads.argmax())} carries {loads.max() / loads.sum():.0%} of the thrust; {number} pads "
-            f"carry as {alike:.1f} loaded alike",
-        )
+        most = float(loads.max() / loads.sum())
+        yield Notice("W213", values={
+            "pad": 1 + int(loads.argmax()), "share": most, "pads": number, "alike": alike,
+        })  # fmt: skip

@@ -18,8 +18,8 @@ MOST_WORK = 120_000
 """Units of one bearing or line: about 25 s of processor, at 0.2 ms a unit as measured with the template with
 adiabatic films and its runout, which takes 36 000."""
 
-COLD_FILM = 3.0
-"""Units of a film of one viscosity, solved once with its coefficients."""
+COLD_FILM = 7.0
+"""Units of a film of one viscosity with its coefficients: eight to twenty passes and what goes around them."""
 
 _left: ContextVar[list[float] | None] = ContextVar("work left", default=None)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -75,13 +76,23 @@ def form_at(pad: SectorPad, angle: Array, radius: Array) -> Array:
     """Departure from the plane, m, linear between its values, shape (angles, radii)."""
     if not pad.form:
         return np.zeros((angle.size, radius.size))
+    inner = pad.inner_radius / pad.outer_radius
+    return _between_values(pad.form, (pad.extent, inner), angle.tobytes(), radius.tobytes())
+
+
+@lru_cache(maxsize=16)
+def _between_values(
+    form: tuple[tuple[float, ...], ...], sides: tuple[float, float], angles: bytes, radii: bytes
+) -> Array:
+    """The same by value: a pad has many films at few places. The result is read only."""
     from scipy.interpolate import RegularGridInterpolator
 
-    values = np.asarray(pad.form)
-    rows = np.linspace(0.0, pad.extent, values.shape[0])
-    columns = np.linspace(pad.inner_radius / pad.outer_radius, 1.0, values.shape[1])
-    places = np.stack(np.meshgrid(angle, radius, indexing="ij"), axis=-1)
-    return np.asarray(RegularGridInterpolator((rows, columns), values)(places))
+    values = np.asarray(form)
+    rows, columns = np.linspace(0.0, sides[0], values.shape[0]), np.linspace(sides[1], 1.0, values.shape[1])
+    places = np.meshgrid(np.frombuffer(angles), np.frombuffer(radii), indexing="ij")
+    made = np.asarray(RegularGridInterpolator((rows, columns), values)(np.stack(places, axis=-1)))
+    made.flags.writeable = False
+    return made
 
 
 def runner_torque(pad: SectorPad, surface: Surface, work: SurfaceWork, at: Array) -> float:

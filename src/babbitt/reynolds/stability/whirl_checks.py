@@ -50,13 +50,12 @@ def whirl_checks(case: CarriesRotor, whirl: Whirl | None) -> Iterator[Check]:
         yield Check("C115", name, mass, whirl.rotor_mass, bound, source, not own)
 
 
-def without_critical_mass(whirl: Whirl | None) -> str:
-    """Why no bound of the mass of the rotor is known; empty where there is one, or no whirl was asked for."""
+def without_critical_mass(whirl: Whirl | None) -> Notice | None:
+    """Why no bound of the mass of the rotor is known; None where there is one, or no whirl was asked for."""
     if whirl is None or _bounds(whirl):
-        return ""
-    if whirl.stable.least == 0.0 and math.isinf(whirl.stable.greatest):
-        return "the film bears a rotor of any mass without whirl"
-    return "stiffness and damping tell no critical mass"
+        return None
+    any_mass = whirl.stable.least == 0.0 and math.isinf(whirl.stable.greatest)
+    return Notice("C115", "any_mass" if any_mass else "unknown")
 
 
 def warnings_about_whirl(whirl: Whirl) -> Iterator[Notice]:
@@ -64,14 +63,17 @@ def warnings_about_whirl(whirl: Whirl) -> Iterator[Notice]:
     stable = whirl.stable if whirl.elastic is None else whirl.elastic.stable
     if stable.reserve(whirl.rotor_mass) >= 1.0:
         return
-    shaft = " on its elastic shaft" if whirl.elastic is not None else ""
-    at = f"; whirl at {whirl.frequency_ratio:.2f} of the speed" if whirl.frequency_ratio > 0.0 else ""
-    if 0.0 < stable.least < math.inf:
-        yield Notice("W120", f"least mass that is stable {stable.least:.4g} kg > {whirl.rotor_mass:.4g} kg{at}")
-    elif stable.greatest == 0.0:
-        yield Notice("W120", f"no rotor{shaft} is stable here, whatever its mass")
-    else:
-        yield Notice("W120", f"critical mass{shaft} {stable.greatest:.4g} kg < {whirl.rotor_mass:.4g} kg{at}")
+    elastic = "" if whirl.elastic is None else "_elastic"
+    whirling: tuple[Notice, ...] = ()
+    if whirl.frequency_ratio > 0.0:
+        whirling = (Notice("W120", "frequency", {"whirl_frequency_ratio": whirl.frequency_ratio}),)
+    if stable.greatest == 0.0:
+        yield Notice("W120", f"none{elastic}")
+        return
+    heavy = not 0.0 < stable.least < math.inf
+    yield Notice("W120", f"critical{elastic}" if heavy else "least", {
+        "bound": stable.greatest if heavy else stable.least, "rotor_mass": whirl.rotor_mass, "whirl": whirling,
+    })  # fmt: skip
 
 
 def _bounds(whirl: Whirl) -> dict[str, float]:

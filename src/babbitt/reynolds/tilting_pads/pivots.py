@@ -16,7 +16,6 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from babbitt.core.notices import InputError
-from babbitt.reynolds.tilting_pads._pivot_curve import pivot_curve
 
 __all__ = [
     "Curve",
@@ -76,6 +75,8 @@ class Curve:
 
     def at(self, load: float) -> tuple[float, float]:
         """Displacement u, m, and slope du/dP, m/N, under a load in N."""
+        from babbitt.reynolds.tilting_pads._pivot_curve import pivot_curve  # numba, which reading a case needs not
+
         table = np.array(self.loads, dtype=np.float64), np.array(self.displacements, dtype=np.float64)
         displacement, slope = pivot_curve(np.array(self.columns()), *table, load)
         return float(displacement), float(slope)
@@ -260,10 +261,12 @@ def stiffness_of(pivot: Pivot, load: float) -> float:
     Not a number where the displacement falls with the load: a contact of lines as wide as it is deep is beyond its
     law.
     """
+    if isinstance(pivot, RigidPivot):
+        return math.inf
     _, slope = pivot.curve().at(max(load, LIGHTEST))
     if slope < 0.0:
         return math.nan
-    return 1.0 / slope if slope > 0.0 else math.inf
+    return 1.0 / slope
 
 
 def contact_radius(pivot: PointContact, load: float) -> float:

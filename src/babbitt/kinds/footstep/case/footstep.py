@@ -18,6 +18,7 @@ from babbitt.core.notices import Notice
 from babbitt.core.solution import Calculation
 from babbitt.core.units import si, written
 from babbitt.kinds.footstep.case.footstep_parts import (
+    METHOD_MAPPING,
     FigureRanges,
     FootstepOilInput,
     FootstepOptionsInput,
@@ -61,7 +62,7 @@ class FootstepCase(CaseFile):
 
     kind: Literal["screw_heel"] = Field(description="Footstep with a smooth or screw-grooved heel.")
     name: Name = Field(description="Name of the footstep.")
-    method: Literal["superposition", "narrow_groove"] = Field(
+    method: Annotated[Literal["superposition", "narrow_groove"], METHOD_MAPPING] = Field(
         "superposition",
         description="The study's equations (adiabatic groove beside a full slit), or narrow-groove theory.",
     )
@@ -245,11 +246,9 @@ def heel_cases(case: FootstepCase) -> tuple[FootstepProblem, ...]:
 
 def _fields_not_read(case: FootstepCase) -> Iterator[Notice]:
     """Tell of limits of the clearance, and of what makes no difference to a smooth heel computed alone."""
-    yield from not_read(case, "the footstep is computed at its mean clearance", *LIMITS)
+    yield from not_read(case, "mean_footstep", *LIMITS)
     if case.variants == "smooth":
-        yield from not_read(
-            case, "a smooth heel has no groove", "groove", *(f"options.{one}" for one in OF_GROOVES)
-        )
+        yield from not_read(case, "smooth_heel", "groove", *(f"options.{one}" for one in OF_GROOVES))
 
 
 def _given(case: FootstepCase) -> Iterator[tuple[str, str]]:

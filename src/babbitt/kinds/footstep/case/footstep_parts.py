@@ -8,6 +8,8 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Field
 
 from babbitt.case.aliases import FormerWords, Moved
+from babbitt.case.method_choices import MethodChoices, MethodInput
+from babbitt.case.method_mapping import MethodMapping
 from babbitt.case.part import Issue, Part, rule
 from babbitt.case.parts.fields import WholeNumber
 from babbitt.core.units import si, written
@@ -98,7 +100,7 @@ class WallPart(Part):
     )
 
 
-class FootstepOptionsInput(Part):
+class StudyChoices(MethodChoices):
     """What the study leaves open, or prints otherwise; the defaults are the consistent choices."""
 
     friction_viscosity: Literal["mean", "mixed"] = Field(
@@ -121,6 +123,27 @@ class FootstepOptionsInput(Part):
         description="Factor beta of the speed omega/(1 + beta) of groove and friction, which the study never "
         "defines.",
     )
+
+
+class FootstepOptionsInput(StudyChoices):
+    """Choices of the study's equations at their former place."""
+
+
+class SuperpositionMethod(StudyChoices, MethodInput):
+    """The study's equations."""
+
+    read_in: ClassVar[tuple[str, ...]] = ("options",)
+
+    kind: Literal["superposition"] = Field(description="The study's equations.")
+
+
+class NarrowGrooveMethod(MethodInput):
+    """Narrow-groove theory."""
+
+    kind: Literal["narrow_groove"] = Field(description="Narrow-groove theory.")
+
+
+METHOD_MAPPING = MethodMapping((SuperpositionMethod, NarrowGrooveMethod))
 
 
 class FigureRanges(Part):

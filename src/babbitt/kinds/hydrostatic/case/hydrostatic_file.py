@@ -18,6 +18,7 @@ from babbitt.case.parts.lubricant import LubricantInput
 from babbitt.core.notices import Notice
 from babbitt.core.solution import Calculation
 from babbitt.core.units import si
+from babbitt.kinds.hydrostatic.case.methods import METHOD_MAPPING, FilmChoices
 from babbitt.kinds.hydrostatic.case.recess_parts import Frequency, GapLimits, HydrostaticOil, Load, RecessOil
 from babbitt.kinds.hydrostatic.case.restrictors import (
     ConstantFlowInput,
@@ -31,7 +32,7 @@ from babbitt.kinds.hydrostatic.methods import METHODS
 from babbitt.kinds.hydrostatic.model import HydrostaticCase, Oil, OperatingConditions, Recesses, Shape, beyond_data
 
 
-class HydrostaticFile(CaseFile):
+class HydrostaticFile(FilmChoices, CaseFile):
     """What all hydrostatic bearings have."""
 
     shaped_by: ClassVar[tuple[str, ...]] = ("recesses",)
@@ -46,13 +47,8 @@ class HydrostaticFile(CaseFile):
 
     kind: str = Field(description="What the file describes.")
     name: Name = Field(description="Name of the bearing.")
-    method: Literal["film", "quick"] = Field(
+    method: Annotated[Literal["film", "quick"], METHOD_MAPPING] = Field(
         "film", description="The film in two dimensions with the recess network, or closed forms and lumped lands."
-    )
-    accuracy: Literal["draft", "engineering", "reference"] = Field(
-        "engineering",
-        description="Grid of the film. A full film of reference accuracy is solved on half the lines as well and "
-        "extrapolated.",
     )
     restrictor: RestrictorInput | None = Field(None, description="The restrictor before every recess.")
     restrictors: tuple[RestrictorInput, ...] = Field(
@@ -146,12 +142,11 @@ class HydrostaticFile(CaseFile):
     def _fields_not_read(self) -> Iterator[Notice]:
         """Tell of fields that make no difference to this bearing."""
         if self.method == "quick":
-            yield from not_read(self, "closed forms and lumped lands have no grid", "accuracy")
+            yield from not_read(self, "no_grid", "accuracy")
         if self.lubricant is not None:
-            yield from not_read(self, "a lubricant has its own", "oil.density", "oil.heat_capacity")
+            yield from not_read(self, "own_of_lubricant", "oil.density", "oil.heat_capacity")
         else:
-            why = "viscosity is given as it is in film and restrictors"
-            yield from not_read(self, why, "supply.temperature", "film_temperature")
+            yield from not_read(self, "given_viscosity", "supply.temperature", "film_temperature")
 
     def oils(self) -> tuple[Oil, Oil]:
         """Give the oil in the film and that in the restrictors."""
@@ -170,9 +165,9 @@ class HydrostaticFile(CaseFile):
         if self.lubricant is None or self.supply.temperature is None:
             return
         lubricant = self.lubricant.lubricant()
-        yield from beyond_data(lubricant, self.supply.temperature, "the oil before the restrictors")
+        yield from beyond_data(lubricant, self.supply.temperature, "supply")
         if self.film_temperature is not None:
-            yield from beyond_data(lubricant, self.film_temperature, "the film")
+            yield from beyond_data(lubricant, self.film_temperature, "film")
 
     def calculations(self) -> tuple[Calculation, ...]:
         """Give the one calculation of the file."""

@@ -102,10 +102,9 @@ class HydrostaticJournalCase(HydrostaticFile):
     def _fields_not_read(self) -> Iterator[Notice]:
         """As of all hydrostatic bearings; lumped lands do not rupture."""
         yield from super()._fields_not_read()
-        yield from not_read(self, "the bearing is computed at its mean clearance", *LIMITS)
+        yield from not_read(self, "mean_clearance", *LIMITS)
         if self.method == "quick":
-            why = "lumped lands are full of oil at any pressure; only the recesses are held against it"
-            yield from not_read(self, why, "cavitation_pressure")
+            yield from not_read(self, "full_lands", "cavitation_pressure")
 
     def design(self) -> HydrostaticCase:
         """Give the case of the calculation."""

@@ -18,6 +18,7 @@ from babbitt.case.parts.own_lubricant import DynamicViscosity
 from babbitt.core.notices import Notice
 from babbitt.core.solution import Calculation
 from babbitt.core.units import si, written
+from babbitt.kinds.hydrostatic.case.methods import METHOD_MAPPING, FilmChoices
 from babbitt.kinds.hydrostatic.case.recess_parts import Gap, Length, Load, RecessRow
 from babbitt.kinds.hydrostatic.case.recess_rules import clearance_is_usable, in_order, lands_between
 from babbitt.kinds.hydrostatic.case.restrictors import FlowRate, SupplyPressure
@@ -26,15 +27,16 @@ from babbitt.kinds.hydrostatic.jacking_model import JackingCase
 from babbitt.kinds.hydrostatic.methods import JACKING_METHODS as METHODS
 
 
-class JackingPocketCase(CaseFile):
+class JackingPocketCase(FilmChoices, CaseFile):
     """Pockets that lift a shaft before it turns."""
 
     former_words: ClassVar[FormerWords] = {"radial_clearance": Moved("clearance.mean", kind="radial")}
 
     kind: Literal["jacking_pocket"] = Field(description="Jacking pockets of a plain journal bearing at rest.")
     name: Name = Field(description="Name of the bearing.")
-    method: Literal["film", "quick"] = Field("film", description="The film in two dimensions, or strips.")
-    accuracy: Literal["draft", "engineering", "reference"] = Field("engineering", description="Grid of the film.")
+    method: Annotated[Literal["film", "quick"], METHOD_MAPPING] = Field(
+        "film", description="The film in two dimensions, or strips."
+    )
     diameter: Length = Field(description="Bore.")
     width: Length = Field(description="Width of the bearing.")
     clearance: ClearanceInput = Field(description="Clearance at 20 degC; its mean is computed.")
@@ -96,12 +98,12 @@ class JackingPocketCase(CaseFile):
 
     def _fields_not_read(self) -> Iterator[Notice]:
         """Tell of fields that make no difference to these pockets."""
-        yield from not_read(self, "the bearing is computed at its mean clearance", *LIMITS)
+        yield from not_read(self, "mean_clearance", *LIMITS)
         if self.method == "quick":
-            yield from not_read(self, "strips around a pocket have no grid and end at no groove",
+            yield from not_read(self, "strips",
                                 "accuracy", "pockets.drain_groove")  # fmt: skip
         if self.pockets.number == 1:
-            yield from not_read(self, "a single pocket gets the flow of the pump either way", "own_restrictors")
+            yield from not_read(self, "single_pocket", "own_restrictors")
 
     def calculations(self) -> tuple[Calculation, ...]:
         """Give the one calculation of the file."""

@@ -38,9 +38,6 @@ HALF, QUARTER = math.pi, math.pi / 2.0
 
 ALMOST_A_TURN = math.radians(359.0)
 
-WIDE_LINE = "the film is fed along a line opposite the load, as wide as the bearing"
-WIDE_LINES = "the film is fed along lines at both ends of the arc, as wide as the bearing"
-
 
 @dataclass(frozen=True)
 class FilmLayout:
@@ -65,24 +62,21 @@ def film_layout(bearing: JournalBearing, point: OperatingPoint | None, width: fl
     """
     given = bearing.hollows()
     if bearing.film_starts() is FilmStart.WIDEST_GAP:
-        why = "the film starts at the widest gap"
         return FilmLayout(
             (),
             ("The film starts at the widest gap, at ambient pressure: nothing feeds it elsewhere.",),
-            _not_used(bearing, point, ("supply_element",), why),
+            _not_used(bearing, point, ("supply_element",), "widest_gap"),
         )
     if bearing.film_starts() is FilmStart.PERIODIC and not given:
-        why = "the film closes around the journal"
         return FilmLayout(
             (),
             ("The film closes around the journal, and nothing feeds it.",),
-            _not_used(bearing, point, ("supply_element",), why),
+            _not_used(bearing, point, ("supply_element",), "closed"),
         )
     if given:
-        why = "the film is fed by its grooves, pockets and holes"
         return FilmLayout(
             tuple(hollow.hollow(bearing.diameter) for _, hollow in given),
-            warnings=_not_used(bearing, point, ("supply_element", "span"), why),
+            warnings=_not_used(bearing, point, ("supply_element", "span"), "own_feeds"),
         )
     return _by_rule(bearing, point, width, sense)
 
@@ -95,7 +89,7 @@ def _not_used(
     if point is not None:
         at = f"operating_points[{bearing.operating_points.index(point)}]"
         own += [f"{at}.{name}" for name in fields if getattr(point, name) is not None]
-    return (Notice("W183", f"{', '.join(own)}: {why}"),) if own else ()
+    return (Notice("W183", why, {"fields": tuple(own)}),) if own else ()
 
 
 def _by_rule(bearing: JournalBearing, point: OperatingPoint | None, width: float, sense: float) -> FilmLayout:
@@ -104,11 +98,7 @@ def _by_rule(bearing: JournalBearing, point: OperatingPoint | None, width: float
     full = span > ALMOST_A_TURN
     if element is None:
         return _by_lines(load, span)
-    unread = (
-        ()
-        if full
-        else _not_used(bearing, point, ("span",), "the film surrounds the journal, and breaks by itself")
-    )
+    unread = () if full else _not_used(bearing, point, ("span",), "unbroken")
     match element:
         case UnevenPockets():
             hollows = tuple(
@@ -139,13 +129,11 @@ def _by_lines(load: float, span: float) -> FilmLayout:
     """Lines of supply of a bearing that does not say what feeds it; angles in rad."""
     if span > ALMOST_A_TURN:
         said = "The film is fed along a line opposite the load."
-        return FilmLayout(
-            (FeedSize(load + HALF, 0.0),), (said,), (Notice("W184", f"no supply element: {WIDE_LINE}"),)
-        )
+        return FilmLayout((FeedSize(load + HALF, 0.0),), (said,), (Notice("W184", "line"),))
     ends = f"The loaded arc of {written(span, 'deg')} ends at lines of supply as wide as the bearing"
     said = f"{ends}; behind them the rest of the bore carries film, too."
     hollows = tuple(FeedSize(load + turn, 0.0) for turn in (-span / 2.0, span / 2.0))
-    return FilmLayout(hollows, (said,), (Notice("W184", f"no supply element: {WIDE_LINES}"),))
+    return FilmLayout(hollows, (said,), (Notice("W184", "lines"),))
 
 
 def _of_element(element: SupplyElementInput, angle: float, diameter: float, width: float) -> Iterator[FeedSize]:

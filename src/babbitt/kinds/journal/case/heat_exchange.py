@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
 from pydantic import Field
 
+from babbitt.case.method_choices import MethodChoices
 from babbitt.case.part import Issue, Part, rule
 from babbitt.case.shorthand import Shorthand
 from babbitt.core.units import si, written
@@ -73,32 +74,37 @@ class AmbientInput(Part):
     )
 
 
-class HeatExchangeInput(Part):
-    """Where heat goes besides the oil, and how the published calculation is repeated."""
-
-    example: ClassVar[str] = "{bush: {outer_diameter: 100 mm, conductivity: 45 W/(m K)}}"
+class LongFilmChoices(MethodChoices):
+    """Choices of the infinitely long film."""
 
     nusselt: Annotated[NusseltInput, _ConstantNusselt(_number, "a Nusselt number")] = Field(
         NusseltInput(), description="Heat transfer from film to walls. A number is a constant Nusselt number."
-    )
-    bush: BushInput | None = Field(None, description="The bush. Adiabatic if not given.")
-    ambient: AmbientInput | None = Field(None, description="The surroundings. No heat reaches them if not given.")
-    shaft_conductance: Annotated[float, si("W/K", "0 W/K", "1000 W/K")] = Field(
-        0.0, description="Conductance from the journal along the shaft to the surroundings."
     )
     discretisation: Literal["consistent", "published_mean", "published_literal"] = Field(
         "consistent",
         description="consistent conserves the flow. The published ones repeat a published table and do not.",
     )
-    supply_angle: Annotated[float, si("rad", "100 deg", "270 deg")] = Field(
-        math.pi,
-        description="Where the oil enters (phi_1), from the narrowest gap in the direction of rotation. 180 deg, "
-        "the widest gap, if not given.",
-    )
     exchange_zone: Literal["liquid_fraction", "all_around", "film"] | None = Field(
         None,
         description="How much of the ruptured film rubs and exchanges heat: its liquid fraction, all, or none. "
         "liquid_fraction if not given, all_around with a published discretisation.",
+    )
+
+
+class HeatExchangeInput(LongFilmChoices):
+    """Where heat goes besides the oil, and how the published calculation is repeated."""
+
+    example: ClassVar[str] = "{bush: {outer_diameter: 100 mm, conductivity: 45 W/(m K)}}"
+
+    bush: BushInput | None = Field(None, description="The bush. Adiabatic if not given.")
+    ambient: AmbientInput | None = Field(None, description="The surroundings. No heat reaches them if not given.")
+    shaft_conductance: Annotated[float, si("W/K", "0 W/K", "1000 W/K")] = Field(
+        0.0, description="Conductance from the journal along the shaft to the surroundings."
+    )
+    supply_angle: Annotated[float, si("rad", "100 deg", "270 deg")] = Field(
+        math.pi,
+        description="Where the oil enters (phi_1), from the narrowest gap in the direction of rotation. 180 deg, "
+        "the widest gap, if not given.",
     )
 
     @rule

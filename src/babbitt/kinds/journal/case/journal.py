@@ -28,14 +28,10 @@ from babbitt.kinds.journal.case.film_features import (
     issues_of_hollows,
 )
 from babbitt.kinds.journal.case.film_heat import (
-    AxialTemperatureInput,
-    CarryOverInput,
-    CoefficientsInput,
-    ThermalInput,
     WallsInput,
     heat_goes_with_the_film,
 )
-from babbitt.kinds.journal.case.film_oil import PressureViscosityInput, TurbulenceInput
+from babbitt.kinds.journal.case.film_oil import PressureViscosityInput
 from babbitt.kinds.journal.case.film_surface import (
     CrowningInput,
     DisplacementInput,
@@ -45,6 +41,7 @@ from babbitt.kinds.journal.case.film_surface import (
 from babbitt.kinds.journal.case.grooved_segments import SegmentsInput
 from babbitt.kinds.journal.case.heat_exchange import HeatExchangeInput
 from babbitt.kinds.journal.case.load_direction import DOWNWARD
+from babbitt.kinds.journal.case.methods import METHOD_MAPPING, FilmChoices, Iso7902Choices
 from babbitt.kinds.journal.case.operating_point import LoadAndSpeed, OperatingPoint
 from babbitt.kinds.journal.case.supply_element import SupplyElementInput, UnevenPockets
 from babbitt.reynolds.model import FilmStart
@@ -56,14 +53,14 @@ GREATEST_SURFACE_SPEED = 200.0
 """m/s. Assumption: a faster plain bearing is a slip of unit."""
 
 
-class JournalBearing(LoadAndSpeed, SharedInputs):
+class JournalBearing(LoadAndSpeed, SharedInputs, FilmChoices, Iso7902Choices):
     """A circular cylindrical journal bearing."""
 
     alternatives: ClassVar[tuple[tuple[str, ...], ...]] = (*LoadAndSpeed.alternatives, ("width", "width_ratio"))
 
     kind: Literal["journal"] = Field(description="Circular cylindrical journal bearing.")
     name: Name = Field(description="Name of the bearing in tables and reports.")
-    method: Literal["iso7902", "film", "long_film", "segments"] = Field(
+    method: Annotated[Literal["iso7902", "film", "long_film", "segments"], METHOD_MAPPING] = Field(
         "iso7902",
         description="Method of calculation: the procedure of ISO 7902, the film in two dimensions, or one of two "
         "published models in one dimension: the long film with heat exchange, or its heat balance by segments.",
@@ -122,9 +119,6 @@ class JournalBearing(LoadAndSpeed, SharedInputs):
         None,
         description="Gauge pressures at the sides z = -B/2 and B/2, for the film method. Ambient if not given.",
     )
-    tilt_coefficients: bool = Field(
-        False, description="Stiffness and damping against tilt of the journal, too, by the film method."
-    )
     surfaces: SurfacesInput | None = Field(None, description="Roughness, tilt and waviness of the surfaces.")
     heat_exchange: HeatExchangeInput = Field(
         HeatExchangeInput(), description="Heat exchange of the long film (method: long_film)."
@@ -164,79 +158,20 @@ class JournalBearing(LoadAndSpeed, SharedInputs):
     )
 
     friction: FrictionInput = Field(FrictionInput(), description="Where the film rubs.")
-    characteristics: Literal["computed", "closed_form"] = Field(
-        "computed",
-        description="Own solutions of the Reynolds equation, or the closed forms of DIN 31652 (360 deg).",
-    )
-    cavitation: Literal["mass_conserving", "reynolds", "half_sommerfeld"] = Field(
-        "mass_conserving",
-        description="What the film method does where the film breaks up: conserve the oil (JFO), or let "
-        "pressure and "
-        "its gradient vanish (Reynolds, as in most published tables), or count suctions of the full film as "
-        "nothing (half-Sommerfeld, as in closed forms: a plain ring without feeding, no flows and no stiffness).",
-    )
     cavitation_pressure: Annotated[float, si("Pa", "-1 MPa", "0 Pa")] = Field(
         0.0, description="Gauge pressure at which the film breaks, for the film method."
     )
-    turbulence: TurbulenceInput = Field(
-        "laminar",
-        description="Turbulence of the film method where the local Reynolds number exceeds 41.3 sqrt(D/C): none, "
-        "whatever the Reynolds number, or flow factors by Ng and Pan or Constantinescu.",
-    )
     pressure_viscosity: PressureViscosityInput | None = Field(
         None, description="Growth of the viscosity with pressure, for the film method."
-    )
-    thermal: ThermalInput | None = Field(
-        None,
-        description="Temperature of the film method: prescribed (isothermal), one for the whole film from the "
-        "heat balance (global), or varying around the journal and across the gap, with walls that take no heat "
-        "(adiabatic) or with bush, housing and journal that conduct (full). global if not given, isothermal with "
-        "an effective_temperature.",
     )
     walls: WallsInput | None = Field(
         None,
         description="Bush, housing and journal of a full thermal film. What is not given is assumed and told.",
     )
-    axial_temperature: AxialTemperatureInput = Field(
-        "mean",
-        description="Whether temperatures of an adiabatic or full film are means over the width, or resolved "
-        "along it. Between pockets and holes they are always resolved.",
-    )
-    carry_over: CarryOverInput = Field(
-        1.0,
-        description="Hot oil carry-over of an adiabatic or full film: share, 0 to 1, of the oil that the film "
-        "brings to a groove, pocket or hole and that goes on with the next film; fresh oil flushes out the rest. "
-        "1 where the next film takes all of it that it can: the hottest.",
-    )
-    temperature_coefficients: CoefficientsInput = Field(
-        "frozen",
-        description="Whether the stiffness of an adiabatic or full film answers displacements at frozen "
-        "temperatures, or with temperatures that follow.",
-    )
-    film_start: Literal["groove", "widest_gap", "periodic"] | None = Field(
-        None,
-        description="Where the film method lets the film begin: at what feeds it, or at the widest gap of "
-        "a full round "
-        "bore (as the characteristics of the standard), or nowhere, for it closes around the journal (periodic). "
-        "groove if not given; periodic with cavitation: half_sommerfeld.",
-    )
-    accuracy: Literal["draft", "engineering", "reference"] = Field(
-        "engineering", description="How fine the grid of the film method is."
-    )
-    error_estimate: bool = Field(
-        False,
-        description="Solve the film on a finer grid, too, and say how far film thickness, position, stiffness and "
-        "damping may be wrong by the grid. Film method.",
-    )
     dynamic_load: DynamicLoadInput | None = Field(
         None,
         description="Load that changes while the journal turns, added to the load, for the film method: the orbit "
         "of the journal is found.",
-    )
-    equilibria: Literal["auto", "all", "first"] = Field(
-        "auto",
-        description="Whether the film method looks for further places where the journal can rest: always, never, "
-        "or in lobed bores and between grooves whose pressure rivals that of the wedge.",
     )
     limits: LimitsInput = Field(LimitsInput(), description="Limits in place of those by experience.")
     assumptions: tuple[Prose, ...] = Field(

@@ -10,18 +10,10 @@ from pydantic import Field
 from babbitt.case.part import Issue, Part, at_most_one, rule
 from babbitt.case.parts.fields import Name, Span
 from babbitt.case.parts.load_and_speed import LOADS, SPEEDS
+from babbitt.case.parts.position import PositionInput
 from babbitt.case.parts.supply import GaugePressure, OilTemperature, SupplyFlow
 from babbitt.core.units import either_sense, si
 from babbitt.kinds.journal.case.supply_element import SupplyElementInput
-
-
-class PositionInput(Part):
-    """Where the journal centre stands."""
-
-    example: ClassVar[str] = "{x: 20 um, y: -60 um}"
-
-    x: Annotated[float, si("m", "-5 mm", "5 mm")] = Field(description="To the right of the bearing centre.")
-    y: Annotated[float, si("m", "-5 mm", "5 mm")] = Field(description="Above the bearing centre.")
 
 
 class LoadAndSpeed(Part):

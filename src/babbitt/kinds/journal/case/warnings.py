@@ -8,7 +8,6 @@ from collections.abc import Iterator
 from babbitt.case.grouped_digits import about_grouped_digits
 from babbitt.case.part import is_given, not_read
 from babbitt.core.notices import Notice
-from babbitt.core.units import written
 from babbitt.kinds.journal.case.joined_inputs import Inputs
 from babbitt.kinds.journal.case.journal import JournalBearing
 from babbitt.kinds.journal.case.load_direction import DOWNWARD
@@ -54,31 +53,24 @@ def warnings_about_numbers(inputs: Inputs, point: OperatingPoint | None) -> tupl
 
 def _about_fields_not_read(bearing: JournalBearing) -> Iterator[Notice]:
     """Tell of the fields that the method of a bearing does not read."""
-    yield from not_read(bearing, f"method {bearing.method} does not read this", *NOT_READ[bearing.method])
+    yield from not_read(bearing, bearing.method, *NOT_READ[bearing.method])
 
 
 def _about_direction(bearing: JournalBearing) -> Iterator[Notice]:
     """Tell that the standard does not know a direction of the load."""
     if is_given(bearing, "load_angle") and bearing.load_angle != DOWNWARD:
-        yield Notice(
-            "W182",
-            f"load_angle {written(bearing.load_angle, '°')}: ISO 7902 centres the arc on the load and counts the "
-            "places of holes, pockets and grooves from the load, whatever its direction",
-        )
+        yield Notice("W182", values={"load_angle": bearing.load_angle})
 
 
 def _about_hollows(bearing: JournalBearing) -> Iterator[Notice]:
     """Tell that the standard does not read grooves, pockets and holes at angles in the bore."""
     if given := dict.fromkeys(str(path[0]) for path, _ in bearing.hollows()):
-        yield Notice("W183", f"{', '.join(given)}: ISO 7902 knows what feeds the film from supply_element alone")
+        yield Notice("W183", "supply_element", {"fields": tuple(given)})
     for path, given_hollow in bearing.hollows():
         hollow = given_hollow.hollow(bearing.diameter)
         aside = abs(math.remainder(bearing.load_angle - hollow.angle, 2.0 * math.pi))
         if aside <= 0.5 * hollow.extent:
-            where, name = written(bearing.load_angle, "°"), ".".join(map(str, path))
-            yield Notice(
-                "W143", f"the load acts at {where}, into {name}, and ISO 7902 takes a film without it there"
-            )
+            yield Notice("W143", "iso7902", {"load_angle": bearing.load_angle, "place": ".".join(map(str, path))})
 
 
 def _about_span(bearing: JournalBearing, point: OperatingPoint | None) -> Iterator[Notice]:
@@ -87,13 +79,10 @@ def _about_span(bearing: JournalBearing, point: OperatingPoint | None) -> Iterat
     if isinstance(element, GrooveElement) and element.kind == "groove_180":
         span = bearing.span_at(point)
         if span is not None and span > 180:
-            yield Notice("W188", f"span {span}° beside a groove_180: the groove leaves an arc of 180°")
+            yield Notice("W188", values={"span": span})
     if not isinstance(element, UnevenPockets):
         return
     conventional, span = element.conventional_span(), bearing.span_at(point)
-    exact = math.degrees(conventional.exact)
-    yield Notice("W104", f"the arc between uneven pockets, {exact:.0f}° if centred, was taken as {span}°")
+    yield Notice("W104", values={"exact": conventional.exact, "span": span})
     if conventional.too_short:
-        yield Notice(
-            "W105", f"the pockets leave {exact:.0f}° of centred arc; the characteristics hold for {span}°"
-        )
+        yield Notice("W105", "uneven_pockets", {"exact": conventional.exact, "span": span})

@@ -125,7 +125,7 @@ def film_solution(case: FilmCase, watch: ProgressCallback = no_progress) -> Solu
     warnings = case.warnings
     not_made: tuple[Notice, ...] = ()
     arrays, settings = {}, film_settings(case)
-    no_mass = ""
+    no_mass = None
     solved = None
     if found.film is not None:
         state, slope = confirmed_state(case, found.film)
@@ -167,7 +167,7 @@ def film_solution(case: FilmCase, watch: ProgressCallback = no_progress) -> Solu
                 *checks_not_made(case, values),
                 *unjudged(limits, flattered),
                 *slope_not_asked(frozen, slope),
-                *((Notice("C115", no_mass),) if no_mass else ()),
+                *((no_mass,) if no_mass else ()),
             )
             warnings = (*_warnings(case, state, values, checks, whirl), *warnings_about_slope(case, slope))
             if state.thermal is not None:
@@ -200,7 +200,7 @@ def film_solution(case: FilmCase, watch: ProgressCallback = no_progress) -> Solu
         settings,
         arrays,
         {name: NO_CALM_FILM for name in ("side_flow", "supply_flow") if math.isnan(values.get(name, 0.0))}
-        | ({"critical_mass": no_mass} if no_mass else {})
+        | ({"critical_mass": no_mass.message} if no_mass else {})
         | _tilt_missing(case, outcome, arrays)
         | missing_without_load(case, found.film),
     )
@@ -223,7 +223,7 @@ def _warnings_about_ducts(asked: FilmCase, case: FilmCase, beyond: Arrival) -> I
     """Tell of a film that would draw more oil than tubes and holes pass, and of one not limited to that."""
     yield from warnings_about_supply(beyond.limit, beyond.flow)
     if case is asked:
-        yield Notice("W186", "the film is solved as if it got the oil all the same")
+        yield Notice("W186")
 
 
 def _supply_of_ducts(asked: FilmCase, beyond: Arrival | None) -> dict[str, float]:
@@ -277,23 +277,19 @@ def _warnings(
         if warning.code != "W101" or case.turbulence is None
     )
     if state.fed is not None and state.fed.starved:
-        fills = ", ".join(f"{fill:.0%}" for fill in fills_of(case, state.fed))
-        flow = values["given_flow"] * 6e4
-        yield Notice("W140", f"the supplies fill {fills} of the gap with the {flow:.3g} L/min given")
+        yield Notice("W140", values={"fills": fills_of(case, state.fed), "given_flow": values["given_flow"]})
     if case.bearing_speed:
-        yield Notice("W114", "the bearing rotates; values from experience hold for bearings at rest")
+        yield Notice("W114")
     if values["mass_balance_error"] > OIL_INVENTED_FROM:
-        share = values["mass_balance_error"]
-        yield Notice("W122", f"{share:.0%} of the oil that passes the film comes from nowhere")
+        yield Notice("W122", values={"share": values["mass_balance_error"]})
     film = state.solution
     if film.side_inflow > DRAWN_IN_FROM * film.leaving_flow:
-        flow = film.side_inflow * 6e4
-        yield Notice("W141", f"the sides draw in {flow:.2g} L/min")
+        yield Notice("W141", values={"side_inflow": film.side_inflow})
     yield from warnings_about_pressure(values["maximum_pressure"])
     yield from _warnings_about_holes(case, state)
     yield from _warnings_about_grooves(case, state, values)
     if case.error_estimate and "stiffness_error" not in values:
-        yield Notice("W125", "the film on the finer grid was not found")
+        yield Notice("W125")
     if whirl is not None:
         yield from warnings_about_whirl(whirl)
     solved = {"W109"} if whirl is not None else set()  # the dynamics of the film are solved for
@@ -322,28 +318,24 @@ def _warnings_about_grooves(case: FilmCase, state: FilmState, values: dict[str, 
     grooves = [hollow for hollow in case.bearing.hollows if hollow.width is None]
     calm = without_pressure(state.solution.film, closed_pockets(case))
     if grooves and calm != state.solution.film:
-        flow = values["supply_flow"] * 6e4
-        said = f"supply flow of {flow:.2g} L/min from grooves as wide as the bearing"
+        flow = values["supply_flow"]
         if math.isnan(flow):
-            said = "no film was found without the pressure of grooves as wide as the bearing; the whole flow"
+            yield Notice("W121", "unknown")
         elif flow < 0.0:
-            said = (
-                f"under the pressure of grooves as wide as the bearing {-flow:.2g} L/min less leave by the sides"
-            )
-            said += ", as oil flows from a side into them" if state.solution.side_inflow > 0.0 else ""
-        yield Notice("W121", f"{said}: a rough estimate")
+            yield Notice("W121", "drawn" if state.solution.side_inflow > 0.0 else "less", {"less": -flow})
+        else:
+            yield Notice("W121", "more", {"supply_flow": flow})
     for groove in case.bearing.hollows:
         if groove.extent > ALMOST_A_TURN:  # no load could point beside it
             continue
         aside = abs(math.remainder(values["load_angle"] - groove.angle, 2.0 * math.pi))
         if aside <= 0.5 * groove.extent + AT_A_LINE:
             load, first, last = (
-                math.degrees(angle)
-                for angle in (
-                    values["load_angle"], groove.angle - 0.5 * groove.extent, groove.angle + 0.5 * groove.extent
-                )
+                values["load_angle"], groove.angle - 0.5 * groove.extent, groove.angle + 0.5 * groove.extent,
             )  # fmt: skip
-            which = "groove" if groove.width is None else f"pocket or hole, {1e3 * groove.width:.3g} mm wide,"
-            yield Notice(
-                "W143", f"the load acts at {load:.0f}°, the {which} reaches from {first:.0f}° to {last:.0f}°"
-            )
+            if groove.width is None:
+                yield Notice("W143", "groove", {"load_angle": load, "first": first, "last": last})
+            else:
+                yield Notice("W143", "pocket", {
+                    "load_angle": load, "width": groove.width, "first": first, "last": last,
+                })  # fmt: skip

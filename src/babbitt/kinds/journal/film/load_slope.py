@@ -66,21 +66,20 @@ def slope_not_asked(state: FilmState, check: SlopeCheck | None) -> Iterator[Noti
     if check is not None or exact or film.cavitation is Cavitation.HALF_SOMMERFELD:
         return
     if any(pocket.closed for pocket in film.pockets):
-        yield Notice("C122", "closed pockets answer the journal with their pressure")
+        yield Notice("C122", "closed_pockets")
     else:
-        yield Notice("C122", "the film was not found once more at its place")
+        yield Notice("C122", "not_found")
 
 
 def warnings_about_slope(case: FilmCase, check: SlopeCheck | None) -> Iterator[Notice]:
     """What the slope of the load tells of the coefficients, where it does not confirm them."""
     if check is None:
         if case.bearing.compliance and case.cavitation is not Cavitation.HALF_SOMMERFELD:
-            yield Notice("W135", "they hold for a bore that stays as it is while the journal moves")
+            yield Notice("W135", "rigid_bore")
         return
     if check.confirmed:
         return
-    measured = f"stiffness by {check.stiffness:.1%}, damping by {check.damping:.1%}"
     if check.settled:
-        yield Notice("W136", f"the derivative with frozen ends of the film differs from the slope: {measured}")
+        yield Notice("W136", values={"stiffness": check.stiffness, "damping": check.damping})
     else:
-        yield Notice("W135", f"they differ from the slope of the film's own load: {measured}")
+        yield Notice("W135", "differ", {"stiffness": check.stiffness, "damping": check.damping})

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from babbitt.core.notices import EXPLANATIONS, Notice
+from babbitt.core.notices import Notice, explanations
 from babbitt.core.progress import ProgressCallback, no_progress
 from babbitt.core.result import Check, Matrix, Outcome
 from babbitt.design.conditions import PrescribedLoad, sliding_speed
@@ -100,15 +100,11 @@ def orbit_checks(checks: tuple[Check, ...], values: dict[str, float]) -> Iterato
 def orbit_warnings(case: FilmCase, orbit: Orbit) -> Iterator[Notice]:
     """Where the orbit leaves the ground on which it stands."""
     if orbit.load_error > GRID_TOLD_FROM:
-        yield Notice(
-            "W133", f"a grid twice as fine changes the force by {orbit.load_error:.0%} where the film is thinnest"
-        )
-    yield from warnings_about_pressure(float(orbit.maximum_pressure.max()), "on the orbit")
+        yield Notice("W133", values={"orbit_load_error": orbit.load_error})
+    yield from warnings_about_pressure(float(orbit.maximum_pressure.max()), "orbit")
     depth = 1.0 - float(orbit.film_thickness.min()) / orbit.clearance
     if depth > RIGID_FILM_UP_TO:
-        yield Notice(
-            "W116", f"1 - h_min/c = {depth:.3f} on the orbit > {RIGID_FILM_UP_TO:g}, end of the rigid film"
-        )
+        yield Notice("W116", "orbit", {"depth": depth, "limit": RIGID_FILM_UP_TO})
 
 
 def orbit_assumptions(case: FilmCase) -> Iterator[str]:
@@ -128,7 +124,7 @@ TABLE_REMEDY = "A steady load besides, more oil, or less load."
 
 def orbit_failure(case: FilmCase, orbit: Orbit) -> str:
     """How far an orbit came that does not close, and what to try of what the case has."""
-    remedy = EXPLANATIONS[orbit.outcome.code].remedy
+    remedy = explanations()[orbit.outcome.code].remedy
     if orbit.outcome is Outcome.NOT_PERIODIC and not case.moving_mass:
         remedy = MASSLESS_REMEDY
     if orbit.outcome is Outcome.SQUEEZED_OUT and isinstance(case.changing_load, TabulatedLoad):

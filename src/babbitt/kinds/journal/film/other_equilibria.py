@@ -103,35 +103,38 @@ def flattered_by_equilibrium(case: FilmCase, shown: FilmSolution) -> Bounds:
     """Checks that the film at a saddle flatters."""
     if not isinstance(case.duty, PrescribedLoad) or not is_saddle(shown):
         return NO_BOUNDS
-    return dict.fromkeys(
-        FILM_CHECKS, "the journal leaves the place shown, a saddle; its film elsewhere is not known"
-    )
+    return {code: Notice(code, "saddle") for code in FILM_CHECKS}
 
 
 def warnings_about_rest(shown: FilmSolution, found: RestingPlaces | None) -> Iterator[Notice]:
     """Further equilibria, and an operating point that the journal leaves by itself."""
     if is_saddle(shown):
-        known = "was looked for" if found is None else "was found"
-        yield Notice("W132", f"the static stiffness is that of a saddle (det K < 0), and no better place {known}")
+        yield Notice("W132", "not_looked_for" if found is None else "not_found")
     if found is None:
         return
     others = found.places[1:]
     if others:
-        yield Notice("W131", f"{len(others)} besides the one shown: " + "; ".join(_said(one) for one in others))
+        yield Notice("W131", "others", {"others": len(others), "places": tuple(map(_described, others))})
     if not found.complete:
-        yield Notice("W134", f"{len(found.places)} found, and their indices do not sum to one")
+        yield Notice("W134", values={"found": len(found.places)})
 
 
-def _said(place: RestingPlace) -> str:
+def _described(place: RestingPlace) -> Notice:
+    """An equilibrium as a clause of the warning about it."""
     x, y = place.position
-    direction = math.degrees(math.atan2(y, x))
-    return f"e/c = {place.film.eccentricity_ratio:.3f} at {direction:.0f}° from +x, {_stays(place)}"
+    eccentricity, direction = place.film.eccentricity_ratio, math.atan2(y, x)
+    return Notice("W131", "place", {
+        "eccentricity_ratio": eccentricity, "direction": direction, "stays": _stays(place),
+    })  # fmt: skip
 
 
-def _stays(place: RestingPlace) -> str:
+def _stays(place: RestingPlace) -> Notice:
+    """Whether the journal stays at an equilibrium."""
     if place.holds:
-        return "the journal stays there"
+        return Notice("W131", "stays")
     if place.index < 0:
-        return "it never stays"
+        return Notice("W131", "never_stays")
     least = place.stable_masses.least
-    return "it whirls there" if math.isinf(least) else f"it whirls there unless heavier than {least:.4g} kg"
+    if math.isinf(least):
+        return Notice("W131", "whirls")
+    return Notice("W131", "whirls_unless", {"critical_mass": least})

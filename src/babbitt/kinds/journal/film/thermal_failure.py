@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
-from babbitt.core.notices import EXPLANATIONS
+from babbitt.core.notices import explanations
 from babbitt.core.result import Outcome
 from babbitt.core.units import ZERO_CELSIUS
 from babbitt.design.conditions import PrescribedLoad
@@ -128,7 +128,7 @@ def thermal_failure(case: FilmCase, found: Equilibrium[FilmState]) -> str:
             far = f"{load.strip()} the journal would touch or cut the bore"
         case _:
             far = f"film, temperatures and journal{load} did not come to rest together"
-    remedy = EXPLANATIONS[found.outcome.code].remedy
+    remedy = explanations()[found.outcome.code].remedy
     adiabatic = case.heat is not None and case.heat.walls is None
     if adiabatic and found.outcome is Outcome.THERMAL_RUNAWAY:
         remedy = f"`thermal: full`, for walls cool a film as thin as this; {remedy[0].lower()}{remedy[1:]}"

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 from babbitt.core.notices import Notice
 from babbitt.core.result import Matrix
-from babbitt.core.units import ZERO_CELSIUS
 from babbitt.design.warnings import BESIDE_THE_END
 from babbitt.kinds.journal.film.heat_model import AxialTemperature, HeatModel, TemperatureCoefficients
 from babbitt.kinds.journal.film.isothermal import FilmState
@@ -163,24 +162,19 @@ def warnings_about_heat(
     coldest, hottest = case.lubricant.temperature_range
     low, high = float(state.thermal.temperature.min()), values["maximum_temperature"]
     if low < coldest - BESIDE_THE_END:
-        yield Notice(
-            "W145",
-            f"the film is {low - ZERO_CELSIUS:.1f} to {high - ZERO_CELSIUS:.1f} °C, "
-            f"{case.lubricant.name} is described from {coldest - ZERO_CELSIUS:.0f} to "
-            f"{hottest - ZERO_CELSIUS:.0f} °C",
-        )
+        yield Notice("W145", values={
+            "low": low, "high": high, "lubricant": case.lubricant.name, "coldest": coldest, "hottest": hottest,
+        })  # fmt: skip
     thermal = state.thermal
     back = float(thermal.returned_flow.sum())
     if back > BACK_FROM * thermal.film.leaving_flow:
         warmth = thermal.heat.returned / (state.volumetric_heat_capacity * back)
-        mean = thermal.supply_temperature + warmth - ZERO_CELSIUS
         share = thermal.heat.returned / thermal.heat.oil
-        yield Notice(
-            "W148",
-            f"{back * 6e4:.2g} L/min, {mean:.0f} °C warm in the mean, with {share:.0%} of the heat of the oil",
-        )
+        yield Notice("W148", values={
+            "flow": back, "mean": float(thermal.supply_temperature + warmth), "share": float(share),
+        })  # fmt: skip
     if not followed:
-        yield Notice("W147", "a displaced film did not settle; stiffness is that of frozen temperatures")
+        yield Notice("W147")
 
 
 def thermal_assumptions(case: FilmCase, surfaces: str, flow: str) -> Iterator[str]:

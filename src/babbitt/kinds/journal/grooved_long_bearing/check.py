@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from time import perf_counter
 
-from babbitt.core.notices import EXPLANATIONS, Notice
+from babbitt.core.notices import Notice, explanations
 from babbitt.core.result import Check, Matrix, Outcome, Result
 from babbitt.core.units import ZERO_CELSIUS
 from babbitt.design.bounds import NO_BOUNDS, Bounds
@@ -265,5 +265,5 @@ def _failure(case: SegmentCase, outcome: Outcome, capacity: float | None, state:
         far = "the film has no point of rupture, or no oil flows through it"
         if case.groove is not None and case.groove.at_place_in_bush:
             far += ", or its groove lies across the widest gap, where the film begins"
-    remedy = EXPLANATIONS[outcome.code].remedy
+    remedy = explanations()[outcome.code].remedy
     return f"{far}. Try: {remedy[0].lower()}{remedy[1:]}"

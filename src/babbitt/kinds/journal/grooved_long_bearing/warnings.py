@@ -7,7 +7,6 @@ from collections.abc import Iterator
 
 from babbitt.core.notices import Notice
 from babbitt.core.result import Check
-from babbitt.core.units import ZERO_CELSIUS
 from babbitt.design.infinite_width import warnings_about_width
 from babbitt.design.warnings import warnings_about_film, warnings_about_running
 from babbitt.kinds.journal.grooved_long_bearing.model import GrooveKind, SegmentCase
@@ -39,8 +38,9 @@ def warnings_of_solution(
     """Everywhere the result leaves the ground on which it stands; `plain` are the ungrooved films beside it."""
     yield from case.warnings
     yield from warnings_about_width(case, values)
-    if case.film.clearance / case.film.radius > THICK_FROM:
-        yield Notice("W151", f"c/R = {case.film.clearance / case.film.radius:.3g} > {THICK_FROM:g}")
+    ratio = case.film.clearance / case.film.radius
+    if ratio > THICK_FROM:
+        yield Notice("W151", values={"ratio": ratio, "limit": THICK_FROM})
     if plain is not None:
         yield from _warnings_about_groove(case, state, plain)
     outside = list(_warnings_about_temperature(case, state))
@@ -48,11 +48,11 @@ def warnings_of_solution(
     if case.bearing.roughness is not None:
         combined = RMS_OVER_MEAN * math.hypot(*case.bearing.roughness)
         if values["minimum_film_thickness"] < ROUGHNESS_FACTOR * combined:
-            yield Notice(
-                "W155",
-                f"h_min = {values['minimum_film_thickness'] * 1e6:.3g} µm < {ROUGHNESS_FACTOR:g} x "
-                f"{combined * 1e6:.3g} µm (rms roughness of both)",
-            )
+            yield Notice("W155", values={
+                "minimum_film_thickness": values["minimum_film_thickness"],
+                "factor": ROUGHNESS_FACTOR,
+                "roughness": combined,
+            })  # fmt: skip
     told = {notice.code for notice in outside}
     yield from (notice for notice in warnings_about_film(case, values) if notice.code not in told)
     yield from warnings_about_running(case, values, checks)
@@ -63,28 +63,21 @@ def _warnings_about_groove(
 ) -> Iterator[Notice]:
     ungrooved = plain.same_load
     if ungrooved is not None and state.outlet_temperature > ungrooved.outlet_temperature:
-        yield Notice(
-            "W153",
-            f"under the same load {_celsius(state.outlet_temperature)} °C leave the last segment with the groove, "
-            f"{_celsius(ungrooved.outlet_temperature)} °C without; eccentricity {state.eccentricity_ratio:.3f} "
-            f"instead of {ungrooved.eccentricity_ratio:.3f}",
-        )
+        yield Notice("W153", values={
+            "outlet_temperature": state.outlet_temperature, "without": ungrooved.outlet_temperature,
+            "eccentricity_ratio": state.eccentricity_ratio, "instead_of": ungrooved.eccentricity_ratio,
+        })  # fmt: skip
     if state.segments[-1].friction_power == 0.0:
         first = state.segments[0]
-        yield Notice(
-            "W157",
-            f"no load behind the groove; the loaded film ends at {math.degrees(first.segment.end):.0f}° with "
-            f"{_celsius(first.outlet_temperature)} °C",
-        )
+        yield Notice("W157", values={
+            "end": first.segment.end, "outlet_temperature": first.outlet_temperature,
+        })  # fmt: skip
     if state.short_of_oil:
-        yield Notice("W154", "more oil could leave the blind groove than enters it; its pressure was taken as 0")
+        yield Notice("W154")
     elif case.groove is not None and case.groove.kind is GrooveKind.BLIND and plain.same_gap is not None:
         ahead, cut = state.load / plain.same_gap.load, plain.cut_same_gap
         if ahead > 1.0 and cut is not None:
-            yield Notice(
-                "W156",
-                f"load {ahead:.2f} of the ungrooved film, {state.load / cut.load:.2f} of that cut at its angle",
-            )
+            yield Notice("W156", values={"ahead": ahead, "cut": state.load / cut.load})
 
 
 def _warnings_about_temperature(case: SegmentCase, state: SegmentFilmState) -> Iterator[Notice]:
@@ -93,12 +86,7 @@ def _warnings_about_temperature(case: SegmentCase, state: SegmentFilmState) -> I
         coldest, hottest = POWER_LAW_RANGE
     reached = [t for one in state.segments for t in (one.inlet_temperature, one.outlet_temperature)]
     if min(reached) < coldest or max(reached) > hottest:
-        yield Notice(
-            "W107",
-            f"the film runs from {_celsius(min(reached))} to {_celsius(max(reached))} °C; "
-            f"{case.lubricant.name} is described from {_celsius(coldest)} to {_celsius(hottest)} °C",
-        )
-
-
-def _celsius(temperature: float) -> str:
-    return f"{temperature - ZERO_CELSIUS:.0f}"
+        yield Notice("W107", "film", {
+            "low": min(reached), "high": max(reached), "lubricant": case.lubricant.name,
+            "coldest": coldest, "hottest": hottest,
+        })  # fmt: skip

@@ -8,9 +8,8 @@ from time import perf_counter
 
 import numpy as np
 
-from babbitt.core.notices import EXPLANATIONS, Notice
+from babbitt.core.notices import Notice, explanations
 from babbitt.core.result import Check, Matrix, Outcome, Result
-from babbitt.core.units import ZERO_CELSIUS
 from babbitt.design.bounds import NO_BOUNDS
 from babbitt.design.checks import checks_not_made, clearance_check, limit_checks
 from babbitt.design.conditions import PrescribedEccentricity, PrescribedLoad
@@ -190,14 +189,12 @@ def _warnings(
     yield from warnings_about_width(case, values)
     if not case.discretisation.conserves_flow:
         spread = values["flow_inconsistency"]
-        yield Notice(
-            "W150", f"{case.discretisation.value}: the local flow varies by {spread:.0%} of its mean over the film"
-        )
+        yield Notice("W150", values={"scheme": case.discretisation.value, "spread": spread})
     ratio = case.film.clearance / case.film.radius
     if ratio > THICK_FROM:
-        yield Notice("W151", f"c/R = {ratio:.3g} > {THICK_FROM:g}")
+        yield Notice("W151", values={"ratio": ratio, "limit": THICK_FROM})
     if case.cells < COARSE_BELOW:
-        yield Notice("W152", f"{case.cells} sectors < {COARSE_BELOW}")
+        yield Notice("W152", values={"sectors": case.cells, "least": COARSE_BELOW})
     yield from _warnings_about_temperature(case, state)
     density = case.lubricant.density(state.temperatures.film)
     local = density * case.film.surface_speed * state.film_thickness / case.lubricant.dynamic_viscosity(
@@ -205,7 +202,7 @@ def _warnings(
     )  # fmt: skip
     highest = float(np.max(local))
     if highest > LAMINAR_UP_TO and values["film_reynolds_number"] <= values["critical_reynolds_number"]:
-        yield Notice("W101", f"local Reynolds number up to {highest:.0f} > {LAMINAR_UP_TO:.0f}")
+        yield Notice("W101", "local", {"film_reynolds_number": highest, "limit": LAMINAR_UP_TO})
     yield from warnings_about_film(case, values)
     yield from warnings_about_running(case, values, checks)
 
@@ -214,12 +211,10 @@ def _warnings_about_temperature(case: LongFilmCase, state: LongFilmState) -> Ite
     coldest, hottest = case.lubricant.temperature_range
     film = state.temperatures.film
     if float(film.min()) < coldest or float(film.max()) > hottest:
-        yield Notice(
-            "W107",
-            f"the film runs from {film.min() - ZERO_CELSIUS:.0f} to {film.max() - ZERO_CELSIUS:.0f} °C; "
-            f"{case.lubricant.name} is described from {coldest - ZERO_CELSIUS:.0f} "
-            f"to {hottest - ZERO_CELSIUS:.0f} °C",
-        )
+        yield Notice("W107", "film", {
+            "low": float(film.min()), "high": float(film.max()), "lubricant": case.lubricant.name,
+            "coldest": coldest, "hottest": hottest,
+        })  # fmt: skip
 
 
 def _assumptions(case: LongFilmCase) -> Iterator[str]:
@@ -264,5 +259,5 @@ def _failure(case: LongFilmCase, outcome: Outcome, capacity: float | None, state
         )
     elif outcome is Outcome.NOT_CONVERGED and not case.discretisation.conserves_flow:
         far = f"the local flow of {case.discretisation.value} is not positive in every sector: no heat balance"
-    remedy = EXPLANATIONS[outcome.code].remedy
+    remedy = explanations()[outcome.code].remedy
     return f"{far}. Try: {remedy[0].lower()}{remedy[1:]}"

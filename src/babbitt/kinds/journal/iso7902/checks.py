@@ -27,7 +27,7 @@ def checks_of(case: DesignCase, values: Mapping[str, float]) -> tuple[Check, ...
 def whirl_not_checked(case: DesignCase) -> Iterator[Notice]:
     """Say why the mass of a rotor is not compared with a critical one."""
     if case.rotor_mass is not None:
-        yield Notice("C115", "ISO 7902 has neither stiffness nor damping; `method: film` compares rotor_mass")
+        yield Notice("C115", "iso7902")
 
 
 def _whirl_screening(values: Mapping[str, float]) -> Check:

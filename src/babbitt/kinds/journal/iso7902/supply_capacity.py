@@ -21,7 +21,6 @@ from functools import partial
 
 from babbitt.core.notices import Notice
 from babbitt.core.result import Bound, Check
-from babbitt.core.units import ZERO_CELSIUS
 from babbitt.design.failure import failure
 from babbitt.design.heat_balance import Equilibrium, find_equilibrium
 from babbitt.kinds.journal.iso7902.film import Film, curves_of, starved_film_at
@@ -146,7 +145,7 @@ def capacity_not_checked(case: DesignCase, film: Film) -> Iterator[Notice]:
     """Say why the supply capacity was not compared."""
     if case.oil_supply is None or film.supply_capacity is not None:
         return
-    yield Notice("C117", "no supply_element is given")
+    yield Notice("C117")
 
 
 def warnings_about_capacity(
@@ -169,60 +168,53 @@ def warnings_about_capacity(
     capacity, wanted = film.supply_capacity, film.side_flow
     if case.bearing.supply_element is None:
         balanced = case.effective_temperature is None
-        said = f"no supply_element is given: Q_p = 0, yet the film is taken to draw {_litres(wanted)}"
-        yield Notice("W185" if balanced else "W124", said)
+        yield Notice("W185" if balanced else "W124", "no_element", {"wanted": wanted})
     elif capacity is not None and capacity <= 0.0:
-        said = f"{_without_pressure(case)}, and the film wants {_litres(wanted)}. Try: a supply pressure"
-        yield Notice("W185", said)
+        grooved = isinstance(case.bearing.supply_element, CircumferentialGroove)
+        yield Notice("W185", "full_groove" if grooved else "no_pressure", {"wanted": wanted})
     elif film.supply_flow <= 0.0 and film.feed is not None and film.feed.limit is None:
-        said = "no pressure is left at the supply element: Q_p = 0, and only the journal draws oil from it"
-        yield Notice("W124", said)
+        yield Notice("W124", "no_pressure_left")
     if not gets_less(film):
         return
-    said, code = _lack(case, film)
+    code = _code_of_lack(case, film)
+    lack = tuple(_lack(code, film))
     if starved is None:
-        yield Notice(code, f"{said}; no heat balance is made that would tell the consequence")
+        yield Notice(code, "no_balance", {"lack": lack})
         return
     if not starved.outcome.solved:
         # Where Q₃ is delivered, C117 is no miss that would decide.
-        code = "W123" if lacks_oil(film) else "W185"
-        yield Notice(code, f"{said}; with that flow {starved.outcome.value}: {failure(case, starved)}")
+        yield Notice("W123" if lacks_oil(film) else "W185", "no_equilibrium", {
+            "lack": lack, "outcome": starved.outcome.value, "reason": failure(case, starved),
+        })  # fmt: skip
         return
-    hot, thin = values["effective_temperature"] - ZERO_CELSIUS, values["minimum_film_thickness"] * 1e6
-    reached = f"T_eff = {hot:.1f} °C, h_min = {thin:.3g} µm"
+    reached = Notice(code, "reached", {
+        "effective_temperature": values["effective_temperature"],
+        "minimum_film_thickness": values["minimum_film_thickness"],
+    })  # fmt: skip
     if "outlet_temperature" in values:
-        reached = f"T_ex = {values['outlet_temperature'] - ZERO_CELSIUS:.1f} °C, {reached}"
-    flow = f"with the {_litres(values['total_flow'])} that it delivers to the warmer film"
-    yield Notice(code, f"{said}; {flow} {reached}, and the limits are held against these")
+        reached = Notice(code, "reached_outlet", {
+            "outlet_temperature": values["outlet_temperature"], "reached": reached,
+        })  # fmt: skip
+    yield Notice(code, "limited", {"lack": lack, "total_flow": values["total_flow"], "reached": reached})
     for warning in warnings_about_validity(case, values):
         if warning.code in OF_THE_CLEARANCE:
             continue  # the same as with all the oil
-        yield Notice(warning.code, f"with the flow that the supply delivers: {warning.message}")
+        yield Notice(warning.code, "limited_flow", {"said": warning})
 
 
-def _lack(case: DesignCase, film: Film) -> tuple[str, str]:
-    """What the film lacks of the flows of the standard, and the code of its warning."""
-    at_place = ""
+def _code_of_lack(case: DesignCase, film: Film) -> str:
+    """The code of the warning about what a film lacks of the flows of the standard."""
+    if film.supply_capacity is None or not lacks_oil(film):
+        return "W195"
+    enough = film.supply_capacity >= TRUSTED_SHARE * film.side_flow
+    return "W190" if enough and isinstance(case.bearing.supply_element, Holes | Pockets) else "W123"
+
+
+def _lack(code: str, film: Film) -> Iterator[Notice]:
+    """What the film lacks of the flows of the standard."""
     if film.stands_closer:
-        taken, given = _litres(film.supply_flow), _litres(film.supply_flow_at_place)
-        at_place = f"Q_p = {taken} holds at 90° to the load; where the elements stand it is {given}"
+        yield Notice(code, "place", {"taken": film.supply_flow, "there": film.supply_flow_at_place})
     capacity, wanted = film.supply_capacity, film.side_flow
-    if capacity is None or not lacks_oil(film):
-        return at_place, "W195"
-    said = f"the supply delivers about {_litres(capacity)} of Q₃ = {_litres(wanted)} ({capacity / wanted:.2f})"
-    enough = isinstance(case.bearing.supply_element, Holes | Pockets) and capacity >= TRUSTED_SHARE * wanted
-    return f"{at_place}; {said}" if at_place else said, "W190" if enough else "W123"
-
-
-def _without_pressure(case: DesignCase) -> str:
-    """Why a supply without pressure delivers nothing."""
-    if isinstance(case.bearing.supply_element, CircumferentialGroove):
-        return (
-            "a groove all around has oil pressed out of it and none sheared into the gap, and the supply has no "
-            "pressure: Q_p = 0"
-        )
-    return "no pressure presses oil through the supply"
-
-
-def _litres(flow: float) -> str:
-    return f"{flow * 6e4:.3g} L/min"
+    if capacity is not None and lacks_oil(film):
+        share = capacity / wanted
+        yield Notice(code, "capacity", {"supply_capacity": capacity, "wanted": wanted, "share": share})

@@ -61,12 +61,6 @@ SURELY_SCREENED = 0.1
 Assumption: of 400 random bearings that kept it (``benchmarks/whirl_screening.py``) no film of one temperature
 whirls under its load as a mass; one of another 194 does, which kept it by 0.3 % (docs/theory/screening.md)."""
 
-USUAL_DIFFERENCE = (
-    "films with temperatures of their own are typically 8 to 19 % thinner, their bush in one of twenty hotter "
-    "than the outlet by 15 K, and at high speed and load than the inlet by 6.2 K times the root of p̄U in MPa m/s, "
-    "their Reynolds number up to twice as large (try method: film, thermal: adiabatic)"
-)
-
 PRESSURE_OF_LOAD, SHARE_OF_LOAD = 0.5, 0.1
 """Supply pressure over specific load, and force of a pocket over the load, from which they are told (assumptions).
 
@@ -99,27 +93,27 @@ def warnings_about_validity(case: DesignCase, values: Mapping[str, float]) -> It
     yield from (warning for warning in warnings_about_film(case, values) if warning.code != "W116")
     eccentricity = values["eccentricity_ratio"]
     if eccentricity > RIGID_FILM_UP_TO:
-        yield Notice("W129", f"ε = {eccentricity:.3f} > {RIGID_FILM_UP_TO:g}, where ISO 7902 ends")
+        yield Notice("W129", "iso7902", {"eccentricity_ratio": eccentricity, "limit": RIGID_FILM_UP_TO})
 
 
 def _of_method(case: DesignCase, values: Mapping[str, float]) -> Iterator[Notice]:
     yield from warnings_about_validity(case, values)
     least, most = STANDARD_WIDTH_RATIOS
     if not least <= case.bearing.part_width_ratio <= most:
-        ratio, of = case.bearing.part_width_ratio, " of each half bearing" if case.bearing.parts > 1 else ""
-        yield Notice("W102", f"B/D = {ratio:.3g}{of} lies outside {least:g} to {most:g} of ISO 7902-2")
+        part = "half" if case.bearing.parts > 1 else "whole"
+        ratio = case.bearing.part_width_ratio
+        yield Notice("W102", part, {"width_ratio": ratio, "least": least, "most": most})
     if case.curves is Curves.CLOSED_FORM:
-        yield Notice(
-            "W113",
-            f"closed forms of DIN 31652: up to {100.0 * DEVIATIONS['sommerfeld_number']:.0f} % in So and "
-            f"{DEVIATIONS['attitude_angle_degrees']:g}° in attitude angle "
-            f"({LARGEST_ATTITUDE_DEVIATION:.0f}° below ε = 0.1)",
-        )
+        yield Notice("W113", values={
+            "load": DEVIATIONS["sommerfeld_number"],
+            "angle": math.radians(DEVIATIONS["attitude_angle_degrees"]),
+            "largest_angle": math.radians(LARGEST_ATTITUDE_DEVIATION),
+        })  # fmt: skip
     eccentricity = values["eccentricity_ratio"]
     if eccentricity < CURVES_FROM:
-        yield Notice("W119", f"ε = {eccentricity:.2g} < {CURVES_FROM:g}, the first node of the tables")
+        yield Notice("W119", values={"eccentricity_ratio": eccentricity, "first": CURVES_FROM})
     if case.bearing_speed:
-        yield Notice("W114", "the bearing rotates; values from experience hold for bearings at rest")
+        yield Notice("W114")
 
 
 def warnings_about_margins(
@@ -141,13 +135,15 @@ def warnings_about_margins(
         if check.advisory or not check.ok:
             continue
         if check.code in FILM_CHECKS and check.margin < THINNER:
-            near.append(f"h_min by {check.margin:.0%} ({check.code})")
+            near.append(Notice("W191", "film", {"margin": check.margin, "check": check.code}))
         if limited(check.code) and check.limit < max(check.value + HOTTER, hottest):
-            near.append(f"the temperature by {check.limit - check.value:.0f} K ({check.code})")
+            margin = check.limit - check.value
+            near.append(Notice("W191", "temperature", {"margin": margin, "check": check.code}))
         if check.code == "C110" and check.value * TURBULENT_SOONER > check.limit:
-            near.append(f"the Reynolds number by a factor of {check.limit / check.value:.1f} ({check.code})")
+            factor = check.limit / check.value
+            near.append(Notice("W191", "reynolds_number", {"factor": factor, "check": check.code}))
     if near:
-        yield Notice("W191", f"kept {', '.join(near)}; {USUAL_DIFFERENCE}")
+        yield Notice("W191", "kept", {"kept": tuple(near)})
 
 
 def hottest_metal(values: Mapping[str, float]) -> float:
@@ -173,13 +169,16 @@ def warnings_about_feed_pressure(case: DesignCase, values: Mapping[str, float]) 
         pressed = pressure * element.pressed_area(case.bearing.diameter) / values["load"]
     if against <= PRESSURE_OF_LOAD and pressed <= SHARE_OF_LOAD:
         return
-    said = f"p_en = {pressure * 1e-6:.3g} MPa is {against:.2g} of the specific load"
+    pressing: tuple[Notice, ...] = ()
+    warming: tuple[Notice, ...] = ()
     if pressed > SHARE_OF_LOAD:
-        said += f", and presses on the journal with {pressed:.2g} of the load"
+        pressing = (Notice("W192", "pressing", {"share": pressed}),)
     heating = pressure / values["volumetric_heat_capacity"]
     if heating > TOLD_HEATING:
-        said += f"; its throttling warms the oil of Q_p by {heating:.2g} K, which the heat balance leaves out"
-    yield Notice("W192", said)
+        warming = (Notice("W192", "warming", {"rise": heating}),)
+    yield Notice("W192", "pressure", {
+        "element_pressure": pressure, "share": against, "pressing": pressing, "warming": warming,
+    })  # fmt: skip
 
 
 def _of_free_arcs(case: DesignCase, values: Mapping[str, float]) -> Iterator[Notice]:
@@ -188,17 +187,19 @@ def _of_free_arcs(case: DesignCase, values: Mapping[str, float]) -> Iterator[Not
         degrees = math.degrees(arc.extent)
         if case.bearing.span <= degrees + 1e-6:
             continue
-        said = f"{arc.left_by} leave an arc of {degrees:.3g}° about the load"
         if degrees < TABULATED_SPANS[-1] - 1e-6 and arc.certain:
-            yield Notice("W105", f"{said}; the characteristics hold for {case.bearing.span}°")
+            yield Notice("W105", "free_arc", {
+                "left_by": arc.left_by, "arc": arc.extent, "span": case.bearing.span,
+            })  # fmt: skip
             continue
         thin, full = _film_on_arc(case, values, degrees), values["minimum_film_thickness"]
         if thin < (1.0 - NOTABLE_SHARE) * full or degrees < TABULATED_SPANS[-1] - 1e-6:
-            taken = max(degrees, float(TABULATED_SPANS[-1]))
-            then = (
-                f"h_min {thin * 1e6:.3g} µm, not {full * 1e6:.3g} µm" if thin > 0.0 else "no film carries the load"
-            )
-            yield Notice("W189", f"{said}, and the span is {case.bearing.span}°; on {taken:.3g}°: {then}")
+            taken = math.radians(max(degrees, float(TABULATED_SPANS[-1])))
+            where = Notice("W189", "arc", {"left_by": arc.left_by, "arc": arc.extent, "span": case.bearing.span})
+            if thin > 0.0:
+                yield Notice("W189", "film", {"where": where, "taken": taken, "thin": thin, "full": full})
+            else:
+                yield Notice("W189", "no_film", {"where": where, "taken": taken})
 
 
 def _film_on_arc(case: DesignCase, values: Mapping[str, float], degrees: float) -> float:
@@ -232,20 +233,18 @@ def _of_supply(case: DesignCase, film: Film) -> Iterator[Notice]:
     if isinstance(element, CircumferentialGroove | HalfCircumferentialGroove):
         s = element.relative_width(case.bearing.width)
         if s > FIT_RANGE[1]:
-            yield Notice(
-                "W103", f"relative width {s:.3f} of the groove is above {FIT_RANGE[1]:g}: narrow lands beside it"
-            )
+            yield Notice("W103", "groove", {"share": s, "most": FIT_RANGE[1]})
     if isinstance(element, Holes | Pockets):
         s = element.relative_width(case.bearing.width)
         if not FIT_RANGE[0] - 1e-9 <= s <= FIT_RANGE[1] + 1e-9:
-            taken = f"the correction of {fitted_width(s):g} was used"
+            least, most = FIT_RANGE
+            lies = Notice("W103", "lies_outside", {
+                "share": s, "least": least, "most": most, "taken": fitted_width(s),
+            })  # fmt: skip
             if s > LOGARITHM_UP_TO:
-                taken += f", and {LOGARITHM_UP_TO:g} in ln(1/s)"
-            yield Notice(
-                "W196" if FIT_RANGE[1] < s <= LOGARITHM_UP_TO else "W103",
-                f"relative width {s:.3f} of the supply element lies outside {FIT_RANGE[0]:g} to {FIT_RANGE[1]:g}; "
-                f"{taken}",
-            )
+                yield Notice("W103", "logarithm", {"lies": lies, "logarithm": LOGARITHM_UP_TO})
+            else:
+                yield Notice("W196" if s > most else "W103", "element", {"lies": lies})
 
 
 def _of_running(
@@ -256,11 +255,9 @@ def _of_running(
     yield from warnings_about_margins(checks, values, lambda code: code == "C108" or (own and code == "C104"))
     screening = next((check for check in checks if check.code == "C112"), None)
     if case.rotor_mass is not None and screening is not None and screening.margin < SURELY_SCREENED:
-        said = f"kept by only {screening.margin:.0%}" if screening.ok else "missed"
-        yield Notice(
-            "W194",
-            f"rotor_mass {case.rotor_mass:.4g} kg, ε = {values['eccentricity_ratio']:.2g}: ISO 7902 finds no "
-            f"critical mass, and its screening (C112) is {said}",
-        )
+        yield Notice("W194", "kept" if screening.ok else "missed", {
+            "rotor_mass": case.rotor_mass, "eccentricity_ratio": values["eccentricity_ratio"],
+            "margin": screening.margin,
+        })  # fmt: skip
     if change is not None and change.beyond_tables:
-        yield Notice("W112", "the film limit lies beyond the tables; the transition speed is an upper bound")
+        yield Notice("W112", "upper_bound")

@@ -12,7 +12,9 @@ from pydantic import Field
 from babbitt.case.aliases import FormerWords
 from babbitt.case.case_file import CaseFile
 from babbitt.case.grouped_digits import about_grouped_digits
-from babbitt.case.part import Issue, Part, exactly_one, not_read, rule
+from babbitt.case.method_choices import MethodChoices, MethodInput
+from babbitt.case.method_mapping import MethodMapping
+from babbitt.case.part import Issue, exactly_one, not_read, rule
 from babbitt.case.parts.fields import Name, Prose
 from babbitt.case.parts.lubricant import LubricantInput
 from babbitt.case.parts.supply import SuppliedAt
@@ -47,7 +49,30 @@ USUAL_FILM_LIMIT = 10e-6
 INERTIAS = ("pads.inertia_radial", "pads.inertia_along")
 
 
-class ThrustBearingInputs(Part):
+class ThrustFilmChoices(MethodChoices):
+    """Choices of the film of thrust pads."""
+
+    thermal: Literal["isothermal", "global", "adiabatic"] | None = Field(
+        None,
+        description="Temperature of the films: one that is given (isothermal, with oil of kind viscosity or "
+        "temperature), one per pad from its own heat balance (global), or one that varies along the pads and "
+        "across "
+        "the gap with no heat to pads and collar (adiabatic), the two with oil of kind heat_balance. None: global "
+        "where the oil is of that kind, else isothermal.",
+    )
+    radial_temperature: Literal["mean", "resolved"] = Field(
+        "mean", description="Whether the temperature of an adiabatic film varies across the pads, too."
+    )
+    turbulence: Literal["none", "ng_pan", "constantinescu"] = Field("none", description="Turbulence of the films.")
+
+
+class ThrustFilmMethod(ThrustFilmChoices, MethodInput):
+    """The film in two dimensions on every pad."""
+
+    kind: Literal["film"] = Field(description="The film in two dimensions.")
+
+
+class ThrustBearingInputs(ThrustFilmChoices):
     """What bearing and oil of a thrust bearing are, alone or in a shaft line."""
 
     former_words: ClassVar[FormerWords] = {
@@ -58,6 +83,9 @@ class ThrustBearingInputs(Part):
         "temperature_limit": "limits.temperature",
     }
 
+    method: Annotated[Literal["film"], MethodMapping((ThrustFilmMethod,))] = Field(
+        "film", description="The film in two dimensions on every pad."
+    )
     pads: ThrustPads = Field(description="The pads.")
     speed: Annotated[float, either_sense("rad/s", "0.01 rpm", "1000000 rpm")] = Field(
         description="Speed of the collar, positive counter-clockwise, towards growing pad numbers. Negative: "
@@ -72,22 +100,10 @@ class ThrustBearingInputs(Part):
         default_factory=lambda: OilByBalance(kind="heat_balance"),
         description="How viscous the films are. By their heat balance if not given.",
     )
-    thermal: Literal["isothermal", "global", "adiabatic"] | None = Field(
-        None,
-        description="Temperature of the films: one that is given (isothermal, with oil of kind viscosity or "
-        "temperature), one per pad from its own heat balance (global), or one that varies along the pads and "
-        "across "
-        "the gap with no heat to pads and collar (adiabatic), the two with oil of kind heat_balance. None: global "
-        "where the oil is of that kind, else isothermal.",
-    )
-    radial_temperature: Literal["mean", "resolved"] = Field(
-        "mean", description="Whether the temperature of an adiabatic film varies across the pads, too."
-    )
     ring_stiffness: Stiffness | None = Field(
         None, description="Stiffness of the backing ring under each pad, c. None: rigid."
     )
     tilt: Tilt | None = Field(None, description="Tilt of the housing against the collar.")
-    turbulence: Literal["none", "ng_pan", "constantinescu"] = Field("none", description="Turbulence of the films.")
     materials: PadMaterials | None = Field(None, description="Materials of the pads.")
     limits: ThrustLimits | None = Field(None, description="Limits of your own.")
     assumptions: tuple[Prose, ...] = Field(
@@ -236,22 +252,17 @@ class ThrustBearingInputs(Part):
         """Tell of fields that make no difference to this bearing."""
         pivot = self.pads.pivot
         if not isinstance(pivot, TiltingPivot):
-            yield from not_read(self, "fixed pads do not tilt", *INERTIAS)
+            yield from not_read(self, "fixed_pads", *INERTIAS)
         elif pivot.kind == "line":
-            yield from not_read(self, "pads on a line pivot do not tilt along the radius", INERTIAS[0])
+            yield from not_read(self, "line_pivot", INERTIAS[0])
         if isinstance(self.oil, PrescribedViscosity):
-            why = "the viscosity of the films is given, and no temperature is known that could be held against it"
-            yield from not_read(self, why, "limits.temperature")
-            yield from not_read(self, "the viscosity of the films is given", "lubricant", "supply.temperature")
+            yield from not_read(self, "no_temperature", "limits.temperature")
+            yield from not_read(self, "films_given", "lubricant", "supply.temperature")
 
     def _assumed_crown(self) -> Iterator[Notice]:
         """Tell of the crown that plane pads on a pivot in their middle are taken to have."""
         if self.pads.crowned_by_heat:
-            yield Notice(
-                "W214",
-                f"crown {1e6 * self.pads.crown_at_work():.1f} µm, {ASSUMED_DIFFERENCE:g} K through pads a third "
-                "as thick as long",
-            )
+            yield Notice("W214", values={"crown": self.pads.crown_at_work(), "difference": ASSUMED_DIFFERENCE})
 
 
 class ThrustCase(ThrustBearingInputs, CaseFile):
@@ -275,7 +286,7 @@ class ThrustCase(ThrustBearingInputs, CaseFile):
 
     def _fields_not_read(self) -> Iterator[Notice]:
         """As of every thrust bearing; a mass swings in a shaft line alone."""
-        yield from not_read(self, "films of a steady thrust do not feel the mass of a pad", "pads.mass")
+        yield from not_read(self, "steady_thrust", "pads.mass")
         yield from super()._fields_not_read()
 
     def calculations(self) -> tuple[Calculation, ...]:

@@ -6,9 +6,8 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Result
-from babbitt.report.symbols import symbol_node
+from babbitt.report.plain_tables import plain_table, table_by_pad
 
 __all__ = ["tables"]
 
@@ -42,7 +41,7 @@ def tables(result: Result) -> list[dict[str, Any]]:
 
 
 def _tables(result: Result) -> Iterator[dict[str, Any]]:
-    yield _by_pad(
+    yield table_by_pad(
         result,
         "Pads at rest",
         PAD_COLUMNS,
@@ -50,18 +49,18 @@ def _tables(result: Result) -> Iterator[dict[str, Any]]:
         "of the shaft with tilts free. Slopes of the gap along the radius (α_x, positive: wider outside) and "
         "along the motion (α_y, negative: narrower towards the trailing edge).",
     )
-    yield _by_pad(
+    yield table_by_pad(
         result,
         "Oil of the pads",
         FLOW_COLUMNS,
         "In over the leading edge; out over the trailing, inner and outer edge; friction power.",
     )
     if "pad_maximum_temperature" in result.arrays:
-        yield _by_pad(
+        yield table_by_pad(
             result, "Temperatures of the pads", WARM_COLUMNS, "After mixing; mean over the flow; highest."
         )
     if "pad_effective_temperature" in result.arrays:
-        yield _by_pad(
+        yield table_by_pad(
             result,
             "Temperatures of the pads",
             BALANCE_COLUMNS,
@@ -69,7 +68,7 @@ def _tables(result: Result) -> Iterator[dict[str, Any]]:
         )
     if result.kind != "thrust_line":
         return
-    yield _by_pad(
+    yield table_by_pad(
         result,
         "Pads in motion",
         DYNAMIC_COLUMNS,
@@ -79,7 +78,7 @@ def _tables(result: Result) -> Iterator[dict[str, Any]]:
     yield from _over_frequency(result)
     modes = result.arrays["damped_modes"]
     if modes:
-        yield _plain(
+        yield plain_table(
             "Damped modes",
             ("Mode", "Damped frequency", "Damping ratio"),
             ("", "Hz", "%"),
@@ -88,7 +87,7 @@ def _tables(result: Result) -> Iterator[dict[str, Any]]:
             "undamped frequencies they belong to. Below a ratio of 25 % a mode resonates.",
         )
     if peaks := result.arrays.get("response_peaks", ()):
-        yield _plain(
+        yield plain_table(
             "Peaks of the response",
             ("Excitation", "Frequency", "Pad force over static"),
             ("", "Hz", ""),
@@ -105,7 +104,7 @@ def _tables(result: Result) -> Iterator[dict[str, Any]]:
         )
     rings = result.arrays["ring_sweep"]
     step = max(1, len(rings) // RINGS_SHOWN)
-    yield _plain(
+    yield plain_table(
         "Backing rings",
         (
             "Stiffness per pad",
@@ -127,7 +126,7 @@ def _tables(result: Result) -> Iterator[dict[str, Any]]:
 def _over_frequency(result: Result) -> Iterator[dict[str, Any]]:
     stiffness, damping = (result.arrays[f"pad_{name}_over_frequency"] for name in ("stiffness", "damping"))
     for (nu, *k), (_, *d) in zip(stiffness, damping, strict=True):
-        yield _plain(
+        yield plain_table(
             f"Films at {nu / math.tau:.3g} Hz",
             ("Pad", "Stiffness", "Damping"),
             ("", "GN/m", "MNs/m"),
@@ -137,23 +136,6 @@ def _over_frequency(result: Result) -> Iterator[dict[str, Any]]:
             ],
             "At the frequency of an excitation, tilts free and with their inertia.",
         )
-
-
-def _by_pad(result: Result, title: str, names: Sequence[str], note: str) -> dict[str, Any]:
-    quantities = [QUANTITIES[name] for name in names]
-    columns = [result.arrays[name][0] for name in names]
-    rows = [
-        [str(pad), *(quantity.format(value) for quantity, value in zip(quantities, values, strict=True))]
-        for pad, values in enumerate(zip(*columns, strict=True), start=1)
-    ]
-    heads: list[dict[str, Any]] = [{"text": "Pad", "symbol": None, "unit": ""}]
-    heads += [{"text": "", "symbol": symbol_node(q.symbol), "unit": q.display.label} for q in quantities]
-    return {"title": title, "columns": heads, "rows": rows, "note": note}
-
-
-def _plain(title: str, names: Sequence[str], units: Sequence[str], rows: list[Any], note: str) -> dict[str, Any]:
-    heads = [{"text": name, "symbol": None, "unit": unit} for name, unit in zip(names, units, strict=True)]
-    return {"title": title, "columns": heads, "rows": [list(row) for row in rows], "note": note}
 
 
 def _ring(row: Sequence[float]) -> tuple[str, ...]:

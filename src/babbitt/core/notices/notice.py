@@ -1,0 +1,97 @@
+"""What a result says about itself: a code, a variant and values, which become a sentence where they are shown."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from babbitt.core.notices.explanation import Effect
+from babbitt.core.notices.words import ENGLISH, PLACEHOLDER, explanations, words
+from babbitt.core.quantities import QUANTITIES, Quantity
+from babbitt.core.quantities.quantity import SI
+
+__all__ = ["Notice", "quantity_shown"]
+
+
+@dataclass(frozen=True)
+class Notice:
+    """A warning about a result, or the reason why a check was not made.
+
+    Attributes
+    ----------
+    code : str
+        A code of `explanations`.
+    variant : str
+        Which of the messages of the code, where it has several.
+    values : Mapping[str, Any]
+        The values of the case by the placeholders of that message: numbers in SI, counts, names, clauses (notices
+        with values of their own), or a tuple of one of these.
+    """
+
+    code: str
+    variant: str = ""
+    values: Mapping[str, Any] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        if self.code not in explanations():
+            raise KeyError(f"notice code {self.code} is not registered in babbitt.core.notices")
+        wanted = {name for name, _ in PLACEHOLDER.findall(words().message(self.code, self.variant))}
+        if wanted != self.values.keys():
+            raise KeyError(f"values of notice {self.code} {self.variant}: {sorted(wanted ^ self.values.keys())}")
+
+    def __hash__(self) -> int:
+        return hash((self.code, self.variant, tuple(self.values.items())))
+
+    @property
+    def effect(self) -> Effect:
+        """What it does to the verdict of the result that carries it."""
+        return explanations()[self.code].effect
+
+    @property
+    def message(self) -> str:
+        """The sentence in English."""
+        return self.sentence()
+
+    def sentence(self, language: str = ENGLISH) -> str:
+        """The sentence with its values, in English where the language has none.
+
+        >>> Notice("W169", values={"starts": 5, "least": 20}).sentence()
+        '5 starts < 20'
+        """
+        said = words(language).message(self.code, self.variant)
+        return PLACEHOLDER.sub(lambda found: _shown(self.values[found[1]], found[2] or found[1], language), said)
+
+    def plain_values(self) -> dict[str, Any]:
+        """The values for JSON: clauses as their values, several as a list, null for what is not finite."""
+        return {name: _plain(value) for name, value in self.values.items()}
+
+
+def quantity_shown(measure: str) -> Quantity | None:
+    """The quantity, known by its name or by a unit, as which a placeholder shows a number."""
+    if measure in SI:
+        return Quantity(measure, "", "", SI[measure], 4, "")
+    return QUANTITIES.get(measure)
+
+
+def _shown(value: Any, measure: str, language: str) -> str:
+    if isinstance(value, Notice):
+        return value.sentence(language)
+    if isinstance(value, tuple):
+        joint = "; " if any(isinstance(one, Notice) for one in value) else ", "
+        return joint.join(_shown(one, measure, language) for one in value)
+    if isinstance(value, str):
+        return value
+    quantity = quantity_shown(measure)
+    if quantity is None:
+        return str(value) if isinstance(value, int) else f"{value:.4g}"
+    return quantity.suited(value).with_unit(value)
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, Notice):
+        return value.plain_values()
+    if isinstance(value, tuple):
+        return [_plain(one) for one in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value

@@ -1,0 +1,91 @@
+"""Tilting-pad journal bearings."""
+
+from __future__ import annotations
+
+from babbitt.core.quantities.quantity import Quantity, quantity
+
+AXES = (("xx", "x", "x"), ("xy", "x", "y"), ("yx", "y", "x"), ("yy", "y", "y"))
+
+TILTING_PADS: tuple[Quantity, ...] = (
+    quantity("largest_pad_clearance", "c_p", "m", "um", 4, "Machined clearance of the pads, the largest"),
+    quantity("assembled_clearance", "c_b", "m", "um", 4, "Assembled clearance of the pads, the smallest"),
+    quantity("journal_x", "x", "m", "um", 4, "Journal centre, to the right of the bearing centre"),
+    quantity("journal_y", "y", "m", "um", 4, "Journal centre, above the bearing centre"),
+    quantity("loaded_pads", "z_F", "1", "count", 3, "Pads that carry load"),
+    quantity(
+        "least_pad_margin",
+        "Δε_p",
+        "1",
+        "",
+        3,
+        "Least eccentricity ratio at a pivot above that at which the pad unloads",
+    ),
+    quantity("pad_pivot_angle", "θ_p,i", "rad", "deg", 4, "Angle of each pivot, counter-clockwise from +x"),
+    quantity("pad_clearance", "c_p,i", "m", "um", 4, "Machined clearance of each pad"),
+    quantity("pad_assembled_clearance", "c_b,i", "m", "um", 4, "Assembled clearance of each pad"),
+    quantity("pad_preload", "m_i", "1", "", 3, "Preload of each pad, 1 - c_b/c_p"),
+    quantity("pad_status", "s_i", "1", "", 2, "Status of each pad: 1 loaded, 0 unloaded, 0.5 at its limit"),
+    quantity("pad_tilt", "δ_i", "rad", "mrad", 4, "Tilt of each pad, counter-clockwise; none where unloaded"),
+    quantity("pad_eccentricity_ratio", "ε_p,i", "1", "", 3, "Eccentricity ratio at each pivot, m + ξ/c_p"),
+    quantity("pad_side_flow", "Q_s,i", "m3/s", "L/min", 3, "Oil out over both sides of each pad"),
+    quantity("pivot_displacement", "u_i", "m", "um", 3, "How far each pivot gives way"),
+    quantity("pivot_stiffness", "k_p,i", "N/m", "GN/m", 4, "Stiffness of each pivot under its load"),
+    quantity("static_stiffness", "K_0", "N/m", "MN/m", 4, "Stiffness at rest, pads following"),
+    quantity("static_damping", "C_0", "N s/m", "kNs/m", 4, "Damping of slow motion, pads following"),
+    *(
+        quantity(
+            f"static_stiffness_{axes}",
+            f"k_0,{axes}",
+            "N/m",
+            "MN/m",
+            4,
+            f"Stiffness at rest, force in {row} over move in {column}",
+        )
+        for axes, row, column in AXES
+    ),
+    quantity("whirl_ratio", "ν", "1", "", 3, "Frequencies of the dynamic coefficients over that of the rotation"),
+    quantity("fitted_stiffness", "K_f", "N/m", "MN/m", 4, "Stiffness fitted over the whirl ratios"),
+    quantity("fitted_damping", "C_f", "N s/m", "kNs/m", 4, "Damping fitted over the whirl ratios"),
+    quantity(
+        "virtual_mass", "M_v", "kg", "kg", 4, "Virtual mass fitted over the whirl ratios, Z = K - ω² M + j ω C"
+    ),
+    *(
+        quantity(
+            f"virtual_mass_{axes}",
+            f"m_v,{axes}",
+            "kg",
+            "kg",
+            4,
+            f"Virtual mass, force in {row} over acceleration in {column}",
+        )
+        for axes, row, column in AXES
+    ),
+    quantity("fit_error", "δ_KCM", "1", "percent", 3, "Misfit of stiffness, damping and virtual mass"),
+    quantity("system_stiffness", "K_s", "N/m", "MN/m", 4, "Stiffness of journal and pads, in `motions`"),
+    quantity("system_damping", "C_s", "N s/m", "kNs/m", 4, "Damping of journal and pads, in `motions`"),
+    quantity("system_mass", "M_s", "kg", "kg", 4, "Mass of the pads, in `motions`"),
+    quantity(
+        "rotor_modes",
+        "λ",
+        "SI",
+        "",
+        4,
+        "Free motions: growth 1/s, frequency rad/s, log decrement, whirl (1 forward), share of the rotor",
+    ),
+    quantity("log_decrement", "δ_log", "1", "", 3, "Log decrement of the motion of the rotor that lasts longest"),
+    quantity("pad_log_decrement", "δ_log,p", "1", "", 3, "Least log decrement of all other motions, of the pads"),
+    quantity(
+        "log_decrement_forward", "δ_log,f", "1", "", 3, "Log decrement of the more forward motion of the rotor"
+    ),
+    quantity(
+        "log_decrement_backward", "δ_log,b", "1", "", 3, "Log decrement of the more backward motion of the rotor"
+    ),
+    quantity(
+        "whirl_frequency_forward", "f_f", "rad/s", "Hz", 4, "Frequency of the more forward motion of the rotor"
+    ),
+    quantity(
+        "whirl_frequency_backward", "f_b", "rad/s", "Hz", 4, "Frequency of the more backward motion of the rotor"
+    ),
+    quantity("threshold_mass", "m_th", "kg", "t", 4, "Mass of the rotor above which a motion grows"),
+    quantity("threshold_frequency", "f_th", "rad/s", "Hz", 4, "Frequency of the motion that begins to grow"),
+)

@@ -1,0 +1,217 @@
+"""From a case to its result: films, values, checks, warnings."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from time import perf_counter
+
+from babbitt.core.notices import InputError, Notice
+from babbitt.core.result import Bound, Check, Outcome, Result
+from babbitt.core.solution import Solution
+from babbitt.core.units import ZERO_CELSIUS
+from babbitt.design.checks import checks_not_made, limit_checks
+from babbitt.design.failure import failure
+from babbitt.design.heat_balance import Equilibrium
+from babbitt.kinds.tilting_pad_journal.dynamics import PadDynamics, dynamics_of
+from babbitt.kinds.tilting_pad_journal.film import PadFilms, operating_films
+from babbitt.kinds.tilting_pad_journal.margins import PadMargin, pad_margins
+from babbitt.kinds.tilting_pad_journal.model import PadCase, Thermal
+from babbitt.kinds.tilting_pad_journal.values import dynamic_rows, dynamic_values, film_values, pad_rows
+from babbitt.kinds.tilting_pad_journal.warnings import warnings_of_solution
+
+__all__ = ["LEAST_DECREMENT", "PadSolutionState", "pad_solution", "refuse_starvation"]
+
+METHOD = "film"
+
+LEAST_DECREMENT = 0.1
+DECREMENT_SOURCE = "least log decrement of API 617, as API RP 684 explains it"
+USER = "limit set in the case"
+LAMINAR = "C110"
+"""The check of other methods that the film is laminar; here W407 tells it, for nothing else could be chosen."""
+
+
+class PadSolutionState:
+    """What stands behind a result: films, dynamics, margins.
+
+    Attributes
+    ----------
+    films : PadFilms
+    dynamics : PadDynamics
+    margins : tuple of PadMargin
+    """
+
+    def __init__(self, films: PadFilms, dynamics: PadDynamics, margins: tuple[PadMargin, ...]) -> None:
+        self.films, self.dynamics, self.margins = films, dynamics, margins
+
+
+def pad_solution(case: PadCase) -> Solution:
+    """Solve one bearing.
+
+    Returns
+    -------
+    Solution
+        Its result has a status in every case; its state is a `PadSolutionState`, None without equilibrium.
+
+    Raises
+    ------
+    InputError
+        E101 where the supply is less than what leaves by the sides of the pads.
+    """
+    begun = perf_counter()
+    found = operating_films(case)
+    if found.film is None or not found.outcome.solved:
+        return Solution(case, unsolved(case, found, perf_counter() - begun))
+    films = found.film
+    refuse_starved(case, films)
+    margins = pad_margins(case, films.solution)
+    dynamics = dynamics_of(case, films.solution)
+    values = film_values(case, films, margins) | dynamic_values(case, dynamics)
+    values |= {"iterations": float(found.evaluations), "wall_time": perf_counter() - begun}
+    result = Result(
+        case.name,
+        case.kind,
+        METHOD,
+        Outcome.CONVERGED,
+        {name: float(value) for name, value in values.items() if math.isfinite(value)},
+        checks=(*checks_of(case, values), *stability_checks(case, values)),
+        warnings=(*case.warnings, *warnings_of_solution(case, films, dynamics, margins, values)),
+        not_checked=(*checks_not_made(case, values), *stability_not_checked(case, values)),
+        assumptions=(*case.lubricant.assumptions, *case.assumptions, *assumptions_of(case)),
+        settings=settings_of(case, dynamics),
+        arrays=pad_rows(case, films.solution) | dynamic_rows(case, dynamics),
+        missing=missing_of(case, values),
+    )
+    return Solution(case, result, PadSolutionState(films, dynamics, margins))
+
+
+def unsolved(case: PadCase, found: Equilibrium[PadFilms], time: float) -> Result:
+    """The result of a bearing without equilibrium, with the last place that was reached."""
+    last: dict[str, float] = {"wall_time": time}
+    if found.film is not None:
+        solution = found.film.solution
+        last |= {
+            "eccentricity_ratio": solution.eccentricity_ratio,
+            "minimum_film_thickness": solution.minimum_film_thickness,
+            "effective_temperature": found.film.temperature,
+        }
+    return Result(
+        case.name, case.kind, METHOD, found.outcome, last, warnings=case.warnings,
+        assumptions=(*case.lubricant.assumptions, *case.assumptions, *assumptions_of(case)),
+        message=why(case, found), settings=settings_of(case, None),
+    )  # fmt: skip
+
+
+def why(case: PadCase, found: Equilibrium[PadFilms]) -> str:
+    """How far an unsolved bearing came, and what to try."""
+    if found.outcome is Outcome.OVERLOADED:
+        return (
+            f"at {found.last_temperature - ZERO_CELSIUS:.1f} °C an edge of a pad touches the journal, or a pivot "
+            "is loaded beyond its law, before the pads carry the load. Try: less load, more or larger pads, "
+            "more viscous or cooler oil, a stiffer pivot"
+        )
+    if found.outcome is not Outcome.PAD_AT_LIMIT or found.film is None:
+        return failure(case, found)
+    solution = found.film.solution
+    need, least = solution.limit_loads or (math.nan, math.nan)
+    return (
+        f"pad {(solution.limit_pad or 0) + 1} would have to carry {need:.4g} N, between nothing and the "
+        f"{least:.4g} N at which it unloads. Try: more preload of that pad, a pivot nearer to its middle, or "
+        "another direction of the load"
+    )
+
+
+def refuse_starvation(case: PadCase) -> None:
+    """Refuse a supply that starves the pads, which their films tell; asked only where a flow is given.
+
+    Raises
+    ------
+    InputError
+        E101.
+    """
+    if case.oil_supply is None or case.oil_supply.flow is None:
+        return
+    found = operating_films(case)
+    if found.film is not None and found.outcome.solved:
+        refuse_starved(case, found.film)
+
+
+def refuse_starved(case: PadCase, films: PadFilms) -> None:
+    """Refuse a supply less than what leaves by the sides: with all else carried over the pads still starve."""
+    given = None if case.oil_supply is None else case.oil_supply.flow
+    least = films.solution.side_flow
+    if given is not None and given < least:
+        said = f"{case.name}: supply.flow is {given * 6e4:.4g} L/min, and {least * 6e4:.4g} L/min"
+        raise InputError(
+            "E101",
+            f"{said} leave by the sides of the pads alone: they starve, whatever is carried over. Give more than "
+            "that, or leave flow out for pads that get what they draw in.",
+        )
+
+
+def checks_of(case: PadCase, values: Mapping[str, float]) -> Iterator[Check]:
+    """Film, load, temperature and metal, as of every journal bearing."""
+    yield from (one for one in limit_checks(case, values) if one.code != LAMINAR)
+
+
+def stability_checks(case: PadCase, values: Mapping[str, float]) -> Iterator[Check]:
+    """Log decrement of the rotor, and what every pad is short of being unloaded."""
+    if "log_decrement" in values:
+        own = case.least_log_decrement
+        limit, source = (LEAST_DECREMENT, DECREMENT_SOURCE) if own is None else (own, USER)
+        yield Check("C401", "log_decrement", values["log_decrement"], limit, Bound.AT_LEAST, source)
+    if "least_pad_margin" in values:
+        source = "eccentricity ratio at the pivot, at which a pad unloads"
+        yield Check("C402", "least_pad_margin", values["least_pad_margin"], 0.0, Bound.AT_LEAST, source, True)
+
+
+def stability_not_checked(case: PadCase, values: Mapping[str, float]) -> Iterator[Notice]:
+    """Which of these lack data."""
+    if "log_decrement" not in values:
+        yield Notice("C401")
+    if "least_pad_margin" not in values:
+        yield Notice("C402")
+
+
+def settings_of(case: PadCase, dynamics: PadDynamics | None) -> dict[str, str]:
+    """Choices that the numbers depend on, and what the rows of the matrices of journal and pads are."""
+    named = {
+        "lubricant": case.lubricant.name,
+        "thermal": case.thermal.value,
+        "accuracy": case.accuracy.value,
+        "feed": case.feed.kind,
+        "cavitation": "reynolds",
+    }
+    if dynamics is not None:
+        named["motions"] = ", ".join(dynamics.full.labels)
+    return named
+
+
+def assumptions_of(case: PadCase) -> Iterator[str]:
+    """What is assumed of every bearing of this kind."""
+    yield (
+        "Films of one viscosity that rupture where pressure and its gradient vanish (Reynolds); pads tilt "
+        "without friction about their pivots alone, in the plane of the bearing; rigid pads; ambient or groove "
+        "pressure on all edges of a pad."
+    )
+    yield "The moment of the shear on a pad about its pivot is left out, as in published tables."
+    yield (
+        "Stiffness and damping are synchronous: pads follow at the frequency of the rotation; viscosity and the "
+        "extent of the films stay as at rest."
+    )
+    yield "An unloaded pad stands concentric with its bore: it carries nothing and shears the oil that it passes."
+    if case.thermal is Thermal.GLOBAL:
+        yield (
+            f"One temperature for all films; {case.feed.carry_over:.0%} of the oil that leaves a pad over its "
+            "trailing edge enters the next; all heat goes with the oil."
+        )
+
+
+def missing_of(case: PadCase, values: Mapping[str, float]) -> dict[str, str]:
+    """Values that belong to the result and were not found, and why."""
+    missing = {}
+    if case.rotor_mass is not None and "threshold_mass" not in values:
+        missing["threshold_mass"] = "no mass up to a thousand times that of the rotor is unstable"
+    if "fit_error" not in values:
+        missing["fit_error"] = "stiffness, damping and virtual mass are fitted over three whirl ratios or more"
+    return missing

@@ -1,0 +1,145 @@
+"""Coefficients over the whirl ratio, and free motions of a rotor among its pads."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from babbitt.kinds.tilting_pad_journal.model import PadCase
+from babbitt.reynolds.tilting_pads.dynamics import (
+    CondensedCoefficients,
+    KCMFit,
+    PadCoefficients,
+    condensed_at,
+    fit_virtual_mass,
+    full_coefficients,
+)
+from babbitt.reynolds.tilting_pads.rotor import Mode, Threshold, rotor_modes, threshold_mass
+from babbitt.reynolds.tilting_pads.solution import TiltingPadSolution
+
+__all__ = ["LARGEST_FIT_ERROR", "PadDynamics", "RotorMotions", "dynamics_of", "on_shaft", "swinging"]
+
+LARGEST_FIT_ERROR = 0.05
+"""Relative misfit above which stiffness, damping and mass do not stand for the range of frequencies."""
+
+FEWEST_RATIOS = 3
+"""Whirl ratios that a fit of stiffness, damping and mass needs at least."""
+
+HEAVIER, LIGHTER = 1e3, 1e-2
+"""Masses over that of the rotor within which its threshold is sought."""
+
+NO_SWING = 100.0
+"""Log decrement that stands for infinity: of a motion that grows or dies without swinging."""
+
+
+@dataclass(frozen=True, eq=False)
+class RotorMotions:
+    """Free motions of the rotor of the case, on its shaft where that gives way.
+
+    Attributes
+    ----------
+    modes : tuple of Mode
+        The one that lasts longest first.
+    threshold : Threshold
+        Of the mass of the rotor.
+    """
+
+    modes: tuple[Mode, ...]
+    threshold: Threshold
+
+    @property
+    def of_the_rotor(self) -> tuple[Mode, ...]:
+        """The two motions that swing in which the rotor has the largest shares, the more forward one first."""
+        own = sorted(swinging(self), key=lambda mode: -mode.share)[:2]
+        return tuple(sorted(own, key=lambda mode: -mode.whirl))
+
+    @property
+    def decisive(self) -> Mode:
+        """The motion that decides: one that grows, of rotor or pads, else that of the rotor that lasts longer."""
+        growing = [mode for mode in self.modes if not mode.stable]
+        return min(growing or self.of_the_rotor or self.modes, key=bounded_decrement)
+
+    @property
+    def log_decrement(self) -> float:
+        """Of the motion that decides."""
+        return bounded_decrement(self.decisive)
+
+    @property
+    def pad_decrement(self) -> float:
+        """The least of all motions but the two of the rotor; infinite where no other swings."""
+        others = (mode for mode in swinging(self) if mode not in self.of_the_rotor)
+        return min((bounded_decrement(mode) for mode in others), default=math.inf)
+
+
+@dataclass(frozen=True, eq=False)
+class PadDynamics:
+    """What a rotor sees of the pads.
+
+    Attributes
+    ----------
+    full : PadCoefficients
+        Of journal and pads.
+    static, synchronous : CondensedCoefficients
+        At rest, and at the frequency of the rotation.
+    over_whirl : tuple of CondensedCoefficients
+        At the whirl ratios of the case.
+    fit : KCMFit or None
+        Over these; None where they are too few.
+    motions : RotorMotions or None
+        None without the mass of a rotor.
+    """
+
+    full: PadCoefficients
+    static: CondensedCoefficients
+    synchronous: CondensedCoefficients
+    over_whirl: tuple[CondensedCoefficients, ...]
+    fit: KCMFit | None
+    motions: RotorMotions | None
+
+
+def dynamics_of(case: PadCase, solution: TiltingPadSolution) -> PadDynamics:
+    """Dynamics of the pads at a solved place."""
+    full = full_coefficients(solution)
+    positive = [ratio for ratio in case.whirl_ratios if ratio > 0.0]
+    fit = fit_virtual_mass(full, positive) if len(positive) >= FEWEST_RATIOS else None
+    motions = None
+    if case.rotor_mass is not None:
+        mass = case.rotor_mass
+        chain = full if case.shaft_stiffness is None else on_shaft(full, case.shaft_stiffness)
+        modes = rotor_modes(chain, mass)
+        motions = RotorMotions(modes, threshold_mass(chain, LIGHTER * mass, HEAVIER * mass))
+    return PadDynamics(
+        full,
+        condensed_at(full, 0.0),
+        condensed_at(full, 1.0),
+        tuple(condensed_at(full, ratio) for ratio in case.whirl_ratios),
+        fit,
+        motions,
+    )
+
+
+def on_shaft(pads: PadCoefficients, stiffness: float) -> PadCoefficients:
+    """Pads behind a shaft of a stiffness in N/m: x and y are the far end of the shaft, where the rotor sits."""
+    grown = {name: np.pad(getattr(pads, name), ((2, 0), (2, 0))) for name in ("mass", "damping", "stiffness")}
+    for rotor, journal in ((0, 2), (1, 3)):
+        ends = np.ix_((rotor, journal), (rotor, journal))
+        grown["stiffness"][ends] += stiffness * np.array([[1.0, -1.0], [-1.0, 1.0]])
+    return replace(
+        pads,
+        labels=("x", "y", "journal x", "journal y", *pads.labels[2:]),
+        levers=np.concatenate(((1.0, 1.0), pads.levers)),
+        **grown,  # type: ignore[arg-type]
+    )
+
+
+def bounded_decrement(mode: Mode) -> float:
+    """Log decrement of a motion; one that does not swing has `NO_SWING`, with the sign of its decay."""
+    found = mode.log_decrement
+    return math.copysign(NO_SWING, found) if math.isinf(found) else found
+
+
+def swinging(motions: RotorMotions) -> tuple[Mode, ...]:
+    """The motions that swing."""
+    return tuple(mode for mode in motions.modes if mode.frequency > 0.0)

@@ -1,0 +1,122 @@
+"""The films of all pads at one temperature, and the temperature at which their heat balance closes."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import partial
+
+from babbitt.core.result import Outcome
+from babbitt.design.conditions import PrescribedLoad
+from babbitt.design.heat_balance import (
+    COARSE_SEARCH,
+    Equilibrium,
+    NoFilmError,
+    at_prescribed_temperature,
+    coolest_equilibrium,
+)
+from babbitt.design.oil import properties_at
+from babbitt.design.pad_heat import HeatBalance, Temperatures, mixed_temperatures
+from babbitt.kinds.tilting_pad_journal.model import PadCase, Thermal
+from babbitt.reynolds.tilting_pads.solution import TiltingPadSolution
+from babbitt.reynolds.tilting_pads.solve import solve_tilting_pads, tilting_pads_at
+
+__all__ = ["PadFilms", "film_at_temperature", "operating_films"]
+
+
+@dataclass(frozen=True, eq=False)
+class PadFilms:
+    """Films of all pads at one effective temperature, SI.
+
+    Attributes
+    ----------
+    temperature, density, viscosity, volumetric_heat_capacity : float
+        Of the oil in the films.
+    relative_clearance : float
+        Machined clearance of the pads over the radius, to which the Reynolds number belongs.
+    solution : TiltingPadSolution
+    fresh_flow : float
+        Oil that the leading edges draw in besides what is carried over, m3/s.
+    temperatures : Temperatures or None
+        Of the mixing between the pads; None where the temperature of the films is given.
+    """
+
+    temperature: float
+    density: float
+    viscosity: float
+    volumetric_heat_capacity: float
+    relative_clearance: float
+    solution: TiltingPadSolution
+    fresh_flow: float
+    temperatures: Temperatures | None
+
+    @property
+    def load(self) -> float:
+        """Force of the films, N."""
+        return self.solution.load
+
+    @property
+    def friction_power(self) -> float:
+        """W."""
+        return self.solution.friction_power
+
+    @property
+    def total_flow(self) -> float:
+        """Fresh oil, m3/s."""
+        return self.fresh_flow
+
+
+def operating_films(case: PadCase) -> Equilibrium[PadFilms]:
+    """Films at the temperature that the case gives, or at which friction and fresh oil balance.
+
+    Always ends with a status; the films of a pad at its limit are an equilibrium of heat and none of forces.
+    """
+    film_at = partial(film_at_temperature, case=case)
+    match case.thermal:
+        case Thermal.ISOTHERMAL:
+            found = at_prescribed_temperature(case.effective_temperature or math.nan, film_at)
+        case Thermal.GLOBAL:
+            assert case.oil_supply is not None
+            found = coolest_equilibrium(film_at, _surplus, case.oil_supply.temperature, COARSE_SEARCH)
+    if found.film is not None and found.outcome.solved and not found.film.solution.outcome.solved:
+        return Equilibrium(found.film.solution.outcome, found.film, found.evaluations, found.last_temperature)
+    return found
+
+
+def _surplus(temperature: float, film: PadFilms) -> float:
+    """By how much friction warms the films above the temperature of their oil, K."""
+    assert film.temperatures is not None
+    return film.temperatures.effective - temperature
+
+
+def film_at_temperature(temperature: float, case: PadCase) -> PadFilms:
+    """Films at an effective temperature in K.
+
+    Raises
+    ------
+    NoFilmError
+        When the engine ends without a place of the journal, or a law of the lubricant has no usable value. A pad
+        at its limit is no reason: its films stand where the search ended, and another temperature may free it.
+    """
+    density, viscosity, capacity = properties_at(case.lubricant, temperature)
+    pads = case.bearing.film(viscosity, case.journal_speed)
+    resolution = case.accuracy.resolution
+    if isinstance(case.duty, PrescribedLoad):
+        load = case.duty.load * math.cos(case.load_angle), case.duty.load * math.sin(case.load_angle)
+        solution = solve_tilting_pads(pads, load, resolution)
+    else:
+        solution = tilting_pads_at(pads, (case.duty.x, case.duty.y), resolution)
+    if not solution.outcome.solved and solution.outcome is not Outcome.PAD_AT_LIMIT:
+        raise NoFilmError(solution.outcome)
+    entering = sum(pad.inflow for pad in solution.pads)
+    trailing = sum(pad.outflow for pad in solution.pads)
+    temperatures = None
+    if case.thermal is not Thermal.ISOTHERMAL and case.oil_supply is not None:
+        balance = HeatBalance(case.lubricant, case.oil_supply.temperature, case.feed.carry_over)
+        temperatures = mixed_temperatures(
+            balance, solution.friction_power, trailing, entering - trailing, temperature
+        )
+    return PadFilms(
+        temperature, density, viscosity, capacity, case.bearing.pad_clearance * 2.0 / case.bearing.diameter,
+        solution, entering - case.feed.carry_over * trailing, temperatures,
+    )  # fmt: skip

@@ -1,0 +1,65 @@
+"""How far every pad is from being unloaded."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+from babbitt.kinds.tilting_pad_journal.model import PadCase
+from babbitt.reynolds.tilting_pads.model import TiltingPad
+from babbitt.reynolds.tilting_pads.solution import PadStatus, TiltingPadSolution
+from babbitt.reynolds.tilting_pads.solve import fold_of
+
+__all__ = ["NEAR_FLUTTER", "PadMargin", "loading_preload", "pad_margins"]
+
+NEAR_FLUTTER = 0.05
+"""Distance of the eccentricity ratio at the pivot from that at which the pad unloads, below which it is told."""
+
+
+@dataclass(frozen=True)
+class PadMargin:
+    """Distance of a pad from being unloaded.
+
+    Attributes
+    ----------
+    number : int
+        From 1.
+    margin : float
+        Eccentricity ratio at the pivot less that at which the pad unloads; infinite where it does so nowhere (a
+        flexure, or an offset pivot that carries at any place), nan where that was not found.
+    fold : float
+        That at which it unloads.
+    loaded : bool
+    """
+
+    number: int
+    margin: float
+    fold: float
+    loaded: bool
+
+
+def pad_margins(case: PadCase, solution: TiltingPadSolution) -> tuple[PadMargin, ...]:
+    """The margin of every pad; pads that differ in their place alone unload at one ratio, sought once."""
+    folds: dict[TiltingPad, float] = {}
+    found = []
+    for number, (pad, state) in enumerate(zip(solution.bearing.pads, solution.pads, strict=True)):
+        alike = replace(pad, pivot_angle=0.0)
+        if alike not in folds:
+            folds[alike] = fold_ratio(case, solution, number)
+        fold = folds[alike]
+        loaded = state.status is not PadStatus.UNLOADED
+        found.append(PadMargin(number + 1, state.eccentricity_ratio - fold, fold, loaded))
+    return tuple(found)
+
+
+def fold_ratio(case: PadCase, solution: TiltingPadSolution, number: int) -> float:
+    """Eccentricity ratio at the pivot at which a pad unloads; minus infinity: nowhere, nan: not found."""
+    if solution.bearing.pads[number].rotational_stiffness > 0.0:
+        return -math.inf
+    fold = fold_of(solution.bearing, number, case.accuracy.resolution)
+    return fold.eccentricity_ratio if fold.outcome.solved else math.nan
+
+
+def loading_preload(pad: TiltingPad, solution: TiltingPadSolution) -> float:
+    """Preload from which on a pad on a centred pivot would carry where the journal stands: -(x, y).n/c_p."""
+    return -float(solution.position @ pad.normal()) / pad.clearance

@@ -1,0 +1,158 @@
+"""A tilting-pad journal bearing at one operating point and clearance: SI numbers, all choices made."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from enum import Enum
+
+from babbitt.core.notices import Notice
+from babbitt.design.conditions import (
+    HousingCooling,
+    Limits,
+    OilSupply,
+    PrescribedLoad,
+    PrescribedPosition,
+    Proportions,
+    Surfaces,
+)
+from babbitt.properties.lubricants import Lubricant
+from babbitt.properties.materials import BearingMetal, LoadCharacter
+from babbitt.reynolds.model import DRAFT, ENGINEERING, Resolution
+from babbitt.reynolds.tilting_pads.model import TiltingPad, TiltingPadBearing
+
+__all__ = ["Accuracy", "Feed", "PadBearing", "PadCase", "Thermal", "WHIRL_RATIOS"]
+
+WHIRL_RATIOS = (0.2, 0.4, 0.6, 0.8, 1.0, 1.2)
+"""Frequencies over the speed at which coefficients are given where the case names none."""
+
+FINE = Resolution(6, 192, tolerance=1e-9)
+"""Grid of the accuracy ``reference``, on every pad."""
+
+
+class Accuracy(Enum):
+    """How fine the grid of a pad is."""
+
+    DRAFT = "draft"
+    ENGINEERING = "engineering"
+    REFERENCE = "reference"
+
+    @property
+    def resolution(self) -> Resolution:
+        """Grid of the film engine."""
+        return {"draft": DRAFT, "engineering": ENGINEERING, "reference": FINE}[self.value]
+
+
+class Thermal(Enum):
+    """How the temperature of the films is found."""
+
+    ISOTHERMAL = "isothermal"
+    GLOBAL = "global"
+
+
+@dataclass(frozen=True)
+class Feed:
+    """How oil reaches the pads.
+
+    Attributes
+    ----------
+    kind : str
+        ``flooded``, ``leading_edge_groove`` or ``spray_bar``.
+    carry_over : float
+        Share of the oil that leaves a pad over its trailing edge and enters the next one.
+    """
+
+    kind: str
+    carry_over: float
+
+
+@dataclass(frozen=True)
+class PadBearing(Proportions):
+    """Pads around a journal with what holds them to limits; lengths in m.
+
+    Attributes
+    ----------
+    diameter, width : float
+        Of the journal, and of the pads that have no width of their own.
+    pads : tuple of TiltingPad
+        Their viscosity is that of the film.
+    groove_pressure : float
+        Gauge pressure of the oil between the pads, Pa.
+    surfaces : Surfaces or None
+    metal : BearingMetal or None
+    load_character : LoadCharacter
+    """
+
+    diameter: float
+    width: float
+    pads: tuple[TiltingPad, ...]
+    groove_pressure: float = 0.0
+    surfaces: Surfaces | None = None
+    metal: BearingMetal | None = None
+    load_character: LoadCharacter = LoadCharacter.CALM
+
+    @property
+    def assembled_clearance(self) -> float:
+        """Smallest assembled clearance of the pads, m."""
+        return min(pad.assembled_clearance for pad in self.pads)
+
+    @property
+    def pad_clearance(self) -> float:
+        """Largest machined clearance of the pads, m."""
+        return max(pad.clearance for pad in self.pads)
+
+    @property
+    def relative_clearance(self) -> float:  # type: ignore[override]
+        """Assembled clearance over the radius."""
+        return 2.0 * self.assembled_clearance / self.diameter
+
+    @property
+    def mean_relative_clearance(self) -> float:
+        """As `relative_clearance`."""
+        return self.relative_clearance
+
+    def film(self, viscosity: float, angular_speed: float) -> TiltingPadBearing:
+        """The bearing of the film engine: viscosity in Pa s, speed in rad/s."""
+        return TiltingPadBearing(
+            self.diameter, self.width, viscosity, angular_speed, self.pads, self.groove_pressure
+        )
+
+
+@dataclass(frozen=True)
+class PadCase:
+    """One tilting-pad bearing at one operating point with all choices made.
+
+    Speed in rad/s, positive counter-clockwise; `load_angle` in rad from +x. With the thermal model `ISOTHERMAL`
+    the films have the `effective_temperature` (K), else it is None and found from friction and fresh oil.
+    `rotor_mass` (kg) is the part of a rotor that this bearing carries, `shaft_stiffness` (N/m) that of the shaft
+    between that mass and the journal; None is rigid. Coefficients are given at the `whirl_ratios`, frequencies
+    over the speed.
+    """
+
+    name: str
+    bearing: PadBearing
+    duty: PrescribedLoad | PrescribedPosition
+    journal_speed: float
+    lubricant: Lubricant
+    thermal: Thermal
+    feed: Feed
+    oil_supply: OilSupply | None = None
+    effective_temperature: float | None = None
+    load_angle: float = -0.5 * math.pi
+    accuracy: Accuracy = Accuracy.ENGINEERING
+    whirl_ratios: tuple[float, ...] = WHIRL_RATIOS
+    rotor_mass: float | None = None
+    shaft_stiffness: float | None = None
+    limits: Limits = field(default_factory=Limits)
+    least_log_decrement: float | None = None
+    given: tuple[tuple[str, str], ...] = ()
+    assumptions: tuple[str, ...] = ()
+    warnings: tuple[Notice, ...] = ()
+    kind: str = "tilting_pad_journal"
+    cooling: HousingCooling | None = None
+    bearing_speed: float = 0.0
+
+    @property
+    def sense(self) -> float:
+        """Sense of rotation: 1 counter-clockwise, -1 clockwise."""
+        return math.copysign(1.0, self.journal_speed)

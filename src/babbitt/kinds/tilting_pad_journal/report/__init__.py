@@ -1,0 +1,1 @@
+"""What the report holds of tilting-pad journal bearings."""

@@ -1,0 +1,82 @@
+"""What a tilting-pad bearing was computed from."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+
+from babbitt.kinds.tilting_pad_journal.case.pivots import written_pivot
+from babbitt.kinds.tilting_pad_journal.model import PadCase
+from babbitt.report.inputs import InputGroup, Row, metal_rows, named_row, oil_rows
+from babbitt.reynolds.tilting_pads.model import TiltingPad
+
+__all__ = ["pad_inputs"]
+
+OF_ALL = "all"
+
+
+def pad_inputs(case: PadCase) -> Iterator[InputGroup]:
+    """Groups of inputs."""
+    yield InputGroup("Bearing", tuple(_bearing(case)))
+    yield InputGroup("Operation", tuple(_operation(case)))
+    yield InputGroup("Lubricant", (*oil_rows(case.lubricant), *_oil(case)))
+    yield InputGroup("Material", tuple(metal_rows(case.bearing.metal)))
+
+
+def _bearing(case: PadCase) -> Iterator[Row]:
+    bearing = case.bearing
+    yield named_row("diameter", bearing.diameter, "Diameter of the journal")
+    yield Row("Angles of the pivots", _angles(bearing.pads), None, "°")
+    for label, unit, of in (
+        ("Angle of a pad", "°", lambda pad: f"{math.degrees(pad.extent):.6g}"),
+        ("Width of a pad", "mm", lambda pad: f"{1e3 * (pad.width or bearing.width):.6g}"),
+        ("Thickness of a pad", "mm", lambda pad: f"{1e3 * pad.thickness:.6g}"),
+        ("Machined clearance", "µm", lambda pad: f"{1e6 * pad.clearance:.5g}"),
+        ("Assembled clearance", "µm", lambda pad: f"{1e6 * pad.assembled_clearance:.5g}"),
+        ("Preload, 1 − assembled/machined clearance", "", lambda pad: f"{pad.preload:.4g}"),
+        ("Pivot", "", written_pivot),
+        ("Mass of a pad", "kg", lambda pad: f"{pad.mass:.4g}"),
+        ("Inertia of a pad about its pivot", "kg m²", lambda pad: f"{pad.inertia:.4g}"),
+    ):
+        yield from _of_pads(label, unit, bearing.pads, of)
+    if bearing.groove_pressure:
+        yield Row("Pressure between the pads", f"{1e-3 * bearing.groove_pressure:.4g}", None, "kPa")
+
+
+def _angles(pads: tuple[TiltingPad, ...]) -> str:
+    return ", ".join(f"{math.degrees(pad.pivot_angle):.5g}" for pad in pads)
+
+
+def _of_pads(
+    label: str, unit: str, pads: tuple[TiltingPad, ...], of: Callable[[TiltingPad], str]
+) -> Iterator[Row]:
+    """One row where all pads are alike, else one for every value with the pads that have it."""
+    whose: dict[str, list[str]] = {}
+    for number, pad in enumerate(pads, 1):
+        whose.setdefault(of(pad), []).append(str(number))
+    for value, numbers in whose.items():
+        which = "" if len(whose) == 1 else f", pad {', '.join(numbers)}"
+        yield Row(f"{label}{which}", value, None, unit)
+
+
+def _operation(case: PadCase) -> Iterator[Row]:
+    yield named_row("angular_speed", case.journal_speed)
+    if case.rotor_mass is not None:
+        yield named_row("rotor_mass", case.rotor_mass)
+    if case.shaft_stiffness is not None:
+        yield named_row("shaft_stiffness", case.shaft_stiffness)
+    yield Row("Whirl ratios", ", ".join(f"{ratio:g}" for ratio in case.whirl_ratios))
+
+
+def _oil(case: PadCase) -> Iterator[Row]:
+    supply = case.oil_supply
+    if supply is not None:
+        yield named_row("supply_temperature", supply.temperature)
+        if supply.flow is not None:
+            yield named_row("given_flow", supply.flow)
+    yield Row("Feed", case.feed.kind.replace("_", " "))
+    yield Row("Hot oil carried over", f"{100.0 * case.feed.carry_over:.4g}", None, "%")
+    if case.effective_temperature is not None:
+        yield named_row("effective_temperature", case.effective_temperature, "Temperature of the films, given")
+    else:
+        yield Row("Temperature of the films", "one, from friction and fresh oil (global)")

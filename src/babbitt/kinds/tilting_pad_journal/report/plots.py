@@ -1,0 +1,182 @@
+"""Loads of the pads, coefficients over the whirl ratio, free motions over the mass, load of a pad over its way."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from babbitt.kinds.tilting_pad_journal.dynamics import PadDynamics, on_shaft
+from babbitt.kinds.tilting_pad_journal.margins import PadMargin
+from babbitt.kinds.tilting_pad_journal.model import PadCase
+from babbitt.report.drawing import GREY, INK, Array, Sheet, mark
+from babbitt.reynolds.tilting_pads.dynamics import condensed_at
+from babbitt.reynolds.tilting_pads.model import TiltingPad
+from babbitt.reynolds.tilting_pads.pivots import RigidPivot
+from babbitt.reynolds.tilting_pads.rotor import Mode, rotor_modes
+from babbitt.reynolds.tilting_pads.solution import TiltingPadSolution
+from babbitt.reynolds.tilting_pads.solve import tilting_pads_at
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+__all__ = ["coefficients_over_whirl", "pad_curve", "pad_loads", "root_locus"]
+
+ENTRIES = (("xx", 0, 0, INK, "-"), ("yy", 1, 1, INK, (0, (5, 2))), ("xy", 0, 1, GREY, "-"),
+           ("yx", 1, 0, GREY, (0, (5, 2))))  # fmt: skip
+"""Entries of a matrix with colour and stroke."""
+
+MASSES = np.geomspace(0.1, 10.0, 41)
+"""Masses over that of the rotor along the locus."""
+
+SLOW = 3.0
+"""Growth and frequency over the angular speed that the locus shows."""
+
+NEAREST = 0.05
+"""Film at the pivot over the machined clearance at which the curve of a pad ends."""
+
+POINTS = 45
+"""Of that curve."""
+
+
+def pad_loads(solution: TiltingPadSolution) -> Figure:
+    """Load and thinnest film of every pad as bars."""
+    figure, ((left, right),) = Sheet(166.0, 48.0, 1, 2, across=16.0).panels()
+    numbers = np.arange(1, len(solution.pads) + 1)
+    loads = np.array([state.load for state in solution.pads]) / 1e3
+    films = np.array([state.minimum_film_thickness for state in solution.pads]) * 1e6
+    carries = loads > 0.0
+    for panel, heights in ((left, loads), (right, films)):
+        panel.bar(numbers[carries], heights[carries], 0.6, facecolor="0.8", edgecolor=INK, linewidth=0.7)
+        if not carries.all():
+            panel.bar(
+                numbers[~carries],
+                heights[~carries],
+                0.6,
+                facecolor="white",
+                edgecolor=GREY,
+                linewidth=0.7,
+                hatch="///",
+            )
+        for number, height, has in zip(numbers, heights, carries, strict=True):
+            text = f"{height:.3g}" if has or panel is right else "unloaded"
+            panel.annotate(text, (number, height), xytext=(0, 1.5), textcoords="offset points", fontsize=7,
+                           ha="center", va="bottom")  # fmt: skip
+        panel.set_xticks(numbers)
+        panel.set_xlabel("pad")
+        panel.tick_params(axis="x", length=0.0)
+        panel.set_ylim(0.0, 1.15 * float(heights.max()))
+    left.set_ylabel("$W$ in kN")
+    right.set_ylabel("$h_\\mathrm{min}$ in µm")
+    return figure
+
+
+def coefficients_over_whirl(case: PadCase, dynamics: PadDynamics) -> Figure:
+    """Stiffness and damping over the whirl ratio, with what is fitted."""
+    figure, ((left, right),) = Sheet(166.0, 58.0, 1, 2, across=17.0).panels()
+    ends = min(case.whirl_ratios), max(case.whirl_ratios)
+    low, high = (0.9 * ends[0], 1.1 * ends[1]) if ends[1] > ends[0] else (0.5 * ends[0], 1.5 * ends[0])
+    ratios = np.linspace(max(low, 0.02), max(high, 0.05), 81)
+    found = [condensed_at(dynamics.full, float(ratio)) for ratio in ratios]
+    fit, speed = dynamics.fit, dynamics.full.speed
+    for name, i, j, colour, stroke in ENTRIES:
+        stiffness = 1e-6 * np.array([one.stiffness[i, j] for one in found])
+        damping = 1e-3 * np.array([one.damping[i, j] for one in found])
+        left.plot(ratios, stiffness, color=colour, linestyle=stroke)
+        right.plot(ratios, damping, color=colour, linestyle=stroke, label=name)
+        for one in dynamics.over_whirl:
+            left.plot([one.whirl_ratio], [1e-6 * one.stiffness[i, j]], ".", color=colour, markersize=3.5)
+            right.plot([one.whirl_ratio], [1e-3 * one.damping[i, j]], ".", color=colour, markersize=3.5)
+        if fit is not None:
+            fitted = 1e-6 * (fit.stiffness[i, j] - (ratios * speed) ** 2 * fit.mass[i, j])
+            left.plot(ratios, fitted, color=colour, linestyle=":", linewidth=0.8)
+            right.axhline(1e-3 * fit.damping[i, j], color=colour, linestyle=":", linewidth=0.8)
+    left.set(xlabel="whirl ratio $ν$", ylabel="$K$ in MN/m")
+    right.set(xlabel="whirl ratio $ν$", ylabel="$C$ in kN s/m")
+    right.legend(frameon=False, fontsize=7, ncols=4, loc="best", handlelength=1.8, columnspacing=1.0)
+    for panel in (left, right):
+        panel.axvline(1.0, color="0.8", linewidth=0.6, zorder=0)
+        _room(panel)
+    return figure
+
+
+def _room(panel: Axes) -> None:
+    """Some space above and below the curves."""
+    low, high = panel.get_ylim()
+    panel.set_ylim(low - 0.04 * (high - low), high + 0.14 * (high - low))
+
+
+def root_locus(case: PadCase, dynamics: PadDynamics) -> Figure:
+    """Free motions in the plane of growth and frequency while the mass of the rotor grows tenfold both ways."""
+    assert case.rotor_mass is not None
+    figure, ((panel,),) = Sheet(81.0, 64.0, left=12.0).panels()
+    chain = dynamics.full if case.shaft_stiffness is None else on_shaft(dynamics.full, case.shaft_stiffness)
+    bound = SLOW * chain.speed
+    for place, share in enumerate(MASSES):
+        shade = str(round(0.82 - 0.62 * place / (MASSES.size - 1), 3))
+        modes = [one for one in rotor_modes(chain, share * case.rotor_mass) if shown(one, bound)]
+        panel.plot([one.growth for one in modes], [one.frequency / math.tau for one in modes], ".", color=shade,
+                   markersize=2.5, markeredgewidth=0.0)  # fmt: skip
+    for mode in rotor_modes(chain, case.rotor_mass):
+        if shown(mode, bound):
+            mark(panel, mode.growth, mode.frequency / math.tau)
+            panel.annotate(
+                f"δ {mode.log_decrement:.2g}", (mode.growth, mode.frequency / math.tau), xytext=(5, 3),
+                textcoords="offset points", fontsize=6.5,
+            )  # fmt: skip
+    panel.axvline(0.0, color=GREY, linewidth=0.7, linestyle=(0, (5, 2)), zorder=1)
+    low, high = panel.get_xlim()
+    panel.set_xlim(low, max(high, 0.15 * (high - low)))
+    panel.set_ylim(bottom=0.0)
+    panel.set(xlabel="growth Re $λ$ in 1/s", ylabel="frequency Im $λ$/2π in Hz")
+    return figure
+
+
+def shown(mode: Mode, bound: float) -> bool:
+    """Whether a motion swings and lies in the range of the locus."""
+    return 0.0 < mode.frequency < bound and abs(mode.growth) < bound
+
+
+def pad_curve(case: PadCase, solution: TiltingPadSolution, margins: tuple[PadMargin, ...]) -> Figure:
+    """Load of a pad free to tilt over the eccentricity ratio at its pivot, with every pad and its fold."""
+    figure, ((panel,),) = Sheet(81.0, 60.0, left=12.0).panels()
+    strokes = ("-", (0, (5, 2)), (0, (1, 1.5)), (0, (6, 2, 1, 2)))
+    alike: dict[TiltingPad, list[int]] = {}
+    for number, pad in enumerate(case.bearing.pads):
+        alike.setdefault(replace(pad, pivot_angle=0.0, pivot=RigidPivot()), []).append(number)
+    for place, (pad, numbers) in enumerate(alike.items()):
+        ratios, loads = curve_of(case, solution, pad, margins[numbers[0]])
+        panel.plot(ratios, 1e-3 * loads, color=INK, linestyle=strokes[place % len(strokes)], linewidth=0.9)
+        fold = margins[numbers[0]].fold
+        if math.isfinite(fold):
+            panel.plot([ratios[0]], [1e-3 * loads[0]], "|", color=INK, markersize=7)
+    by_place: dict[tuple[float, float], list[str]] = {}
+    for number, state in enumerate(solution.pads, 1):
+        at = round(state.eccentricity_ratio, 3), 1e-3 * round(state.load, 1)
+        by_place.setdefault(at, []).append(str(number))
+        mark(panel, state.eccentricity_ratio, 1e-3 * state.load)
+    for (ratio, load), names in by_place.items():
+        panel.annotate(", ".join(names), (ratio, load), xytext=(-4, 3), textcoords="offset points", fontsize=7,
+                       ha="right")  # fmt: skip
+    largest = max(1e-3 * state.load for state in solution.pads)
+    panel.set_ylim(0.0, 1.6 * largest if largest > 0.0 else None)
+    panel.set(xlabel="$ε_\\mathrm{p}$", ylabel="$W_\\mathrm{p}$ in kN")
+    return figure
+
+
+def curve_of(
+    case: PadCase, solution: TiltingPadSolution, pad: TiltingPad, margin: PadMargin
+) -> tuple[Array, Array]:
+    """Eccentricity ratios at the pivot and loads of one pad, from where it unloads on; N."""
+    alone = replace(solution.bearing, pads=(pad,))
+    least = margin.fold + 1e-4 if math.isfinite(margin.fold) else -0.5
+    ratios = least + (1.0 - NEAREST - least) * np.linspace(0.0, 1.0, POINTS) ** 1.3
+    loads = []
+    for ratio in ratios:
+        way = (float(ratio) - pad.preload) * pad.clearance
+        found = tilting_pads_at(alone, (way, 0.0), case.accuracy.resolution)
+        loads.append(found.pads[0].load if found.outcome.solved else math.nan)
+    return ratios, np.array(loads)

@@ -1,0 +1,98 @@
+"""Tables of a tilting-pad bearing for the report: pads, coefficients, free motions."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Sequence
+from typing import Any
+
+from babbitt.core.result import Result
+from babbitt.report.plain_tables import plain_table, table_by_pad
+
+__all__ = ["tables"]
+
+SHAPE = ("pad_pivot_angle", "pad_clearance", "pad_assembled_clearance", "pad_preload")
+FILM = (
+    "pad_load",
+    "pad_eccentricity_ratio",
+    "pad_film_thickness",
+    "pad_minimum_film_thickness",
+    "pad_maximum_pressure",
+    "pad_tilt",
+)
+OIL = ("pad_leading_flow", "pad_trailing_flow", "pad_side_flow", "pad_friction_power")
+PIVOTS = ("pad_load", "pivot_displacement", "pivot_stiffness")
+DIRECTIONS = ("xx", "xy", "yx", "yy")
+
+
+def tables(result: Result) -> list[dict[str, Any]]:
+    """Tables as plain data; none of an unsolved bearing."""
+    return list(_tables(result)) if result.outcome.solved else []
+
+
+def _tables(result: Result) -> Iterator[dict[str, Any]]:
+    yield table_by_pad(
+        result, "Clearances of the pads", SHAPE, "Pivot, machined and assembled clearance, preload."
+    )
+    yield table_by_pad(
+        result,
+        "Pads at rest",
+        FILM,
+        "Load, eccentricity ratio at the pivot, film at the pivot and thinnest, largest pressure, tilt. A pad "
+        "without load has no tilt of its own; its films are those of the pad concentric with its bore.",
+    )
+    yield table_by_pad(
+        result, "Oil of the pads", OIL, "In over the leading edge; out over the trailing edge and both sides."
+    )
+    if "pivot_stiffness" in result.arrays:
+        yield table_by_pad(
+            result, "Pivots", PIVOTS, "Load, how far the pivot gives way, and its stiffness under the load."
+        )
+    yield _coefficients(result)
+    if "rotor_modes" in result.arrays:
+        yield _motions(result)
+
+
+def _coefficients(result: Result) -> dict[str, Any]:
+    """Stiffness and damping over the whirl ratio, then what is fitted."""
+    arrays = result.arrays
+    rows: list[Sequence[str]] = [_row("at rest", arrays["static_stiffness"], arrays["static_damping"])]
+    every = zip(arrays["whirl_ratio"][0], arrays["dynamic_stiffness"], arrays["dynamic_damping"], strict=True)
+    rows += [_row(f"{ratio:g}", (stiffness,), (damping,)) for ratio, stiffness, damping in every]
+    note = "At whirl ratio 1 they are synchronous: stiffness and damping of the result."
+    if "fitted_stiffness" in arrays:
+        rows.append(_row("fitted", arrays["fitted_stiffness"], arrays["fitted_damping"]))
+        masses = ", ".join(f"{one:.4g}" for row in arrays["virtual_mass"] for one in row)
+        note += (
+            f" Fitted with virtual masses xx, xy, yx, yy of {masses} kg, misfit {result.values['fit_error']:.1%}."
+        )
+    names = ("Whirl ratio", *(f"K {one}" for one in DIRECTIONS), *(f"C {one}" for one in DIRECTIONS))
+    units = ("", *("MN/m",) * 4, *("kN s/m",) * 4)
+    return plain_table("Coefficients over the whirl ratio", names, units, rows, note)
+
+
+def _row(name: str, stiffness: Iterable[Iterable[float]], damping: Iterable[Iterable[float]]) -> tuple[str, ...]:
+    k = [one for row in stiffness for one in row]
+    c = [one for row in damping for one in row]
+    return (name, *(f"{one / 1e6:.4g}" for one in k), *(f"{one / 1e3:.4g}" for one in c))
+
+
+def _motions(result: Result) -> dict[str, Any]:
+    """Free motions that swing."""
+    rows = [
+        (
+            f"{frequency / math.tau:.2f}",
+            f"{growth:.4g}",
+            f"{decrement:.3g}",
+            "forward" if whirl > 0.0 else "backward" if whirl < 0.0 else "straight",
+            f"{100.0 * share:.0f}",
+        )
+        for growth, frequency, decrement, whirl, share in result.arrays["rotor_modes"]
+    ]
+    return plain_table(
+        "Free motions of rotor and pads",
+        ("Frequency", "Growth", "Log decrement", "Whirl of the rotor", "Share of the rotor"),
+        ("Hz", "1/s", "", "", "%"),
+        rows,
+        "Those that swing, with the pads' own motions; what does not swing dies or grows without a frequency.",
+    )

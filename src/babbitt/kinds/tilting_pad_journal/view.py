@@ -1,0 +1,148 @@
+"""How the solutions of tilting-pad bearings are shown."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+from babbitt.core.result import Result
+from babbitt.core.solution import Solution
+from babbitt.kinds.tilting_pad_journal.report.columns import COLUMNS
+from babbitt.report.citations import REYNOLDS
+from babbitt.report.view import View
+
+if TYPE_CHECKING:
+    import xarray
+
+    from babbitt.kinds.tilting_pad_journal.model import PadCase
+    from babbitt.properties.lubricants import Lubricant
+    from babbitt.report.drawing import Drawing
+    from babbitt.report.inputs import InputGroup
+    from babbitt.report.line import Section
+
+__all__ = ["FILM"]
+
+LUND = "J. W. Lund, Spring and damping coefficients for the tilting-pad journal bearing, Trans. ASLE 7 (1964) 342"
+HERTZ = "K. L. Johnson, Contact Mechanics, Cambridge University Press (1985)"
+
+KEY_RESULTS = (
+    "load",
+    "specific_load",
+    "eccentricity_ratio",
+    "attitude_angle",
+    "minimum_film_thickness",
+    "maximum_pressure",
+    "largest_pad_load",
+    "largest_specific_load",
+    "loaded_pads",
+    "least_pad_margin",
+    "preload",
+    "assembled_clearance",
+    "largest_pad_clearance",
+    "friction_power",
+    "total_flow",
+    "surplus_flow",
+    "effective_temperature",
+    "trailing_temperature",
+    "outlet_temperature",
+    "effective_viscosity",
+    "film_reynolds_number",
+    "stiffness_xx",
+    "stiffness_xy",
+    "stiffness_yx",
+    "stiffness_yy",
+    "damping_xx",
+    "damping_xy",
+    "damping_yx",
+    "damping_yy",
+    "fit_error",
+    "log_decrement",
+    "pad_log_decrement",
+    "log_decrement_forward",
+    "log_decrement_backward",
+    "whirl_frequency_forward",
+    "whirl_frequency_backward",
+    "threshold_mass",
+    "threshold_frequency",
+)
+"""Results at the head of a report."""
+
+SWEEP = (
+    "minimum_film_thickness",
+    "friction_power",
+    "trailing_temperature",
+    "total_flow",
+    "stiffness_xx",
+    "stiffness_yy",
+    "damping_xx",
+    "damping_yy",
+    "log_decrement",
+    "loaded_pads",
+)
+"""Results of a sweep, what matters most first."""
+
+
+def _inputs(problem: PadCase) -> Iterable[InputGroup]:
+    from babbitt.kinds.tilting_pad_journal.report.inputs import pad_inputs
+
+    return pad_inputs(problem)
+
+
+def _sections(solution: Solution) -> tuple[Section, ...]:
+    from babbitt.kinds.tilting_pad_journal.report.calculation import pad_calculation
+
+    return pad_calculation(solution)
+
+
+def _figures(solution: Solution, image_format: str = "svg") -> tuple[Drawing, ...]:
+    from babbitt.kinds.tilting_pad_journal.report.figures import pad_figures
+
+    return pad_figures(solution, image_format)
+
+
+def _tables(result: Result) -> list[dict[str, Any]]:
+    from babbitt.kinds.tilting_pad_journal.report.tables import tables
+
+    return tables(result)
+
+
+def _fields(solution: Solution) -> xarray.Dataset:
+    from babbitt.kinds.tilting_pad_journal.report.fields import pad_fields
+
+    return pad_fields(solution)
+
+
+def _alike(problem: PadCase) -> PadCase:
+    pads = tuple(replace(pad, clearance=1.0, assembled_clearance=1.0) for pad in problem.bearing.pads)
+    return replace(problem, name="", given=(), bearing=replace(problem.bearing, pads=pads))
+
+
+def _citations(problem: PadCase) -> Iterable[str]:
+    from babbitt.reynolds.tilting_pads.pivots import HertzContact
+
+    yield REYNOLDS
+    yield LUND
+    if any(isinstance(pad.pivot, HertzContact) for pad in problem.bearing.pads):
+        yield HERTZ
+
+
+def _oil(problem: PadCase) -> Lubricant:
+    return problem.lubricant
+
+
+FILM = View(
+    title="Tilting pads, films in two dimensions",
+    key_results=KEY_RESULTS,
+    inputs=_inputs,
+    sections=_sections,
+    figures=_figures,
+    report_figures=_figures,
+    tables=_tables,
+    columns=COLUMNS,
+    sweep=SWEEP,
+    alike=_alike,
+    citations=_citations,
+    oil=_oil,
+    fields=_fields,
+)

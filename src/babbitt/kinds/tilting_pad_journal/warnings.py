@@ -1,0 +1,102 @@
+"""What is doubtful about a tilting-pad bearing."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from babbitt.core.notices import Notice
+from babbitt.design.warnings import (
+    warnings_about_heat_balance,
+    warnings_about_heating,
+    warnings_about_pressure,
+)
+from babbitt.kinds.tilting_pad_journal.dynamics import LARGEST_FIT_ERROR, PadDynamics
+from babbitt.kinds.tilting_pad_journal.film import PadFilms
+from babbitt.kinds.tilting_pad_journal.margins import NEAR_FLUTTER, PadMargin, loading_preload
+from babbitt.kinds.tilting_pad_journal.model import PadCase
+from babbitt.reynolds.tilting_pads.pivots import LineContact
+
+__all__ = ["warnings_of_solution"]
+
+WIDE_CONTACT = 0.05
+"""Half width of a line contact over the radius of the pivot beyond which the half-spaces of Hertz end."""
+
+OIL_INVENTED_FROM = 0.05
+"""Mass balance error above which films that begin anew without oil are told."""
+
+HOTTEST = ("maximum_temperature", "trailing_temperature", "outlet_temperature", "effective_temperature")
+"""Temperatures of the oil, of which the first known counts as the hottest."""
+
+
+def warnings_of_solution(
+    case: PadCase, films: PadFilms, dynamics: PadDynamics, margins: tuple[PadMargin, ...],
+    values: Mapping[str, float],
+) -> Iterator[Notice]:  # fmt: skip
+    """Warnings about a solved bearing."""
+    yield from about_unloaded_pads(films, margins)
+    if dynamics.fit is not None and dynamics.fit.error > LARGEST_FIT_ERROR:
+        ratios = dynamics.fit.whirl_ratios
+        yield Notice("W403", values={
+            "fit_error": dynamics.fit.error, "least": float(ratios.min()), "most": float(ratios.max()),
+        })  # fmt: skip
+    yield from about_supply(case, films)
+    yield from about_laminar_films(values)
+    yield from about_contacts(films)
+    if films.solution.indifferent:
+        yield Notice("W411")
+    if abs(values["mass_balance_error"]) > OIL_INVENTED_FROM:
+        yield Notice("W412", values={"mass_balance_error": abs(values["mass_balance_error"])})
+    yield from warnings_about_pressure(values["maximum_pressure"])
+    hottest = next(values[name] for name in HOTTEST if name in values)
+    supplied = None if case.oil_supply is None else case.oil_supply.temperature
+    yield from warnings_about_heating(hottest, supplied, case.lubricant)
+    if films.temperature < case.lubricant.temperature_range[0]:
+        yield Notice("W107", "pads", {
+            "effective_temperature": films.temperature, "lubricant": case.lubricant.name,
+        })  # fmt: skip
+    yield from warnings_about_heat_balance(values.get("energy_balance_error", 0.0))
+
+
+def about_unloaded_pads(films: PadFilms, margins: tuple[PadMargin, ...]) -> Iterator[Notice]:
+    """Pads that carry nothing, and pads that nearly do so."""
+    for one in margins:
+        pad = films.solution.bearing.pads[one.number - 1]
+        if not one.loaded:
+            if one.fold == 0.0:
+                needed = loading_preload(pad, films.solution)
+                yield Notice("W401", "centred", {
+                    "pad": one.number, "needed": needed, "preload": pad.preload,
+                })  # fmt: skip
+            else:
+                yield Notice("W401", "offset", {"pad": one.number})
+        elif one.margin < NEAR_FLUTTER:
+            ratio = one.fold + one.margin
+            yield Notice("W402", values={
+                "pad": one.number, "ratio": ratio, "margin": one.margin, "fold": one.fold,
+            })  # fmt: skip
+
+
+def about_supply(case: PadCase, films: PadFilms) -> Iterator[Notice]:
+    """A supply that gives less than the films draw in."""
+    given = None if case.oil_supply is None else case.oil_supply.flow
+    if given is not None and given < films.fresh_flow:
+        over = case.feed.carry_over
+        yield Notice("W405", values={"given": given, "wanted": films.fresh_flow, "carry_over": over})
+
+
+def about_laminar_films(values: Mapping[str, float]) -> Iterator[Notice]:
+    """The Reynolds number at the machined clearance against the end of laminar films."""
+    reynolds, critical = values["film_reynolds_number"], values["critical_reynolds_number"]
+    if reynolds > critical:
+        yield Notice("W407", values={"film_reynolds_number": reynolds, "critical_reynolds_number": critical})
+
+
+def about_contacts(films: PadFilms) -> Iterator[Notice]:
+    """Line contacts so wide that the law of Hertz ends."""
+    for number, (pad, state) in enumerate(zip(films.solution.bearing.pads, films.solution.pads, strict=True), 1):
+        if isinstance(pad.pivot, LineContact) and state.load > 0.0:
+            half = pad.pivot.half_width(state.load)
+            if half > WIDE_CONTACT * pad.pivot.radius:
+                yield Notice("W408", values={
+                    "pad": number, "half_width": half, "radius": pad.pivot.radius,
+                })  # fmt: skip

@@ -1,0 +1,165 @@
+"""Every notice that the program makes has its sentence, and every sentence a place that makes it."""
+
+from __future__ import annotations
+
+import ast
+import math
+import pickle
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+
+import babbitt
+from babbitt.core.notices import Notice
+from babbitt.core.notices import words as loader
+from babbitt.core.notices.notice import quantity_shown
+from babbitt.core.notices.words import PLACEHOLDER, SHARED, explanations, words
+
+SOURCE = Path(babbitt.__file__).parent
+MESSAGES = words().messages
+
+
+@dataclass(frozen=True)
+class Site:
+    """One place that makes a notice; None where a name stands for the code or the variant."""
+
+    place: str
+    codes: tuple[str, ...] | None
+    variants: tuple[str, ...] | None
+    values: frozenset[str]
+
+    def messages(self) -> dict[tuple[str, str], str]:
+        """The messages that it can mean, with exactly its values."""
+        codes = (*(self.codes or explanations()), SHARED)
+        return {
+            (code, variant): text
+            for (code, variant), text in MESSAGES.items()
+            if code in codes
+            and (self.variants is None or variant in self.variants)
+            and placeholders(text) == self.values
+        }
+
+
+def placeholders(text: str) -> set[str]:
+    return {name for name, _ in PLACEHOLDER.findall(text)}
+
+
+def constants(node: ast.expr) -> tuple[str, ...] | None:
+    """The texts that an expression can be; None where it cannot be read."""
+    if isinstance(node, ast.Constant):
+        return (node.value,)
+    if isinstance(node, ast.IfExp):
+        first, other = constants(node.body), constants(node.orelse)
+        return None if first is None or other is None else first + other
+    return None
+
+
+def sites() -> Iterator[Site]:
+    for path in sorted(SOURCE.rglob("*.py")):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            name = getattr(node.func, "id", "") if isinstance(node, ast.Call) else ""
+            if name in MAKERS:
+                yield MAKERS[name](f"{path.relative_to(SOURCE)}:{node.lineno}", node)
+
+
+def of_notice(place: str, node: ast.Call) -> Site:
+    given = dict(zip(("code", "variant", "values"), node.args, strict=False)) | {
+        one.arg: one.value for one in node.keywords
+    }
+    values = given.get("values", ast.Dict([], []))
+    assert isinstance(values, ast.Dict), f"{place}: values are written out where the notice is made"
+    assert all(isinstance(key, ast.Constant) for key in values.keys), f"{place}: values are named by texts"
+    variants = constants(given.get("variant", ast.Constant("")))
+    return Site(place, constants(given["code"]), variants, frozenset(key.value for key in values.keys))
+
+
+def of_not_read(place: str, node: ast.Call) -> Site:
+    return Site(place, ("W183",), constants(node.args[1]), frozenset({"fields"}))
+
+
+MAKERS = {"Notice": of_notice, "not_read": of_not_read}
+SITES = tuple(sites())
+
+
+@pytest.mark.parametrize("site", SITES, ids=lambda site: site.place)
+def test_a_notice_has_its_sentence_with_exactly_its_values(site):
+    meant = site.messages()
+    assert meant, f"no message of {site.codes} {site.variants} has the placeholders {sorted(site.values)}"
+    if site.variants is not None:
+        assert {variant for _, variant in meant} == set(site.variants)
+    if site.codes is not None and site.variants is not None:
+        for code in site.codes:
+            assert all((code, one) in meant or (SHARED, one) in meant for one in site.variants)
+
+
+def test_no_message_is_without_a_place_that_makes_it():
+    made = {key for site in SITES for key in site.messages()}
+    assert not MESSAGES.keys() - made
+
+
+@pytest.mark.parametrize("key", MESSAGES, ids=" ".join)
+def test_a_placeholder_is_shown_as_a_quantity_or_unit_that_there_is(key):
+    for name, measure in PLACEHOLDER.findall(MESSAGES[key]):
+        assert not measure or quantity_shown(measure), f"{name} is shown as {measure}"
+        assert measure != name
+    assert "{" not in PLACEHOLDER.sub("", MESSAGES[key])
+
+
+def test_numbers_are_written_as_in_tables_and_names_as_they_are():
+    heat = Notice("W171", values={"heat": 1500.0, "rise": 12.34})
+    assert heat.message.startswith("1500 W of friction and lost pressure")
+    assert heat.message.endswith("would be warmed by 12.3 K")
+    assert Notice("W169", values={"starts": 5, "least": 20}).message == "5 starts < 20"
+    assert Notice("W170", values={"eccentricities": (0.1234567, 0.5)}).message.endswith("end 0.1235, 0.5")
+
+
+def test_clauses_become_part_of_the_sentence_and_of_the_values():
+    how = Notice("W160", "gain", {"thermal_loop_gain": 1.5})
+    left = Notice("W160", "left", {"how": how})
+    assert left.message.startswith("thermal loop gain 1.500 > 1: cooler")
+    assert left.plain_values() == {"how": {"thermal_loop_gain": 1.5}}
+    assert Notice("W177", values={"error": math.inf}).plain_values() == {"error": None}
+
+
+def test_notices_are_compared_hashed_and_pickled():
+    one, same = (Notice("W169", values={"starts": 5, "least": 20}) for _ in range(2))
+    assert one == same == pickle.loads(pickle.dumps(one))
+    assert len({one, same, Notice("W169", values={"starts": 6, "least": 20})}) == 2
+
+
+def test_a_value_too_many_or_too_few_and_a_code_or_variant_that_is_not_there_are_refused():
+    for code, variant, values in (
+        ("W169", "", {"starts": 5}),
+        ("W168", "", {"starts": 5}),
+        ("W168", "other", {}),
+        ("W999", "", {}),
+    ):
+        with pytest.raises(KeyError, match=code):
+            Notice(code, variant, values)
+
+
+def test_another_language_gives_what_it_has_and_english_the_rest(tmp_path, monkeypatch):
+    german = '[W169]\ntitle = "Wenige Nuten"\nmessage = "{starts} Gänge < {least}"\n'
+    (tmp_path / "words.de.toml").write_text(german, encoding="utf-8")
+    folders = (*loader._folders(), tmp_path)
+    monkeypatch.setattr(loader, "_folders", lambda: folders)
+    try:
+        notice = Notice("W169", values={"starts": 5, "least": 20})
+        assert notice.sentence("de") == "5 Gänge < 20"
+        found, english = explanations("de")["W169"], explanations()["W169"]
+        assert (found.title, found.meaning) == ("Wenige Nuten", english.meaning)
+        assert Notice("W168").sentence("de") == Notice("W168").message
+    finally:
+        words.cache_clear()
+
+
+def test_a_text_stands_once():
+    """Two files that explain one code, or give one message, would hide each other."""
+    found: list[object] = []
+    for folder in loader._folders():
+        entries, messages = loader._read(folder, "en")
+        found += [*entries, *messages]
+    assert len(found) == len(set(found))
+    assert {code for code, _ in MESSAGES} <= {*explanations(), SHARED}

@@ -1,0 +1,72 @@
+"""Coefficients of pads over speed and frequency, by run and by sweep."""
+
+import numpy as np
+import pytest
+from pad_journals import OIL, pad_case, result_of
+
+import babbitt as bb
+from babbitt.case import case_from_dict
+from babbitt.core.notices import InputError
+from babbitt.kinds.tilting_pad_journal.methods import PAD_FILM
+
+RPM = np.pi / 30.0
+SPEEDS = [1000.0 * RPM, 2000.0 * RPM, 4000.0 * RPM]
+ISOTHERMAL = {"thermal": "isothermal", "lubricant": OIL}
+HEAVY = {"pads.inertia": "0.02 kg m2", "pads.first_pivot": "-90 deg"}
+
+
+def run(changes=None, **fields):
+    (problem,) = case_from_dict(pad_case(changes, **fields)).problems()
+    return PAD_FILM.coefficients_over_speed(problem, SPEEDS)
+
+
+def test_every_row_is_the_bearing_at_its_speed():
+    table = run().table()
+    alone = result_of(speed="2000 rpm")
+    assert table.stiffness[1] == pytest.approx(np.array(alone.stiffness), abs=1e-6 * 1e8)
+    assert table.damping[1] == pytest.approx(np.array(alone.damping), abs=1e-6 * 1e5)
+    assert table.static["effective_temperature"][1] == pytest.approx(alone.values["effective_temperature"])
+    assert "synchronous" in table.method
+
+
+def test_the_frequency_of_the_rotation_is_on_the_axis():
+    table = run(HEAVY, **ISOTHERMAL).table()
+    over = table.over_frequency
+    for i, speed in enumerate(SPEEDS):
+        j = int(np.flatnonzero(over.frequencies == speed)[0])
+        assert over.stiffness[i, j] == pytest.approx(table.stiffness[i], rel=1e-12)
+        assert over.damping[i, j] == pytest.approx(table.damping[i], rel=1e-12)
+    assert over.frequencies[0] == pytest.approx(0.2 * SPEEDS[0])
+    assert over.frequencies[-1] == pytest.approx(1.2 * SPEEDS[-1])
+
+
+def test_the_matrices_are_those_of_the_coefficients():
+    table = run(HEAVY, **ISOTHERMAL).table()
+    system, i, j = table.systems[2], 2, 3
+    w = table.over_frequency.frequencies[j]
+    z = system.stiffness + 1j * w * system.damping - w**2 * system.mass
+    seen = z[:2, :2] - z[:2, 2:] @ np.linalg.solve(z[2:, 2:], z[2:, :2])
+    assert seen.real == pytest.approx(table.over_frequency.stiffness[i, j], rel=1e-9)
+
+
+def test_a_clockwise_bearing_says_so():
+    table = run(speed="-4000 rpm", **ISOTHERMAL).table()
+    assert table.frame.rotation.value == "clockwise"
+    ahead = run(**ISOTHERMAL).table()
+    assert table.stiffness == pytest.approx(ahead.stiffness, rel=1e-9, abs=1e-3)
+
+
+def test_no_speed_and_no_equilibrium_are_told():
+    (problem,) = case_from_dict(pad_case()).problems()
+    with pytest.raises(InputError, match="each positive"):
+        PAD_FILM.coefficients_over_speed(problem, [0.0])
+
+
+def test_a_sweep_gives_the_same_table(tmp_path):
+    bearing = bb.TiltingPadBearing(**{key: value for key, value in pad_case().items() if key != "kind"})
+    found = bearing.sweep({"speed": ["1000 rpm", "2000 rpm", "4000 rpm"]})
+    table, own = found.coefficient_table(), run().table()
+    assert table.stiffness == pytest.approx(own.stiffness, rel=1e-9, abs=1e-3)
+    assert table.over_frequency.damping == pytest.approx(own.over_frequency.damping, rel=1e-9, abs=1e-3)
+    found.export(tmp_path / "pads.csv", "csv")
+    assert "frequency_rad_per_s" in (tmp_path / "pads.csv").read_text()

@@ -1,0 +1,125 @@
+"""The report of a tilting-pad bearing: formulas, tables, figures and fields are those of the answer."""
+
+import numpy as np
+import pytest
+from pad_journals import OIL, pad_case, solution_of
+
+from babbitt.case import case_from_dict
+from babbitt.kinds.tilting_pad_journal.report.calculation import pad_calculation
+from babbitt.kinds.tilting_pad_journal.report.maps import over_width
+from babbitt.report.content import content
+from babbitt.report.expression import value
+from babbitt.report.view import view_of
+from babbitt.report.vocabulary import VOCABULARY
+from babbitt.solving import solve
+
+ISOTHERMAL = {"thermal": "isothermal", "lubricant": OIL}
+CASES = {
+    "global": ({}, {}),
+    "with a rotor": ({"pads.first_pivot": "-90 deg"}, {"rotor_mass": "2 t"}),
+    "backward": ({"pads.pivot": {"kind": "rigid", "fraction": 0.55}}, {"speed": "-4000 rpm", "carry_over": 0.7}),
+    "isothermal on springs": ({"pads.pivot": {"kind": "spring", "stiffness": "500 MN/m"}}, ISOTHERMAL),
+    "on flexures": (
+        {"pads.pivot": {"kind": "flexure", "rotational_stiffness": "2 kN m/rad"}},
+        {"rotor_mass": "1 t"},
+    ),
+    "much oil": ({"supply.flow": "40 L/min"}, {}),
+    "placed": ({"load": None}, {"position": {"x": "9 um", "y": "-30 um"}, "load": None}),
+}
+
+
+@pytest.fixture(scope="module", params=CASES)
+def solution(request):
+    changes, fields = CASES[request.param]
+    found = solution_of(changes, **fields)
+    assert found.result.outcome.solved
+    return found
+
+
+def lines(solution):
+    return [line for section in pad_calculation(solution) for line in section.lines if line.expression]
+
+
+def test_every_formula_gives_the_result(solution):
+    assert len(lines(solution)) >= 10
+    for line in lines(solution):
+        assert value(line.expression, line.numbers) == pytest.approx(line.value, rel=1e-7, abs=1e-12), line.name
+
+
+def test_printed_numbers_give_the_printed_result(solution):
+    for line in lines(solution):
+        digits = {other: max(line.digits, VOCABULARY[other].digits) for other in line.numbers}
+        printed = {other: float(f"{n:.{digits[other]}g}") for other, n in line.numbers.items()}
+        assert value(line.expression, printed) == pytest.approx(line.value, rel=1e-3, abs=1e-9), line.name
+
+
+def test_the_pad_of_the_calculation_is_the_one_that_carries_most(solution):
+    films = solution.state.films.solution
+    most = max(films.pads, key=lambda pad: pad.load)
+    numbers = {line.name: line.value for section in pad_calculation(solution) for line in section.lines}
+    assert numbers["this_ratio"] == pytest.approx(most.eccentricity_ratio, rel=1e-6)
+    assert numbers["largest_pad_load"] == most.load
+
+
+def test_an_unsolved_bearing_has_no_calculation_and_no_figures():
+    offset = {"pads.preload": 0.0, "pads.pivot": {"kind": "rigid", "fraction": 0.52}}
+    loads = np.linspace(1.0, 6.0, 26)
+    found = (solution_of(offset, load=f"{load} kN", load_angle="-40 deg", **ISOTHERMAL) for load in loads)
+    unsolved = next(one for one in found if not one.result.outcome.solved)
+    view = view_of(unsolved.result)
+    assert tuple(view.sections(unsolved)) == tuple(view.figures(unsolved, "svg")) == ()
+    assert list(view.tables(unsolved.result)) == []
+
+
+def test_the_report_echoes_clearances_and_preload_of_every_pad():
+    each = [{"preload": 0.4}, {}, {}, {}]
+    whole = str(content(solve(case_from_dict(pad_case({"pads.each": each})))))
+    assert "Preload, 1 − assembled/machined clearance, pad 1" in whole
+    assert "Preload, 1 − assembled/machined clearance, pad 2, 3, 4" in whole
+    assert "Machined clearance" in whole
+    assert "Carry-over 1 of flooded grooves." in whole
+
+
+def test_the_tables_hold_every_pad_and_ratio(solution):
+    tables = view_of(solution.result).tables(solution.result)
+    by_title = {one["title"]: one for one in tables}
+    for title in ("Clearances of the pads", "Pads at rest", "Oil of the pads"):
+        assert [row[0] for row in by_title[title]["rows"]] == ["1", "2", "3", "4"]
+    ratios = [row[0] for row in by_title["Coefficients over the whirl ratio"]["rows"]]
+    assert ratios == ["at rest", "0.2", "0.4", "0.6", "0.8", "1", "1.2", "fitted"]
+
+
+@pytest.mark.parametrize("changes", [{}, {"pads.preload": 0.0}], ids=["loaded", "two unloaded"])
+def test_figures_are_drawn(changes):
+    found = solution_of(changes, rotor_mass="800 kg")
+    drawings = view_of(found.result).figures(found, "svg")
+    names = [one.name for one in drawings]
+    assert names == ["bearing", "pad-curve", "pad-pressure", "pad-loads", "whirl-ratio", "root-locus"]
+    assert all(one.image.startswith(b"<?xml") and one.caption.endswith(".") for one in drawings)
+    again = view_of(found.result).figures(found, "svg")
+    assert [one.image for one in again] == [one.image for one in drawings]
+
+
+def test_pressure_over_the_width_passes_through_the_film(solution):
+    for state in solution.state.films.solution.pads:
+        places, pressure = over_width(state)
+        half = float(state.axial_positions[-1])
+        assert pressure.shape == (state.angles.size, places.size)
+        assert pressure[:, places.size // 2] == pytest.approx(
+            np.maximum(state.pressure[:, 0], 0.0), abs=1e-6 * 1e6
+        )
+        assert np.abs(pressure[:, 0]).max() < 1e-6 * max(float(state.pressure.max()), 1.0)
+        assert places[0] == -half
+
+
+def test_fields_carry_the_load():
+    pytest.importorskip("xarray")
+    found = solution_of()
+    data = view_of(found.result).fields(found)
+    assert dict(data.sizes) == {"pad": 4, "line": 49, "place": 5}
+    assert float(data["pressure"].max()) == pytest.approx(found.result.values["maximum_pressure"])
+    assert float(data["film_thickness"].min()) == pytest.approx(
+        found.result.values["minimum_film_thickness"], rel=1e-2
+    )
+    assert data["pad_load"].values == pytest.approx(found.result.arrays["pad_load"][0])
+    assert all({"units", "long_name"} <= set(one.attrs) for one in data.variables.values())

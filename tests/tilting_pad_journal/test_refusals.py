@@ -1,0 +1,212 @@
+"""Every unusable input of a tilting-pad bearing is one message that names pad and field."""
+
+import pytest
+from pad_journals import pad_case
+
+from babbitt.case import CaseError, case_from_dict
+from babbitt.core.notices import InputError
+from babbitt.solving import refusal_of, solve
+
+RADIAL = {"kind": "radial", "mean": "148 um"}
+ANGLES = {"pads.number": None, "pads.first_pivot": None}
+OFFSET = {"kind": "rigid", "fraction": 0.6}
+POINT = {"kind": "point", "pivot_radius": "100 mm", "housing_radius": "102 mm"}
+LINE = {
+    "kind": "line",
+    "pivot_radius": "70 mm",
+    "housing_radius": "70.5 mm",
+    "depth": "20 mm",
+    "housing_depth": "20 mm",
+}
+
+REFUSED = {
+    "diameter of nothing": ({"diameter": "0 mm"}, "diameter", "1 mm to 3 m"),
+    "no width": ({"pads.width": "-70 mm"}, "pads.width", "0.1 mm"),
+    "no thickness": ({"pads.thickness": "0 mm"}, "pads.thickness", "0.1 mm"),
+    "no clearance": ({"pads.clearance.mean": "0 um"}, "pads.clearance.mean", "0.05 um"),
+    "no speed": ({"speed": "0 rpm"}, "speed", "0.1 rpm"),
+    "speed left out": ({"speed": None}, "speed", "missing"),
+    "no load": ({"load": None}, "", "exactly one of load, position"),
+    "load of nothing": ({"load": "0 kN"}, "load", "1 N"),
+    "load and position": ({"position": {"x": "0 um", "y": "-9 um"}}, "position", "besides load"),
+    "no viscosity": (
+        {"lubricant": {"kind": "constant", "name": "Oil", "dynamic_viscosity": "0 mPa s"}},
+        "lubricant.dynamic_viscosity",
+        "too small",
+    ),
+    "no density": (
+        {
+            "lubricant": {
+                "kind": "constant",
+                "name": "Oil",
+                "dynamic_viscosity": "9 mPa s",
+                "density": "-870 kg/m3",
+            }
+        },
+        "lubricant.density",
+        "too small",
+    ),
+    "preload of one": ({"pads.preload": 1.0}, "pads.preload", "-0.5 to 0.99"),
+    "preload far below zero": ({"pads.preload": -0.6}, "pads.preload", "-0.5 to 0.99"),
+    "clearances exchanged": (
+        {"pads.preload": None, "pads.assembled_clearance": {"kind": "radial", "mean": "300 um"}},
+        "pads.assembled_clearance",
+        "pad 1: an assembled clearance of 300 um",
+    ),
+    "three that disagree": (
+        {"pads.assembled_clearance": {"kind": "radial", "mean": "90 um"}},
+        "pads.preload",
+        "pad 1: preload 0.47 does not follow",
+    ),
+    "one of three": ({"pads.preload": None}, "pads", "only clearance of clearance, preload"),
+    "none of three": ({"pads.preload": None, "pads.clearance": None}, "pads", "none of clearance"),
+    "a pad's own that replaces neither": (
+        {"pads.each": [{"assembled_clearance": RADIAL}, {}, {}, {}]},
+        "pads.each[0].assembled_clearance",
+        "pad 1: assembled_clearance alone",
+    ),
+    "own preload far below zero": ({"pads.each": [{}, {"preload": -0.7}, {}, {}]}, "pads.each[1].preload", "-0.5"),
+    "pivot at the leading edge": (
+        {"pads.pivot": {"kind": "rigid", "fraction": 0.2}},
+        "pads.pivot.fraction",
+        "0.3 to 0.8",
+    ),
+    "pivot at the trailing edge": (
+        {"pads.pivot": {"kind": "rigid", "fraction": 0.9}},
+        "pads.pivot.fraction",
+        "0.3",
+    ),
+    "pads that overlap": ({"pads.extent": "95 deg"}, "pads.extent", "covers 95 degrees, but pad"),
+    "one pad that is too long": (
+        {"pads.each": [{}, {"extent": "120 deg"}, {}, {}]},
+        "pads.extent",
+        "pads must not overlap",
+    ),
+    "angles out of order": (
+        ANGLES | {"pads.pivot_angles": ["45 deg", "225 deg", "135 deg", "315 deg"]},
+        "pads.pivot_angles[2]",
+        "pad 3: its pivot angle 135 deg lies before",
+    ),
+    "an angle twice": (
+        ANGLES | {"pads.pivot_angles": ["45 deg", "45 deg", "225 deg", "315 deg"]},
+        "pads.pivot_angles[1]",
+        "pad 2: its pivot angle 45 deg is that of the pad before",
+    ),
+    "angles around twice": (
+        ANGLES | {"pads.pivot_angles": ["-45 deg", "45 deg", "225 deg", "315 deg"]},
+        "pads.pivot_angles",
+        "more than once",
+    ),
+    "one pad": ({"pads.number": 1}, "pads.number", "2 to 24"),
+    "one angle": (ANGLES | {"pads.pivot_angles": ["-90 deg"]}, "pads.pivot_angles", "two pads or more"),
+    "number and angles": ({"pads.pivot_angles": ["-90 deg", "90 deg"]}, "pads.pivot_angles", "besides number"),
+    "no first pivot": ({"pads.first_pivot": None}, "pads.first_pivot", "load on a pad"),
+    "lists of two lengths": ({"pads.each": [{}, {}]}, "pads.each", "2 entries are given for 4 pads"),
+    "spring of nothing": (
+        {"pads.pivot": {"kind": "spring", "stiffness": "0 N/m"}},
+        "pads.pivot.stiffness",
+        "1 kN/m",
+    ),
+    "own spring of nothing": (
+        {"pads.each": [{}, {}, {"pivot": {"kind": "spring", "stiffness": "-5 MN/m"}}, {}]},
+        "pads.each[2].pivot.stiffness",
+        "1 kN/m",
+    ),
+    "negative inertia": ({"pads.inertia": "-0.1 kg m2"}, "pads.inertia", "0 kg m2"),
+    "negative mass": ({"pads.each": [{"mass": "-1 kg"}, {}, {}, {}]}, "pads.each[0].mass", "0 kg"),
+    "centre of gravity beside the pad": (
+        {"pads.each": [{}, {"mass_offset": "40 mm"}, {}, {}]},
+        "pads.each[1].mass_offset",
+        "pad 2: its centre of gravity",
+    ),
+    "inertia below that of the mass": (
+        {"pads.mass": "2 kg", "pads.mass_inset": "10 mm", "pads.inertia": "0.0001 kg m2"},
+        "pads.inertia",
+        "pad 1: 0.0001 kg m2 about the pivot",
+    ),
+    "inertia of one pad below that of its mass": (
+        {"pads.each": [{}, {"mass": "2 kg", "mass_offset": "10 mm", "inertia": "0.0001 kg m2"}, {}, {}]},
+        "pads.each[1].inertia",
+        "pad 2",
+    ),
+    "carry-over above one": ({"carry_over": 1.2}, "carry_over", "0 to 1"),
+    "ball larger than its hollow": (
+        {"pads.pivot": POINT | {"housing_radius": "99 mm"}},
+        "pads.pivot.housing_radius",
+        "does not fit",
+    ),
+    "cylinder larger than its hollow": (
+        {"pads.each": [{}, {}, {}, {"pivot": LINE | {"housing_radius": "70 mm"}}]},
+        "pads.each[3].pivot.housing_radius",
+        "does not fit",
+    ),
+    "table that falls": (
+        {
+            "pads.pivot": {
+                "kind": "table",
+                "points": [{"load": "9 kN", "displacement": "9 um"}, {"load": "10 kN", "displacement": "8 um"}],
+            }
+        },
+        "pads.pivot.points",
+        "must both rise",
+    ),
+    "web that is damped and rigid": (
+        {"pads.pivot": {"kind": "flexure", "rotational_stiffness": "40 kN m/rad", "damping": "5 N s/m"}},
+        "pads.pivot.damping",
+        "stiffness besides it",
+    ),
+    "journal in a pad": (
+        {"load": None, "position": {"x": "-60 um", "y": "-60 um"}},
+        "position",
+        "the journal touches pad 3",
+    ),
+    "no temperature": ({"supply": None}, "supply", "missing"),
+    "temperature given and sought": (
+        {"thermal": "global", "effective_temperature": "60 degC"},
+        "effective_temperature",
+        "global films find",
+    ),
+    "hotter than the data": ({"supply.temperature": "195 degC"}, "supply.temperature", "outside the data"),
+    "a thermal model to come": ({"thermal": "full"}, "thermal", "allowed: isothermal, global"),
+    "ratios that fall": ({"whirl_ratios": [0.5, 0.2]}, "whirl_ratios[1]", "0.2 is not above 0.5"),
+    "a shaft without rotor": ({"shaft_stiffness": "200 MN/m"}, "shaft_stiffness", "rotor_mass"),
+    "limits that are not there": ({"clearance_cases": "all"}, "pads.clearance", "limits of a clearance"),
+    "faster than a bullet": ({"speed": "90000 rpm"}, "speed", "up to 200 m/s"),
+    "points of one name": (
+        {"operating_points": [{"name": "A"}, {"name": "A", "load": "9 kN"}]},
+        "operating_points[1 'A'].name",
+        "each name once",
+    ),
+    "journal in a pad at a point": (
+        {"operating_points": [{"name": "A", "position": {"x": "90 um", "y": "90 um"}}]},
+        "operating_points[0 'A'].position",
+        "the journal touches pad 1",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_one_message_names_pad_and_field(name):
+    changes, field, words = REFUSED[name]
+    with pytest.raises(CaseError) as caught:
+        case_from_dict(pad_case(changes))
+    assert len(caught.value.problems) == 1, caught.value
+    (problem,) = caught.value.problems
+    assert problem.field == field
+    assert words in problem.message
+
+
+def test_the_bearing_itself_is_accepted():
+    case_from_dict(pad_case())
+    case_from_dict(pad_case({"pads.assembled_clearance": {"kind": "radial", "mean": "78.44 um"}}))
+
+
+def test_a_supply_below_the_side_flow_is_refused_by_check_and_solve():
+    case = case_from_dict(pad_case({"supply.flow": "1 L/min"}))
+    refused = refusal_of(case)
+    assert refused is not None
+    assert refused.code == "E101"
+    assert "supply.flow is 1 L/min" in refused.message
+    with pytest.raises(InputError, match="they starve"):
+        solve(case)
+    assert refusal_of(case_from_dict(pad_case({"supply.flow": "30 L/min"}))) is None
