@@ -2,8 +2,8 @@
 
     python benchmarks/tilting_pad_speed.py
 
-Five centred pads of 60 degrees and four of 75 degrees with their pivots at 55 %; the least of many runs. Mark:
-the kernels of 48 intervals a pad within 1 ms.
+Five centred pads of 60 degrees and four of 75 degrees with their pivots at 55 %; the least of many runs. Marks:
+the kernels of 48 intervals a pad within 1 ms, and all that is reported within half as much again.
 """
 
 import math
@@ -19,7 +19,7 @@ from babbitt.reynolds.tilting_pads.dynamics import condensed_at, full_coefficien
 from babbitt.reynolds.tilting_pads.model import TiltingPad, TiltingPadBearing
 from babbitt.reynolds.tilting_pads.solve import PadScales, kernel_pads, no_total, solve_tilting_pads
 
-INTERVALS, MARKED, MARK, RUNS = (24, 48, 96), 48, 1e-3, 50
+INTERVALS, MARKED, MARK, WHOLE, RUNS = (24, 48, 96), 48, 1e-3, 1.5, 200
 
 
 def bearing(
@@ -64,7 +64,7 @@ def main() -> int:
             alone = least_time(kernels)
             whole = least_time(lambda chosen=chosen, load=load, grid=grid: solve_tilting_pads(chosen, load, grid))
             moving = least_time(lambda found=found: condensed_at(full_coefficients(found), 1.0))
-            slow = slow or (intervals == MARKED and alone > MARK)
+            slow = slow or (intervals == MARKED and (alone > MARK or whole > WHOLE * alone))
             took = f"whole {1e3 * whole:.2f} ms, coefficients {1e3 * moving:.2f} ms"
             print(f"{name}, 4 x {intervals}: kernels {1e3 * alone:.2f} ms ({found.iterations} steps, "
                   f"{found.films} films), {took}")  # fmt: skip

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pickle
 
 import pytest
+from pydantic import Field
 
 import babbitt as bb
 from babbitt import case as case_language
@@ -123,7 +124,7 @@ def test_a_bearing_keeps_what_differs_from_its_machine():
 
 def test_a_kind_of_another_package_stays_as_it_is():
     class Other(case_language.CaseFile):
-        kind: str = "other"
+        kind: str = Field("other", description="Name of the kind.")
 
         def calculations(self):
             return ()

@@ -318,9 +318,8 @@ def test_a_film_force_that_the_grid_blurs_is_told(ratio, told):
         effective_temperature="60 degC", cavitation="reynolds", accuracy="draft", load="5 kN",
         dynamic_load=ROTATING | {"speed_ratio": ratio},
     )  # fmt: skip
-    warnings = {notice.code: notice.message for notice in result.warnings}
+    warnings = {notice.code: notice for notice in result.warnings}
     assert (result.orbit_load_error > 0.05) is told
     assert ("W133" in warnings) is told
     if told:
-        error = f"{100.0 * result.orbit_load_error:.2f} %"
-        assert f"changes the force by {error}" in warnings["W133"]
+        assert warnings["W133"].values == {"orbit_load_error": result.orbit_load_error}

@@ -9,8 +9,9 @@ from babbitt.core.result import Outcome, Verdict
 from babbitt.kinds.thrust.work import WorkBoundError, bounded_work, spend
 from babbitt.solving import solve
 
-ADIABATIC = template("thrust").replace("# thermal: adiabatic", "thermal: adiabatic")
-LINE = template("thrust_line").replace("# thermal: adiabatic", "thermal: adiabatic")
+CHOICE = ("# method:", "method: {kind: film, thermal: adiabatic}\n# method:")
+ADIABATIC = template("thrust").replace(*CHOICE)
+LINE = template("thrust_line").replace(*CHOICE)
 
 
 def test_work_is_counted_inside_the_bound_alone():

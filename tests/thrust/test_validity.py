@@ -88,7 +88,7 @@ def test_one_pad_that_carries_all_has_no_verdict():
 
 def test_oil_that_friction_would_boil_has_no_verdict():
     """Of a given viscosity nothing follows the heat: what it would do to the oil is told."""
-    start, end = BASE.index("lubricant:"), BASE.index("# thermal:")
+    start, end = BASE.index("lubricant:"), BASE.index("# method:")
     text = BASE[:start] + "oil: {kind: viscosity, viscosity: 45 mPa s}\n" + BASE[end:]
     found = solve(parse_case(text.replace("125 rpm", "6000 rpm").replace("500 kN", "20 MN"))).results[0]
     assert found.temperature_rise > 100.0

@@ -60,9 +60,9 @@ def former_places(case: CaseFile) -> tuple[FormerPlace, ...]:
     Examples
     --------
     >>> from babbitt.case import parse_case, template
-    >>> old = template("jacking_pocket").replace("# accuracy: engineering", "accuracy: draft")
+    >>> old = template("jacking_pocket").replace("diameter: 200 mm", "accuracy: draft\\ndiameter: 200 mm")
     >>> print(*former_places(parse_case(old)))
-    line 7: accuracy stands in method.accuracy now
+    line 8: accuracy stands in method.accuracy now
     """
     if not case.text:
         return ()

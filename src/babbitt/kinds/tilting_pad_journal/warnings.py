@@ -75,7 +75,9 @@ def about_unloaded_pads(films: PadFilms, margins: tuple[PadMargin, ...]) -> Iter
         if not one.loaded:
             if one.fold == 0.0:
                 needed = loading_preload(pad, films.solution)
-                yield Notice("W401", "centred", {"pad": one.number, "needed": needed, "preload": pad.preload})
+                yield Notice("W401", "centred", {
+                    "pad": one.number, "needed": needed, "preload": pad.preload,
+                })  # fmt: skip
             else:
                 yield Notice("W401", "offset", {"pad": one.number})
         elif one.margin < NEAR_FLUTTER:
@@ -114,4 +116,6 @@ def about_contacts(films: PadFilms) -> Iterator[Notice]:
         if isinstance(pad.pivot, LineContact) and state.load > 0.0:
             half = pad.pivot.half_width(state.load)
             if half > WIDE_CONTACT * pad.pivot.radius:
-                yield Notice("W408", values={"pad": number, "half_width": half, "radius": pad.pivot.radius})
+                yield Notice("W408", values={
+                    "pad": number, "half_width": half, "radius": pad.pivot.radius,
+                })  # fmt: skip

@@ -21,27 +21,33 @@ def integrate(axial, bearing, grid, film, x, y, x_rate, y_rate, pressure, void, 
 
     Flows by omega R c B, torques by mu omega R^3 B / c.
     """
+    for k in range(bearing.lands.shape[0]):
+        integrate_land(axial, bearing, grid, k, film, x, y, x_rate, y_rate, pressure, void, totals)
+
+
+@inner
+def integrate_land(axial, bearing, grid, k, film, x, y, x_rate, y_rate, pressure, void, totals):
+    """Fill pressure, void and totals of land k (`integrate`)."""
     m = len(axial.size)
     n = film.conductance.size
-    for k in range(bearing.lands.shape[0]):
-        film_coefficients(bearing, grid, k, x, y, x_rate, y_rate, film)
-        totals[k, :] = 0.0
-        for i in range(n + 1):
-            for j in range(m):
-                value = grid.value[k, i, j] / axial.root_weights[j]
-                pressure[k, i, j] = value if grid.wet[k, i, j] else 0.0
-                void[k, i, j] = value if bearing.conserving and not grid.wet[k, i, j] else 0.0
-            pressure[k, i, m] = bearing.side_pressure
-            void[k, i, m] = 0.0
+    film_coefficients(bearing, grid, k, x, y, x_rate, y_rate, film)
+    totals[k, :] = 0.0
+    for i in range(n + 1):
         for j in range(m):
-            inner_column(axial, bearing, grid, k, j, film, x, y, pressure, void, totals)
-        edge_column(axial, bearing, grid, k, film, x, y, pressure, void, totals)
-        stored = 0.0
-        for i in range(1, n):
-            for j in range(m):
-                stored += axial.root_weights[j] ** 2 * (1.0 - void[k, i, j]) * film.squeeze[i]
-            stored += axial.edge_weight * (1.0 - void[k, i, m]) * film.squeeze[i]
-        totals[k, IMBALANCE] = totals[k, INFLOW] - totals[k, OUTFLOW] - totals[k, SIDE_FLOW] - stored
+            value = grid.value[k, i, j] / axial.root_weights[j]
+            pressure[k, i, j] = value if grid.wet[k, i, j] else 0.0
+            void[k, i, j] = value if bearing.conserving and not grid.wet[k, i, j] else 0.0
+        pressure[k, i, m] = bearing.side_pressure
+        void[k, i, m] = 0.0
+    for j in range(m):
+        inner_column(axial, bearing, grid, k, j, film, x, y, pressure, void, totals)
+    edge_column(axial, bearing, grid, k, film, x, y, pressure, void, totals)
+    stored = 0.0
+    for i in range(1, n):
+        for j in range(m):
+            stored += axial.root_weights[j] ** 2 * (1.0 - void[k, i, j]) * film.squeeze[i]
+        stored += axial.edge_weight * (1.0 - void[k, i, m]) * film.squeeze[i]
+    totals[k, IMBALANCE] = totals[k, INFLOW] - totals[k, OUTFLOW] - totals[k, SIDE_FLOW] - stored
 
 
 @inner

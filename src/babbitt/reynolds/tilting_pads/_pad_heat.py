@@ -1,9 +1,9 @@
 """Kernels: temperatures of the films of tilting pads, of the oil between them, and of the journal.
 
-The energy equation is linear. With the flows as they are, the temperatures of a pad are those without warm
-surroundings, plus T_in times those for oil that enters at 1 K, plus T_J times those for a journal at 1 K and
-nothing else warm: three states of one matrix. Balances of the oil between the pads and of the journal then give
-all T_in and T_J at once, exactly.
+The energy equation is linear. With the flows as they are, the temperatures of a pad are those in surroundings at
+0 K, plus T_in times those for oil that enters at 1 K, plus T_J times those for a journal at 1 K, all else at 0 K:
+three states of one matrix. Balances of the oil between the pads and of the journal then give all T_in and T_J at
+once, exactly.
 
 A pad meets its film at a conductance alpha on both sides (Robin): the film knows T_pad - q/alpha of the last pass,
 the pad q + alpha T_film of this one. Where both agree alpha is out of it.
@@ -27,6 +27,7 @@ from babbitt.reynolds.tilting_pads._pad_flows import NARROWEST, pad_flows, take_
 Array = NDArray[float64]
 
 MOST_SWEEPS = 60  # of a pad in which oil flows back
+PER_HEAT = 10.0  # K: what is missed of all heat, as a temperature
 SWEPT = 1e-10  # change of a state at 1 K that ends them
 LEADING, TRAILING, BACK = range(3)
 
@@ -97,7 +98,7 @@ def heat_pads(axial, pads, grid, places, ring, columns, flows, cells, oil, walls
         sweep_pad(columns, flows, cells, walls, k * rows, rows, films.states)
     change = balance_grooves(columns, flows, cells, oil, walls, rows, films)
     if walls.pads_open:
-        change = max(change, answer_pads(ring, cells, oil, walls, rows, films))
+        change = max(change, answer_pads(ring, flows, cells, oil, walls, rows, films))
     return change
 
 
@@ -260,12 +261,13 @@ def temperatures_on_lines(films, first, rows):
 
 
 @inner
-def answer_pads(ring, cells, oil, walls, rows, films):
+def answer_pads(ring, flows, cells, oil, walls, rows, films):
     """Let the pads take the heat of their films: bore temperatures, fluxes, and what the films know of them.
 
-    Returns by how much the bores differ from the walls of their films, K.
+    Returns by how much the bores differ from the walls of their films, K; or, if that is more, what pads take
+    differs from what films give, over all heat, times ``PER_HEAT``.
     """
-    alpha, count, apart = walls.exchange, films.inlet.size, 0.0
+    alpha, count, apart, missed, heat = walls.exchange, films.inlet.size, 0.0, 0.0, 1e-300
     asked = np.empty(rows)
     for k in range(count):
         first = k * rows
@@ -278,7 +280,10 @@ def answer_pads(ring, cells, oil, walls, rows, films):
             width = 0.5 * (ring.step[r - 1] + ring.step[r])
             film = cells.bush[r, 0] * (films.temperature[r, 0, 0] - walls.datum[r]) * oil.wall_heat / width
             asked[i] = 2.0 * film + alpha * walls.datum[r]  # q + alpha T at the wall of the film
+            missed += oil.share[k] * film * width
+            heat += oil.share[k] * flows.heat[r, 0]
         asked[0] = asked[1]
+        extent = 0.5 * ring.step[first]  # of an interval
         for i in range(rows):
             bore = walls.given[k, i, LEADING] * films.inlet[k] + walls.given[k, i, TRAILING] * trailing
             bore += walls.given[k, i, BACK] * walls.back
@@ -289,7 +294,8 @@ def answer_pads(ring, cells, oil, walls, rows, films):
                 apart = max(apart, abs(bore - wall))
             walls.bore[first + i] = bore
             walls.flux[first + i] = asked[i] - alpha * bore
+            missed -= oil.share[k] * walls.flux[first + i] * 0.5 * extent * (1.0 if i in (0, rows - 1) else 2.0)
             walls.datum[first + i] = 2.0 * bore - asked[i] / alpha
         # the first cell lies along the half step at the leading edge, too
         walls.datum[first + 1] += (walls.datum[first] - walls.datum[first + 1]) / 3.0
-    return apart
+    return max(apart, PER_HEAT * abs(missed) / (heat * oil.wall_heat))

@@ -11,7 +11,7 @@ from babbitt.reynolds._structs import CLEARANCE
 from babbitt.reynolds.lands._equilibrium import THINNEST
 from babbitt.reynolds.lands._grids import new_film, new_lines
 from babbitt.reynolds.tilting_pads._pivot_curve import is_elastic, pivot_curve
-from babbitt.reynolds.tilting_pads._structs import PadPlaces
+from babbitt.reynolds.tilting_pads._structs import PadPlaces, Pads
 from babbitt.reynolds.tilting_pads._tilt import (
     AT_LIMIT,
     LOADED,
@@ -19,7 +19,6 @@ from babbitt.reynolds.tilting_pads._tilt import (
     NOT_FOUND,
     UNLOADED,
     find_tilt,
-    pad_film,
     pad_grid,
 )
 
@@ -31,8 +30,7 @@ CONTACT_WIDTH = 1e-4  # the same where there is no film at the upper one
 SAME_LOAD = 1e-5  # of the load: what the loads at such bounds may differ without being two branches
 
 
-@compiled
-def new_places(pads):
+def new_places(pads: Pads) -> PadPlaces:
     """Places of all pads: unknown."""
     count = pads.kappa.size
     return PadPlaces(
@@ -271,16 +269,3 @@ def pads_at(axial, pads, intervals, x, y, places, total):
     is_open = place_all(axial, pads, grid, film, lines, x, y, TIGHT, places, total)
     drop_limits(pads, places, total)
     return is_open, all_found(places), grid
-
-
-@compiled
-def smooth_answers(axial, pads, grid, places):
-    """Films of settled pads once more, stiffness and damping freed from the steps of the grid (``_endings``)."""
-    n, m = grid.step.shape[1], len(axial.size)
-    film, lines = new_film(n), new_lines(n, m)
-    for k in range(pads.kappa.size):
-        if places.status[k] == LOADED:
-            pad_film(
-                axial, pads, grid, k, film, lines, places.radial[k], places.along[k], bool(0),
-                pads.bearing.smooth, places,
-            )  # fmt: skip

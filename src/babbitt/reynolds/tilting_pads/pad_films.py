@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from copy import deepcopy
 from dataclasses import dataclass, field
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +20,7 @@ from babbitt.reynolds.lands.profiles import common_profiles
 from babbitt.reynolds.model import Resolution
 from babbitt.reynolds.tilting_pads._pad_flows import NARROWEST, PAD_TOTALS, PadRing
 from babbitt.reynolds.tilting_pads._pad_heat import Oil, Temperatures, WallState, heat_pads, prepare_films
+from babbitt.reynolds.tilting_pads._pad_steps import step_pads
 from babbitt.reynolds.tilting_pads._pads import CLOSED, CONVERGED, LIMIT, STUCK, find_pads
 from babbitt.reynolds.tilting_pads._place import new_places, pads_at
 from babbitt.reynolds.tilting_pads._structs import PadPlaces, Pads
@@ -152,6 +154,18 @@ class PadFilms:
         self.solved += int(self.places.films[0])
         residual = math.hypot(self.total[0] + load[0], self.total[1] + load[1])
         return Placement(np.array([x, y]), int(status), int(steps), bool(indifferent), residual, grid)
+
+    def follow(self, load: Array, last: Placement, tolerance: float, most: int) -> Placement:
+        """Equilibrium at a viscosity that has changed a little since the last one, in short steps if they do."""
+        x, y, steps, found = step_pads(
+            self.axial, self.pads, last.grid, load[0], load[1], last.at[0], last.at[1], tolerance, self.places,
+            self.total,
+        )  # fmt: skip
+        if not found:
+            return self.carry(load, last.at, tolerance, most)
+        self.solved += int(self.places.films[0])
+        residual = math.hypot(self.total[0] + load[0], self.total[1] + load[1])
+        return Placement(np.array([x, y]), CONVERGED, steps, last.indifferent, residual, last.grid)
 
     def place(self, at: Array) -> Placement:
         """Pads around a journal at a place, at the viscosity as it is."""
@@ -324,8 +338,7 @@ def walls_of(
     exchange = WALL_EXCHANGE * heat.conductivity / min(pad.clearance for pad in bearing.pads)
     answer, given = np.zeros((count, lines, lines)), np.zeros((count, lines, SURROUNDINGS))
     for k, one in enumerate(conduction):
-        matrix = np.eye(lines) + exchange * one.bore[:, :lines]
-        solved = np.linalg.solve(matrix, one.bore)
+        solved = met_at(one, exchange)
         answer[k], given[k] = solved[:, :lines], solved[:, lines:]
     back = supply if heat.walls is None or heat.walls.back_temperature is None else heat.walls.back_temperature
     return WallState(
@@ -337,6 +350,14 @@ def walls_of(
         pads_open=bool(conduction), exchange=exchange, answer=answer, given=given, back=back,
         bore=np.full(rows, start), flux=np.zeros(rows), datum=np.full(rows, start),
     )  # fmt: skip
+
+
+@lru_cache(maxsize=64)
+def met_at(conduction: PadConduction, exchange: float) -> Array:
+    """Bore temperature over q + alpha T, and over the surroundings, as `PadConduction.bore`."""
+    lines = conduction.bore.shape[0]
+    matrix = np.eye(lines) + exchange * conduction.bore[:, :lines]
+    return np.asarray(np.linalg.solve(matrix, conduction.bore))
 
 
 def on_samples(bent: Array, samples: int) -> Array:

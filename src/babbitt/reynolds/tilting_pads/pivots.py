@@ -261,10 +261,12 @@ def stiffness_of(pivot: Pivot, load: float) -> float:
     Not a number where the displacement falls with the load: a contact of lines as wide as it is deep is beyond its
     law.
     """
+    if isinstance(pivot, RigidPivot):
+        return math.inf
     _, slope = pivot.curve().at(max(load, LIGHTEST))
     if slope < 0.0:
         return math.nan
-    return 1.0 / slope if slope > 0.0 else math.inf
+    return 1.0 / slope
 
 
 def contact_radius(pivot: PointContact, load: float) -> float:

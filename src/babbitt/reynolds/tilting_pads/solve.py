@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 import time
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,7 +12,6 @@ from numpy.typing import NDArray
 from babbitt.core.notices import InputError
 from babbitt.core.result import Outcome
 from babbitt.reynolds._structs import LAND_COLUMNS, Axial, Bearing, Grid
-from babbitt.reynolds.lands._grids import new_film
 from babbitt.reynolds.lands._integrals import (
     BEARING_TORQUE,
     INFLOW,
@@ -21,19 +19,19 @@ from babbitt.reynolds.lands._integrals import (
     OUTFLOW,
     SIDE_FLOW,
     TOTALS,
-    integrate,
 )
 from babbitt.reynolds.lands.axial import even_axial_operator
 from babbitt.reynolds.lands.operators import kernel_operator
 from babbitt.reynolds.lands.profiles import common_profiles
 from babbitt.reynolds.model import ENGINEERING, Resolution
+from babbitt.reynolds.tilting_pads._pad_fields import finish_pads
 from babbitt.reynolds.tilting_pads._pads import CLOSED, CONVERGED, LIMIT, TOUCH, WORK, find_pads
 from babbitt.reynolds.tilting_pads._pivot_curve import CURVE_COLUMNS
-from babbitt.reynolds.tilting_pads._place import new_places, pads_at, smooth_answers
+from babbitt.reynolds.tilting_pads._place import new_places, pads_at
 from babbitt.reynolds.tilting_pads._structs import PadPlaces, Pads
 from babbitt.reynolds.tilting_pads._tilt import AT_LIMIT, LOADED, find_fold
 from babbitt.reynolds.tilting_pads.model import TiltingPad, TiltingPadBearing
-from babbitt.reynolds.tilting_pads.pivots import stiffness_of
+from babbitt.reynolds.tilting_pads.pivots import Curve, stiffness_of
 from babbitt.reynolds.tilting_pads.solution import PadPosition, PadState, PadStatus, TiltingPadSolution
 
 __all__ = ["Fold", "PadScales", "fold_of", "kernel_pads", "solve_tilting_pads", "tilting_pads_at"]
@@ -48,6 +46,9 @@ OUTCOMES = {
     CONVERGED: Outcome.CONVERGED, CLOSED: Outcome.OUTSIDE_CLEARANCE, LIMIT: Outcome.PAD_AT_LIMIT,
     WORK: Outcome.WORK_BOUND, TOUCH: Outcome.OVERLOADED,
 }  # fmt: skip
+
+
+STATUSES = {LOADED: PadStatus.LOADED, AT_LIMIT: PadStatus.AT_LIMIT}
 
 
 def no_total() -> Array:
@@ -84,7 +85,8 @@ def kernel_pads(bearing: TiltingPadBearing, scales: PadScales) -> Pads:
     count = len(bearing.pads)
     lands, curves = np.zeros((count, LAND_COLUMNS)), np.zeros((count, CURVE_COLUMNS))
     profiles = common_profiles([pad.profile[:: int(bearing.sense)] for pad in bearing.pads]) / scales.length
-    points = max(len(pad.pivot.curve().loads) for pad in bearing.pads)
+    laws = [pad.pivot.curve() for pad in bearing.pads]
+    points = max(len(law.loads) for law in laws)
     loads, displacements = np.zeros((count, points)), np.zeros((count, points))
     kappa, weight, angle, offset, rotational, neutral = np.zeros((6, count))
     plain, centred = np.zeros((2, count), dtype=bool)
@@ -100,7 +102,7 @@ def kernel_pads(bearing: TiltingPadBearing, scales: PadScales) -> Pads:
         offset[k] = (pad.clearance - pad.assembled_clearance) / scales.length
         rotational[k] = tangential_spring(bearing, pad) * scales.length / scales.force
         neutral[k] = bearing.sense * bearing.lever(pad) * pad.rest_tilt / scales.length
-        fill_curve(pad, scales, curves[k], loads[k], displacements[k])
+        fill_curve(laws[k], scales, curves[k], loads[k], displacements[k])
         plain[k] = not pad.profile and bearing.groove_pressure == 0.0
         centred[k] = plain[k] and abs(pad.pivot_fraction - 0.5) < 1e-12
     return Pads(
@@ -116,9 +118,8 @@ def tangential_spring(bearing: TiltingPadBearing, pad: TiltingPad) -> float:
     return flexure / (1.0 + flexure / pad.tangential_stiffness)
 
 
-def fill_curve(pad: TiltingPad, scales: PadScales, row: Array, loads: Array, displacements: Array) -> None:
+def fill_curve(curve: Curve, scales: PadScales, row: Array, loads: Array, displacements: Array) -> None:
     """Displacement of a pivot in the units of the kernels."""
-    curve = pad.pivot.curve()
     row[:] = curve.columns(scales.force, scales.length)
     if curve.loads:
         given = len(curve.loads)
@@ -212,14 +213,8 @@ def assembled(
     at: Array, total: Array, outcome: Outcome, residual: float, indifferent: bool, steps: int, begun: float,
 ) -> TiltingPadSolution:  # fmt: skip
     """Everything in SI and in the fixed frame."""
-    smooth_answers(axial, pads, grid, places)
+    states = pad_states(bearing, scales, axial, pads, grid, places, at)
     limit = int(np.argmax(places.status == AT_LIMIT)) if outcome is Outcome.PAD_AT_LIMIT else None
-    states = tuple(
-        loaded_state(bearing, scales, axial, pads, grid, places, at, k)
-        if places.status[k] == LOADED
-        else unloaded_state(bearing, scales, axial, pads, grid, places, k)
-        for k in range(len(bearing.pads))
-    )
     if any(math.isnan(state.pivot_stiffness) for state in states):  # no law of its pivot holds there
         outcome = Outcome.OVERLOADED
     return TiltingPadSolution(
@@ -243,110 +238,71 @@ def limit_loads(scales: PadScales, places: PadPlaces, k: int) -> tuple[float, fl
     return float(places.need[k]) * scales.force, float(places.least[k]) * scales.force
 
 
-def loaded_state(
-    bearing: TiltingPadBearing, scales: PadScales, axial: Axial, pads: Pads, grid: Grid, places: PadPlaces,
-    at: Array, k: int,
-) -> PadState:  # fmt: skip
-    """A pad that carries."""
-    pad, sense = bearing.pads[k], bearing.sense
-    n, m = grid.step.shape[1], len(axial.size)
-    pressure, void, totals = np.zeros((1, n + 1, m + 1)), np.zeros((1, n + 1, m + 1)), np.zeros((1, TOTALS))
-    own = one_pad(grid, k)
-    lands = pads.bearing._replace(
-        lands=pads.bearing.lands[k : k + 1], profiles=pads.bearing.profiles[k : k + 1], kappa=pads.kappa[k]
-    )
-    e, eta = places.radial[k], places.along[k]
-    integrate(axial, lands, own, new_film(n), e, eta, 0.0, 0.0, pressure, void, totals)
-    gap_a = own.gap_a[0] - e * own.cos_a[0] - eta * own.sin_a[0]
-    gap_b = own.gap_b[0] - e * own.cos_b[0] - eta * own.sin_b[0]
-    answer = places.answers[k]
-    unit = scales.force / scales.length
-    mirror = np.array([[1.0, sense], [sense, 1.0]])
-    width = (bearing.width if pad.width is None else pad.width) / bearing.width
-    thickness = pads.weight[k] / width
-    load = float(-answer[0] * scales.force)
-    force = answer[:2] * scales.sense * scales.force
-    displacement = max(0.0, float(places.rigid[k] - e)) * scales.length
-    across = 0.0 if math.isinf(pad.tangential_stiffness) else float(-force[1] / pad.tangential_stiffness)
-    along = sense * eta * scales.length
-    journal = float((at * scales.sense * scales.length) @ pad.tangent())
-    return PadState(
-        status=PadStatus.LOADED if load > 0.0 else PadStatus.UNLOADED,
-        position=PadPosition((along - journal + across) / bearing.lever(pad), displacement, across),
-        radial=float(e - pads.offset[k]) * scales.length,
-        tangential=along,
-        eccentricity_ratio=float(e / pads.bearing.lands[k, 2]),
-        load=load,
-        force=force,
-        stiffness=answer[2:6].reshape(2, 2) * mirror * unit,
-        damping=answer[6:].reshape(2, 2) * mirror * (unit / scales.rate),
-        pivot_stiffness=stiffness_of(pad.pivot, load),
-        minimum_film_thickness=float(min(gap_a.min(), gap_b.min())) * scales.length,
-        maximum_pressure=float(pressure.max()) * scales.pressure * thickness,
-        inflow=totals[0, INFLOW] * scales.flow * width,
-        outflow=totals[0, OUTFLOW] * scales.flow * width,
-        side_flow=totals[0, SIDE_FLOW] * scales.flow * width,
-        friction_torque=totals[0, JOURNAL_TORQUE] * scales.torque * pads.weight[k],
-        shear_torque=totals[0, BEARING_TORQUE] * scales.torque * pads.weight[k],
-        angles=sense * own.theta[0] + pad.pivot_angle,
-        axial_positions=even_axial_operator(m).nodes * (0.5 * width * bearing.width),
-        pressure=pressure[0] * scales.pressure * thickness,
-        void=void[0],
-    )
+def pad_states(
+    bearing: TiltingPadBearing,
+    scales: PadScales,
+    axial: Axial,
+    pads: Pads,
+    grid: Grid,
+    places: PadPlaces,
+    at: Array,
+) -> tuple[PadState, ...]:
+    """Every pad with its film; those that do not carry are concentric with their bores (eta = 0)."""
+    count, n, m = len(bearing.pads), grid.step.shape[1], len(axial.size)
+    pressure, void = np.zeros((2, count, n + 1, m + 1))
+    totals, narrowest = np.zeros((count, TOTALS)), np.zeros(count)
+    finish_pads(axial, pads, grid, places, pressure, void, totals, narrowest)
+    pressure *= (scales.pressure * pads.weight * bearing.width / pad_widths(bearing))[:, None, None]
+    sense, unit, answers = bearing.sense, scales.force / scales.length, places.answers
+    mirror = np.array([[1.0, sense], [sense, 1.0]]) * unit
+    force = answers[:, :2] * (scales.sense * scales.force)
+    stiffness = answers[:, 2:6].reshape(count, 2, 2) * mirror
+    damping = answers[:, 6:].reshape(count, 2, 2) * (mirror / scales.rate)
+    nodes, highest = even_axial_operator(m).nodes, pressure.max(axis=(1, 2)).tolist()
+    journal = at * scales.sense * scales.length
+    states = []
+    for k, pad in enumerate(bearing.pads):
+        e, eta, rigid = (float(part[k]) for part in (places.radial, places.along, places.rigid))
+        status = STATUSES.get(int(places.status[k]), PadStatus.UNLOADED)
+        load, across = (
+            float(-answers[k, 0]) * scales.force + 0.0,
+            float(-force[k, 1]) / pad.tangential_stiffness + 0.0,
+        )
+        along = sense * eta * scales.length
+        tilt = math.nan
+        if status is PadStatus.LOADED:
+            tilt = (along - float(journal @ pad.tangent()) + across) / bearing.lever(pad)
+        width = bearing.width if pad.width is None else pad.width
+        flow, torque = scales.flow * width / bearing.width, scales.torque * float(pads.weight[k])
+        states.append(PadState(
+            status=PadStatus.UNLOADED if status is PadStatus.LOADED and not load > 0.0 else status,
+            position=PadPosition(tilt, max(0.0, rigid - e) * scales.length, across),
+            radial=(e - float(pads.offset[k])) * scales.length,
+            tangential=along,
+            eccentricity_ratio=e * scales.length / pad.clearance,
+            load=load,
+            force=force[k],
+            stiffness=stiffness[k],
+            damping=damping[k],
+            pivot_stiffness=stiffness_of(pad.pivot, load),
+            minimum_film_thickness=float(narrowest[k]) * scales.length,
+            maximum_pressure=highest[k],
+            inflow=float(totals[k, INFLOW]) * flow,
+            outflow=float(totals[k, OUTFLOW]) * flow,
+            side_flow=float(totals[k, SIDE_FLOW]) * flow,
+            friction_torque=float(totals[k, JOURNAL_TORQUE]) * torque,
+            shear_torque=float(totals[k, BEARING_TORQUE]) * torque,
+            angles=sense * grid.theta[k] + pad.pivot_angle,
+            axial_positions=nodes * (0.5 * width),
+            pressure=pressure[k],
+            void=void[k],
+        ))  # fmt: skip
+    return tuple(states)
 
 
-def one_pad(grid: Grid, k: int) -> Grid:
-    """Grid of pad k alone."""
-    parts: dict[str, Any] = {name: part[k : k + 1] for name, part in grid._asdict().items()}
-    return Grid(**parts)
-
-
-def unloaded_state(
-    bearing: TiltingPadBearing, scales: PadScales, axial: Axial, pads: Pads, grid: Grid, places: PadPlaces, k: int
-) -> PadState:
-    """A pad that does not carry, or is at its limit, concentric with its bore (eta = 0).
-
-    Its narrowest place passes its drag flow, half the speed times the gap; elsewhere the same oil fills a part
-    of the gap and shears there, as the streamers of a ruptured film do.
-    """
-    pad, sense = bearing.pads[k], bearing.sense
-    m = len(axial.size)
-    width = bearing.width if pad.width is None else pad.width
-    viscosity = bearing.viscosity if pad.viscosity is None else pad.viscosity
-    e = float(places.radial[k])
-    gap = (0.5 * (grid.gap_a[k] + grid.gap_b[k]) - 0.5 * e * (grid.cos_a[k] + grid.cos_b[k])) * scales.length
-    narrowest = float(gap.min())
-    speed = abs(bearing.angular_speed) * bearing.radius
-    flow = 0.5 * speed * width * max(narrowest, 0.0)
-    closed = narrowest <= 0.0
-    shear = math.nan if closed else float((grid.step[k] * narrowest / gap**2).sum())
-    torque = viscosity * speed * bearing.radius**2 * width * shear
-    on_lines = np.interp(grid.theta[k], 0.5 * (grid.theta[k, 1:] + grid.theta[k, :-1]), gap)
-    void = np.repeat(1.0 - narrowest / np.maximum(on_lines, 1e-300)[:, None], m + 1, axis=1)
-    zero = np.zeros((2, 2))
-    return PadState(
-        status=PadStatus.AT_LIMIT if places.status[k] == AT_LIMIT else PadStatus.UNLOADED,
-        position=PadPosition(math.nan, max(0.0, float(places.rigid[k]) - e) * scales.length),
-        radial=(e - float(pads.offset[k])) * scales.length,
-        tangential=0.0,
-        eccentricity_ratio=e * scales.length / pad.clearance,
-        load=0.0,
-        force=np.zeros(2),
-        stiffness=zero,
-        damping=zero,
-        pivot_stiffness=stiffness_of(pad.pivot, 0.0),
-        minimum_film_thickness=narrowest,
-        maximum_pressure=0.0,
-        inflow=flow,
-        outflow=flow,
-        side_flow=0.0,
-        friction_torque=torque,
-        shear_torque=torque,
-        angles=sense * grid.theta[k] + pad.pivot_angle,
-        axial_positions=even_axial_operator(m).nodes * (0.5 * width),
-        pressure=np.zeros((grid.theta.shape[1], m + 1)),
-        void=np.clip(void, 0.0, 1.0),
-    )
+def pad_widths(bearing: TiltingPadBearing) -> Array:
+    """Width of every pad, m."""
+    return np.array([bearing.width if pad.width is None else pad.width for pad in bearing.pads])
 
 
 def groove_force(bearing: TiltingPadBearing) -> Array:
