@@ -186,7 +186,7 @@ def test_a_search_that_used_up_its_work_says_so():
     chosen = four_pads()
     pads, axial = kernel_pads(chosen, PadScales(chosen)), kernel_operator(4)
     places = new_places(pads)
-    places.films[0] = MOST_FILMS - 30
+    places.films[0] = MOST_FILMS - 10
     ended = find_pads(axial, pads, 48, *FOUR_LOAD, 0.0, 0.0, 1e-6, 100, places, no_total())
     assert ended[2] == WORK
     assert NOT_FOUND in places.status  # which is no pad at its limit
