@@ -9,7 +9,7 @@ from html.parser import HTMLParser
 
 import gear_cases
 import pytest
-from hand_made import HandMadeProblem
+from hand_made import PUBLISHED, HandMadeMachine, HandMadeProblem, hand_made_result
 
 from babbitt.core.files import writing
 from babbitt.core.notices import InputError
@@ -412,3 +412,12 @@ def test_a_missing_extra_is_named_with_the_cure(tmp_path, monkeypatch, package):
     assert refused.value.code == "E007"
     assert package in refused.value.message
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(("share", "named"), [(1.0 + 1e-10, "a"), (1.0 - 1e-10, "a"), (1.0 + 1e-6, "b")])
+def test_of_equal_margins_the_first_is_named_whatever_round_off_says(share, named):
+    first = hand_made_result(PUBLISHED[2])
+    second = hand_made_result((PUBLISHED[3][0], PUBLISHED[2][1] * share, *PUBLISHED[3][2:]))
+    shown = content(HandMadeMachine("Two pinions", (first, second)))["worst"]
+    load = next(one for one in shown if one["quantity"] == "Specific load")
+    assert load["bearing"] == f"Second-stage pinion ({named})"

@@ -5,6 +5,7 @@ The typesetter gets this as JSON. Text from a case file is only ever a string in
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
@@ -23,6 +24,9 @@ from babbitt.report.totals import Totals, totals
 
 if TYPE_CHECKING:
     from babbitt.solving import MachineResult
+
+ROUND_OFF = 1e-8
+"""Relative difference of margins below which a search for the same load made it."""
 
 
 def content(machine: MachineResult) -> Data:
@@ -132,7 +136,7 @@ def _codes(results: Sequence[Result]) -> list[tuple[str, str]]:
 
 
 def _worst_case(results: Sequence[Result], of: tuple[str, str]) -> Data:
-    """The bearing that comes closest to one limit."""
+    """The bearing that comes closest to one limit; of several that do, the first."""
     pairs = [
         (result, check)
         for result in results
@@ -140,7 +144,11 @@ def _worst_case(results: Sequence[Result], of: tuple[str, str]) -> Data:
         for check in result.checks
         if (check.code, check.quantity) == of
     ]
-    result, check = min(pairs, key=lambda pair: pair[1].margin)
+    worst = min(pairs, key=lambda pair: pair[1].margin)
+    result, check = next(
+        pair for pair in pairs
+        if pair is worst or math.isclose(pair[1].margin, worst[1].margin, rel_tol=ROUND_OFF)
+    )  # fmt: skip
     return {**check_content(check), "bearing": plain_text(result.name), "of": len(pairs)}
 
 
