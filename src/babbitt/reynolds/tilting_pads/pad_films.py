@@ -19,7 +19,7 @@ from babbitt.reynolds.lands.operators import kernel_operator
 from babbitt.reynolds.lands.profiles import common_profiles
 from babbitt.reynolds.model import Resolution
 from babbitt.reynolds.tilting_pads._pad_flows import NARROWEST, PAD_TOTALS, PadRing
-from babbitt.reynolds.tilting_pads._pad_heat import Oil, Temperatures, WallState, heat_pads, prepare_films
+from babbitt.reynolds.tilting_pads._pad_heat import STATES, Oil, Temperatures, WallState, heat_pads, prepare_films
 from babbitt.reynolds.tilting_pads._pad_steps import step_pads
 from babbitt.reynolds.tilting_pads._pads import CLOSED, CONVERGED, LIMIT, STUCK, find_pads
 from babbitt.reynolds.tilting_pads._place import new_places, pads_at
@@ -116,7 +116,7 @@ class PadFilms:
         start = heat.supply_temperature + GUESSED_RISE
         films = Temperatures(
             np.ones((rows, 1, layers)), np.full((rows, 1, layers), start), np.full((rows, 1, layers), start),
-            np.zeros((rows, layers, 3)), np.full(count, heat.supply_temperature), np.zeros(count, dtype=bool),
+            np.zeros((rows, layers, STATES)), np.full(count, heat.supply_temperature), np.zeros(count, dtype=bool),
         )  # fmt: skip
         oil = oil_of(bearing, heat, scales)
         conduction = conduction_of(bearing, heat, n)
@@ -194,7 +194,7 @@ class PadFilms:
 
     def copied(self) -> PadFilms:
         """Films that may change without these."""
-        fixed = (self.bearing, self.heat, self.axial, self.conduction, self.bending, self.walls.answer, self.oil)
+        fixed = (self.bearing, self.heat, self.axial, self.conduction, self.bending, self.walls.answer, self.walls.answer_mean, self.oil)
         return deepcopy(self, {id(part): part for part in fixed})
 
     def drives(self) -> Array:
@@ -340,6 +340,10 @@ def walls_of(
     for k, one in enumerate(conduction):
         solved = met_at(one, exchange)
         answer[k], given[k] = solved[:, :lines], solved[:, lines:]
+    share = np.full(lines, 1.0 / (lines - 1))
+    share[[0, -1]] *= 0.5
+    answer_mean = share @ answer
+    answer_mean[:, 1] += answer_mean[:, 0]
     back = supply if heat.walls is None or heat.walls.back_temperature is None else heat.walls.back_temperature
     return WallState(
         journal=np.array([
@@ -347,7 +351,8 @@ def walls_of(
             journal.ambient_temperature,
         ]),
         journal_open=heat.journal is not None, journal_given=journal.temperature is not None,
-        pads_open=bool(conduction), exchange=exchange, answer=answer, given=given, back=back,
+        pads_open=bool(conduction), exchange=exchange, answer=answer, given=given, answer_mean=answer_mean,
+        given_mean=share @ given, back=back,
         bore=np.full(rows, start), flux=np.zeros(rows), datum=np.full(rows, start),
     )  # fmt: skip
 
