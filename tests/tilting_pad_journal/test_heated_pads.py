@@ -184,7 +184,7 @@ def test_a_slow_bearing_is_as_cold_as_its_oil():
     resolved = result_of(speed="2 rpm", load="20 N", **HEATED["C"]).values
     plain = result_of(speed="2 rpm", load="20 N", thermal="isothermal").values
     assert resolved["maximum_temperature"] - resolved["supply_temperature"] < 0.2
-    assert abs(resolved["energy_balance_error"]) < 1e-3  # though pads lose more heat per kelvin than oil carries off
+    assert abs(resolved["energy_balance_error"]) < 1e-3  # pads lose more heat per kelvin than oil carries off
     for name in ("eccentricity_ratio", "friction_power", "stiffness_yy", "damping_yy", "side_flow"):
         assert resolved[name] == pytest.approx(plain[name], rel=0.02)
 

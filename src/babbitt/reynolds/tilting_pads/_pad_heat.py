@@ -79,10 +79,18 @@ class Temperatures(NamedTuple):
 
 @compiled
 def prepare_films(pads, ring, columns, flows, films, fresh, part):
-    """Coefficients of the films for viscosities of which ``part`` is ``fresh``."""
+    """Coefficients of the films for viscosities of which ``part`` is ``fresh``.
+
+    Returns the largest share by which they still differ from that.
+    """
     relax_viscosity(columns, fresh, films.viscosity, part)
     spread_viscosity(ring, columns, films.viscosity, flows)
     take_viscosity(pads, ring)
+    behind = 0.0
+    for i in range(fresh.shape[0]):
+        for n in range(fresh.shape[2]):
+            behind = max(behind, abs(fresh[i, 0, n] / films.viscosity[i, 0, n] - 1.0))
+    return behind
 
 
 @compiled

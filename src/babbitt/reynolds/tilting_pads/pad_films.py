@@ -136,14 +136,18 @@ class PadFilms:
             totals=np.zeros((count, PAD_TOTALS)), can_unload=centred,
         )  # fmt: skip
 
-    def prepare(self, part: float) -> None:
-        """Coefficients of the films at their temperatures; ``part`` of a new viscosity is taken, by logarithms."""
+    def prepare(self, part: float) -> float:
+        """Coefficients of the films at their temperatures; ``part`` of a new viscosity is taken, by logarithms.
+
+        Returns the largest share by which viscosities still differ from those of the temperatures.
+        """
         fresh = np.asarray(self.heat.viscosity(self.films.on_lines)) / self.bearing.viscosity
         part = 1.0 if self.passes == 0 else part
-        prepare_films(self.pads, self.ring, self.columns, self.flows, self.films, fresh, part)
+        behind = prepare_films(self.pads, self.ring, self.columns, self.flows, self.films, fresh, part)
         self.places.unloaded_below[:] = self.unloaded
         self.places.fold[:] = np.nan
         self.places.films[0] = 0
+        return float(behind)
 
     def carry(self, load: Array, start: Array, tolerance: float, most: int) -> Placement:
         """Equilibrium of journal and pads at the viscosity as it is."""

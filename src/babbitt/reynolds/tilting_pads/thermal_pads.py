@@ -41,6 +41,9 @@ MOST_PASSES, GROWING_PASSES = 60, 40
 LOOSE, FINE = 1e-2, 1e-4
 """Residual force over load in the first pass, and behind one whose temperatures change by a kelvin or more; less
 in proportion."""
+THINNING = 0.04
+"""Share by which oils thin in a kelvin, about: viscosities that differ from those of the temperatures count as
+changes of temperature."""
 SMALL_CHANGE = 15.0
 """Change of temperature in a pass, K, behind which the journal needs no search."""
 PATIENT, SWING = 25, 0.3
@@ -172,7 +175,7 @@ def settle(films: PadFilms, load: Array | None, at: Array, part: float, most: in
     tolerance, change, rises = LOOSE, math.inf, np.zeros_like(films.films.temperature)
     nearest, reached, held = math.inf, 0, 0
     for passes in range(1, most + 1):
-        films.prepare(part)
+        behind = films.prepare(part) / THINNING
         if load is None:
             placement = films.place(at)
         else:
@@ -187,7 +190,7 @@ def settle(films: PadFilms, load: Array | None, at: Array, part: float, most: in
         if films.solved > MOST_FILMS:
             return Settled(films, placement, Outcome.WORK_BOUND, passes)
         before = films.films.temperature.copy()
-        change = films.heat_up(placement)
+        change = max(films.heat_up(placement), behind)
         if not math.isfinite(change) or films.gap() < THINNEST:
             break
         shaped, last = films.deform(placement.grid), rises
