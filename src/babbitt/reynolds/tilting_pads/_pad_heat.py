@@ -4,9 +4,9 @@ The energy equation is linear. With the flows as they are, the temperatures of a
 0 K, plus T_in times those for oil that enters at 1 K, plus T_J times those for a journal at 1 K, all else at 0 K.
 
 A pad meets its film at a conductance alpha on both sides (Robin): the film knows T_pad - q/alpha of the last pass,
-the pad q + alpha T_film of this one. Where both agree alpha is out of it. What is uneven along a pad comes to rest in
-few passes. The level of a whole pad would not where films and pads take little heat beside alpha, as in slow
-bearings: the fourth state is that of T_pad - q/alpha raised by 1 K.
+the pad q + alpha T_film of this one. Where both agree alpha is out of it. What is uneven along a pad comes to rest
+in few passes. The level of a whole pad would not where films and pads take little heat compared with alpha, as in
+slow bearings: the fourth state is that of T_pad - q/alpha raised by 1 K.
 
 Four states of one matrix then. Balances of the oil between the pads, of the journal and of the heat of every pad
 give all T_in, T_J and these levels at once, exactly.

@@ -198,7 +198,7 @@ class PadFilms:
 
     def copied(self) -> PadFilms:
         """Films that may change without these."""
-        fixed = (self.bearing, self.heat, self.axial, self.conduction, self.bending, self.walls.answer, self.walls.answer_mean, self.oil)
+        fixed = (self.bearing, self.heat, self.axial, self.conduction, self.bending, self.walls.answer, self.oil)
         return deepcopy(self, {id(part): part for part in fixed})
 
     def drives(self) -> Array:
