@@ -21,12 +21,12 @@ from babbitt.core.units import either_sense, si
 from babbitt.design.conditions import Limits
 from babbitt.kinds.tilting_pad_journal.case import rules
 from babbitt.kinds.tilting_pad_journal.case.heat import (
-    Deformation,
     PadJournalWalls,
     ReferenceTemperature,
     heat_goes_with_the_films,
 )
 from babbitt.kinds.tilting_pad_journal.case.materials import PadJournalMaterials
+from babbitt.kinds.tilting_pad_journal.case.methods import METHOD_MAPPING, PadFilmChoices
 from babbitt.kinds.tilting_pad_journal.case.pads import JournalPads
 from babbitt.kinds.tilting_pad_journal.methods import PAD_FILM
 from babbitt.kinds.tilting_pad_journal.model import WHIRL_RATIOS
@@ -112,11 +112,14 @@ class PadOperatingPoint(Part):
     supply_temperature: OilTemperature | None = Field(None, description="Temperature of the fresh oil.")
 
 
-class TiltingPadJournalCase(CaseFile):
+class TiltingPadJournalCase(PadFilmChoices, CaseFile):
     """A file with one journal bearing of tilting pads."""
 
     kind: Literal["tilting_pad_journal"] = Field(description="Journal bearing of tilting pads.")
     name: Name = Field(description="Name of the bearing.")
+    method: Annotated[Literal["film"], METHOD_MAPPING] = Field(
+        "film", description="The films of all pads in two dimensions, with their tilts and pivots."
+    )
     diameter: Annotated[float, si("m", "1 mm", "3 m")] = Field(description="Diameter of the journal.")
     pads: JournalPads = Field(description="The pads.")
     clearance_cases: Literal["mean", "all"] = Field(
@@ -132,29 +135,12 @@ class TiltingPadJournalCase(CaseFile):
         description="What brings oil to the pads. It sets carry_over where that is not given: 1 flooded, 0.7 for "
         "grooves in the leading edges, 0.8 for spray bars, which are assumptions.",
     )
-    carry_over: Annotated[float, si("1", "0", "1")] | None = Field(
-        None,
-        description="Share of the hot oil leaving a pad over its trailing edge that enters the next one; the rest "
-        "leaves.",
-    )
-    thermal: Literal["isothermal", "global", "adiabatic", "full"] | None = Field(
-        None,
-        description="Temperature of the films: given (isothermal), one for all films from friction and fresh oil "
-        "(global), or their own, with journal and pads that take no heat (adiabatic), or with a journal of one "
-        "temperature and the walls given (full). global where supply.temperature alone is given, else isothermal.",
-    )
     effective_temperature: Annotated[float, si("K", "-30 degC", "290 degC")] | None = Field(
         None,
         description="Temperature of isothermal films. That of the fresh oil if not given.",
     )
     walls: PadJournalWalls = Field(
         PadJournalWalls(), description="Pads, housing and journal that take heat, of full thermal films."
-    )
-    deformation: Deformation = Field(
-        (),
-        max_length=2,
-        description="What heat and pressure deform: growth of pads, journal and housing, bending of the pads. "
-        "With walls.pads.",
     )
     reference_temperature: ReferenceTemperature | None = Field(
         None, description="Temperature at which the clearances are those given, for growth."
@@ -195,9 +181,6 @@ class TiltingPadJournalCase(CaseFile):
         None,
         description="Stiffness of the shaft between that mass and this bearing (for a shaft on two equal bearings "
         "half its stiffness in the middle). Rigid if not given.",
-    )
-    accuracy: Literal["draft", "engineering", "reference"] = Field(
-        "engineering", description="How fine the grid of every pad is."
     )
     limits: PadJournalLimits = Field(PadJournalLimits(), description="Limits in place of those by experience.")
     assumptions: tuple[Prose, ...] = Field(

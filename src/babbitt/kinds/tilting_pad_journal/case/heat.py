@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
+from typing import TYPE_CHECKING, Annotated, ClassVar
 
 from pydantic import Field
 
@@ -26,7 +26,6 @@ if TYPE_CHECKING:
     from babbitt.kinds.tilting_pad_journal.case.bearing import TiltingPadJournalCase
 
 __all__ = [
-    "Deformation",
     "PadJournalWalls",
     "ReferenceTemperature",
     "heat_assumptions",
@@ -34,7 +33,6 @@ __all__ = [
     "heat_goes_with_the_films",
 ]
 
-Deformation = tuple[Literal["growth", "bending"], ...]
 ReferenceTemperature = Annotated[float, si("K", "-30 degC", "200 degC")]
 
 
