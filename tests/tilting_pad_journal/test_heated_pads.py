@@ -8,6 +8,7 @@ from pad_journals import CONDUCTING, FILLON_OIL, HEATED, STEEL, pad_case, result
 
 from babbitt.case import case_from_dict
 from babbitt.core.result import Outcome
+from babbitt.kinds.tilting_pad_journal.check import heat_checks
 from babbitt.solving import solve
 
 FILLON = {"lubricant": FILLON_OIL, "accuracy": "engineering"}
@@ -158,6 +159,14 @@ def test_unloaded_pads_are_told_of_with_their_temperatures():
     rows = result.arrays
     assert rows["pad_load"][0][:2] == (0.0, 0.0)
     assert min(rows["pad_maximum_temperature"][0]) > result.values["supply_temperature"]
+
+
+def test_heat_that_is_missed_is_told():
+    found = solution_of(**HEATED["C"])
+    for error, kept in ((9e-4, True), (-1.1e-3, False)):
+        values = found.result.values | {"energy_balance_error": error}
+        check = {one.code: one for one in heat_checks(found.problem, values)}
+        assert check["C403"].ok is kept
 
 
 def test_probes_have_an_alarm_and_a_trip():
