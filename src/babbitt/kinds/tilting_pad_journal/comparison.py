@@ -53,7 +53,14 @@ COMPARED = (
 )
 """What is put side by side."""
 
-MOVED = ("maximum_temperature", "minimum_film_thickness", "friction_power", "stiffness_yy", "damping_yy")
+MOVED = (
+    "maximum_temperature",
+    "effective_temperature",
+    "minimum_film_thickness",
+    "friction_power",
+    "stiffness_yy",
+    "damping_yy",
+)
 """What the assumptions are asked about, in sentences."""
 
 SPREAD = "What assumptions move"
@@ -204,6 +211,8 @@ def spread(assumption: Assumption, low: Variant | None, asked: Variant, high: Va
     said = []
     for name in MOVED:
         told = [values.get(name) for _, values in columns]
+        if not any(told):  # films of one temperature have no highest
+            continue
         quantity = QUANTITIES[name].suited(*(one for one in told if one is not None))
         cells = ", ".join("–" if one is None else quantity.format(one) for one in told)
         said.append(f"{quantity.symbol} {cells} {quantity.display.label}")
