@@ -36,7 +36,7 @@ RELAXATIONS = (0.8, 0.4, 0.2)
 """Shares of a new viscosity that a pass takes, in one attempt after the other."""
 SETTLED, SHAPED = 5e-3, 3e-4
 """Largest change of temperature in a pass, K, and of a pad's shape over the smallest gap, at which they rest."""
-MOST_PASSES, GROWING_PASSES = 60, 40
+MOST_PASSES, GROWING_PASSES = 100, 40
 """Of an attempt, and of one with a little more growth."""
 LOOSE, FINE = 1e-2, 1e-4
 """Residual force over load in the first pass, and behind one whose temperatures change by a kelvin or more; less
