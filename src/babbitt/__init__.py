@@ -177,14 +177,18 @@ if TYPE_CHECKING:
         TiltingPivot,
     )
     from babbitt.api.tilting_pad_parts import (
+        ConductingPads,
         FlexurePivot,
         JournalPads,
         LinePivot,
         OnePad,
+        PadHousing,
         PadJournalLimits,
-        PadLining,
+        PadJournalMaterials,
+        PadJournalWalls,
         PadOilSupply,
         PadOperatingPoint,
+        PadStructure,
         PivotPoint,
         PointPivot,
         RigidPivot,
@@ -242,8 +246,9 @@ _NAMES = {
         "Runout Seating ShaftPiece SpeedRange StepFace Taper ThrustRipple Tilt TiltingPivot"
     ),
     "babbitt.api.tilting_pad_parts": (
-        "FlexurePivot JournalPads LinePivot OnePad PadJournalLimits PadLining PadOilSupply PadOperatingPoint "
-        "PivotPoint PointPivot RigidPivot RockerPivot SpringPivot TablePivot"
+        "ConductingPads FlexurePivot JournalPads LinePivot OnePad PadHousing PadJournalLimits "
+        "PadJournalMaterials PadJournalWalls PadOilSupply PadOperatingPoint PadStructure PivotPoint "
+        "PointPivot RigidPivot RockerPivot SpringPivot TablePivot"
     ),
     "babbitt.case": "CaseError template",
     "babbitt.core.notices": "InputError",
@@ -264,6 +269,7 @@ __all__ = [
     "ConductingBush",
     "ConductingHousing",
     "ConductingJournal",
+    "ConductingPads",
     "ConstantFlow",
     "ConstantLubricant",
     "Cooling",
@@ -327,11 +333,14 @@ __all__ = [
     "OperatingPoint",
     "Orifice",
     "OverhungCoupling",
+    "PadHousing",
     "PadJournalLimits",
-    "PadLining",
+    "PadJournalMaterials",
+    "PadJournalWalls",
     "PadMaterials",
     "PadOilSupply",
     "PadOperatingPoint",
+    "PadStructure",
     "Pads",
     "ParabolicCrowning",
     "PedestalHousing",

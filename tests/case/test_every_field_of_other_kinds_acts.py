@@ -210,6 +210,41 @@ OF_PADS = {
     "limits.log_decrement": 5.0,
     "assumptions": ["The pads are new."],
 }
+OF_HEATED_PADS = {
+    "walls.pads": {},
+    "walls.pads.conductivity": "20 W/(m K)",
+    "walls.pads.heat_transfer_coefficient": "500 W/(m2 K)",
+    "walls.pads.edge_coefficient": "500 W/(m2 K)",
+    "walls.pads.temperature": "55 degC",
+    "walls.housing": {},
+    "walls.housing.temperature": "55 degC",
+    "walls.journal": {"temperature": "50 degC"},
+    "walls.journal.temperature": "50 degC",
+    "walls.journal.shaft_conductance": "5 W/K",
+    "walls.journal.ambient_temperature": "20 degC",
+    "walls": {"pads": {}},
+    "deformation": ["growth"],
+    "reference_temperature": "30 degC",
+    "materials.pads": "C45",
+    "materials.pads.name": "42CrMo4",
+    "materials.pads.elastic_modulus": "100 GPa",
+    "materials.pads.thermal_expansion": "16e-6 1/K",
+    "materials.journal": {"thermal_expansion": "16e-6 1/K"},
+    "materials.journal.thermal_expansion": "15e-6 1/K",
+    "materials.housing": {"thermal_expansion": "16e-6 1/K"},
+    "materials.housing.thermal_expansion": "15e-6 1/K",
+    "thermal": "adiabatic",
+    "accuracy": "engineering",
+    "carry_over": 0.5,
+    "supply.temperature": "45 degC",
+    "limits.probe_alarm": "60 degC",
+    "limits.probe_trip": "100 degC",
+}
+NAMED_METALS = {
+    "materials.pads.name": "42CrMo4",
+    "materials.journal.name": "X5CrNi18-10",
+    "materials.housing.name": "X5CrNi18-10",
+}
 OF_EACH = {
     "extent": "70 deg",
     "width": "60 mm",
@@ -266,6 +301,16 @@ PAD, RING, JOURNAL = (
 JACKING = given("jacking_pocket", accuracy="draft")
 ALIKE = given("tilting_pad_journal", accuracy="draft")
 PADS = changed(ALIKE, "pads.each", [{}, {}, {}, {}])
+HEATED = ALIKE | {
+    "thermal": "full",
+    "walls": {"pads": {"temperature": "42 degC"}, "housing": {"temperature": "45 degC"},
+              "journal": {"shaft_conductance": "2 W/K", "ambient_temperature": "40 degC"}},
+    "deformation": ["growth", "bending"],
+    "reference_temperature": "20 degC",
+    "limits": {"probe_alarm": "95 degC", "probe_trip": "110 degC"},
+    "materials": {"pads": {"elastic_modulus": "210 GPa", "thermal_expansion": "12e-6 1/K"},
+                  "journal": {"thermal_expansion": "11e-6 1/K"}, "housing": {"thermal_expansion": "12e-6 1/K"}},
+}  # fmt: skip
 CLEARANCES = ("clearance", "assembled_clearance")
 LIMITS_OF_PADS = {"minimum": "71 um", "maximum": "160 um"}
 LIMITED_PAD = {
@@ -376,6 +421,10 @@ TESTED = {
     "odd grooves": (changed(HEEL, "groove", HEEL["groove"] | {"land_width": "4 mm", "accept_misfit": True}),
                     {"groove.accept_misfit": False}),
     "tilting pads": (PADS, OF_PADS | {f"pads.each.0.{name}": value for name, value in OF_EACH.items()}),
+    "heated pads": (HEATED, OF_HEATED_PADS),
+    "heated pads of the catalogue": (
+        HEATED | {"materials": {one: {"name": "C45"} for one in ("pads", "journal", "housing")}}, NAMED_METALS,
+    ),
     "pads alike": (ALIKE | {"materials": {"bearing_metal": "B83"}},
                    {"pads.number": 3, "materials.load_character": "shock"}),
     "pads by their clearances": (

@@ -35,6 +35,7 @@ VALUES = {
     "local_loss_coefficient": [1],
     "speed_reduction": [0.5],
     "radial_temperature": ["resolved"],
+    "deformation": [["bending"]],
 }
 """By the name of a choice, values of it; the first is not what holds where none is given."""
 
@@ -60,6 +61,7 @@ OTHERS = {
     "local_loss_coefficient": 2,
     "speed_reduction": 0.1,
     "radial_temperature": "mean",
+    "deformation": ["growth", "bending"],
 }
 """By the name of a choice, a value other than the first above."""
 
@@ -68,8 +70,12 @@ WITH = {
     "carry_over": {"thermal": "adiabatic"},
     "temperature_coefficients": {"thermal": "adiabatic"},
     "radial_temperature": {"thermal": "adiabatic"},
+    "deformation": {"thermal": "full"},
 }
 """By the name of a choice, another without which it says nothing."""
+
+FIELDS = {"deformation": {"walls": {"pads": {}}, "materials": {"pads": "C45"}}}
+"""By the name of a choice, fields of the bearing without which it says nothing."""
 
 CHOICES = [
     (kind, method, name, value)
@@ -96,6 +102,8 @@ def bearing(kind, method):
 def both_forms(kind, method, choices):
     """The same bearing with its choices as fields, and in the mapping of its method."""
     model, given = KINDS[kind], bearing(kind, method)
+    for name in choices:
+        given |= FIELDS.get(name, {})
     flat = given
     for name, value in choices.items():
         flat = with_value(flat, choices_of(model, method)[name], value)
@@ -187,6 +195,7 @@ def test_choices_of_another_method_stay_on_the_bearing_for_a_comparison():
         ("screw_heel", "superposition", "local_loss_coefficient"),
         ("hydrostatic_pad", "film", "accuracy"),
         ("thrust", "film", "turbulence"),
+        ("tilting_pad_journal", "film", "thermal"),
     ],
 )
 def test_a_sweep_takes_paths_in_both_forms(kind, method, name, form):
@@ -227,7 +236,8 @@ def test_a_bearing_of_a_machine_has_a_mapping_of_its_own():
 
 def test_the_schema_knows_both_forms_and_marks_the_former():
     drawn = case_schema()["$defs"]
-    for name, marked in (("JournalCase", "accuracy"), ("HeatExchangeInput", "nusselt"), ("ThrustCase", "thermal")):
+    for name, marked in (("JournalCase", "accuracy"), ("HeatExchangeInput", "nusselt"), ("ThrustCase", "thermal"),
+                         ("TiltingPadJournalCase", "deformation")):  # fmt: skip
         assert drawn[name]["properties"][marked]["deprecated"] is True
     assert "deprecated" not in drawn["JournalCase"]["properties"]["walls"]
     assert "deprecated" not in drawn["FilmMethod"]["properties"]["accuracy"]

@@ -1,6 +1,7 @@
 """Cases of tilting-pad journal bearings for the tests."""
 
 import copy
+import math
 
 from babbitt.case import case_from_dict
 from babbitt.solving import solve
@@ -59,3 +60,35 @@ def solution_of(changes=None, **fields):
 def result_of(changes=None, **fields):
     """The result of one bearing."""
     return solution_of(changes, **fields).result
+
+
+FILLON_OIL = {
+    "kind": "exponential",
+    "name": "Oil of the prototype",
+    "points": [
+        {"temperature": "40 degC", "dynamic_viscosity": "27.7 mPa s"},
+        {"temperature": "80 degC", "dynamic_viscosity": f"{27.7 * math.exp(-0.0341 * 40.0)} mPa s"},
+    ],
+    "density": "860 kg/m3",
+    "density_slope": "0 kg/(m3 K)",
+    "volumetric_heat_capacity": f"{860.0 * 1951.8} J/(m3 K)",
+    "conductivity": "0.149 W/(m K)",
+}
+"""The oil of the reference calculation, 0.0277 Pa s exp(-0.0341 (t - 40))."""
+
+STEEL = {"elastic_modulus": "210 GPa", "thermal_expansion": "12e-6 1/K"}
+CONDUCTING = {"pads": {"conductivity": "50 W/(m K)"}}
+HEATED = {
+    "A": {"thermal": "adiabatic"},
+    "B": {"thermal": "full"},
+    "C": {"thermal": "full", "walls": CONDUCTING},
+    "D": {"thermal": "full", "walls": CONDUCTING, "deformation": ["bending"], "materials": {"pads": STEEL}},
+    "E": {
+        "thermal": "full",
+        "walls": CONDUCTING,
+        "deformation": ["growth", "bending"],
+        "reference_temperature": "40 degC",
+        "materials": {"pads": STEEL},
+    },
+}
+"""Thermal models: insulated, with a journal of one temperature, with pads that conduct, bend, and grow."""

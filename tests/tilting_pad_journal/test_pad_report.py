@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from pad_journals import OIL, pad_case, solution_of
+from pad_journals import HEATED, OIL, pad_case, solution_of
 
 from babbitt.case import case_from_dict
 from babbitt.kinds.tilting_pad_journal.report.calculation import pad_calculation
@@ -24,6 +24,9 @@ CASES = {
         {"rotor_mass": "1 t"},
     ),
     "much oil": ({"supply.flow": "40 L/min"}, {}),
+    "adiabatic": ({}, HEATED["A"]),
+    "grown and bent": ({"supply.flow": "40 L/min"}, HEATED["E"] | {"rotor_mass": "1 t"}),
+    "grown backward": ({}, HEATED["E"] | {"speed": "-4000 rpm", "load_angle": "-80 deg"}),
     "placed": ({"load": None}, {"position": {"x": "9 um", "y": "-30 um"}, "load": None}),
 }
 
@@ -98,6 +101,29 @@ def test_figures_are_drawn(changes):
     assert all(one.image.startswith(b"<?xml") and one.caption.endswith(".") for one in drawings)
     again = view_of(found.result).figures(found, "svg")
     assert [one.image for one in again] == [one.image for one in drawings]
+
+
+@pytest.mark.parametrize("model", ["A", "E"])
+def test_temperatures_are_drawn_and_tabulated(model):
+    found = solution_of({"pads.preload": 0.0} if model == "A" else {}, **HEATED[model])
+    view = view_of(found.result)
+    (drawn,) = (one for one in view.figures(found, "svg") if one.name == "pad-temperatures")
+    assert drawn.image.startswith(b"<?xml")
+    (table,) = (one for one in view.tables(found.result) if one["title"] == "Temperatures of the pads")
+    assert len(table["columns"]) == (5 if model == "A" else 9)
+    assert [row[0] for row in table["rows"]] == ["1", "2", "3", "4"]
+
+
+@pytest.mark.parametrize("fields", [{}, {"speed": "-4000 rpm", "load_angle": "-70 deg"}])
+def test_fields_have_the_gap_and_temperatures_of_pads_that_grow_and_bend(fields):
+    pytest.importorskip("xarray")
+    found = solution_of(**HEATED["E"] | fields)
+    data, films = view_of(found.result).fields(found), found.state.films.thermal
+    for number, state in enumerate(films.pads):
+        gap = data["film_thickness"].values[number]
+        assert gap.min() == pytest.approx(state.minimum_film_thickness, rel=2e-3)
+    assert data["bore_temperature"].values.max() <= found.result.values["maximum_temperature"]
+    assert data["film_temperature"].values.min() > found.result.values["supply_temperature"]
 
 
 def test_pressure_over_the_width_passes_through_the_film(solution):

@@ -19,6 +19,15 @@ LINE = {
     "housing_depth": "20 mm",
 }
 
+GROWN = {
+    "thermal": "full",
+    "walls": {"pads": {}},
+    "deformation": ["growth"],
+    "reference_temperature": "20 degC",
+    "materials.pads": {"thermal_expansion": "12e-6 1/K"},
+}
+"""Pads that grow."""
+
 REFUSED = {
     "diameter of nothing": ({"diameter": "0 mm"}, "diameter", "1 mm to 3 m"),
     "no width": ({"pads.width": "-70 mm"}, "pads.width", "0.1 mm"),
@@ -167,7 +176,79 @@ REFUSED = {
         "global films find",
     ),
     "hotter than the data": ({"supply.temperature": "195 degC"}, "supply.temperature", "outside the data"),
-    "a thermal model to come": ({"thermal": "full"}, "thermal", "allowed: isothermal, global"),
+    "an unknown thermal model": ({"thermal": "warm"}, "thermal", "allowed: isothermal, global, adiabatic, full"),
+    "temperature of full films": (
+        {"thermal": "full", "effective_temperature": "60 degC"},
+        "effective_temperature",
+        "full films find",
+    ),
+    "walls of films of one temperature": ({"walls": {"pads": {}}}, "walls", "thermal: full"),
+    "walls of adiabatic films": (GROWN | {"thermal": "adiabatic"}, "walls", "full thermal films only"),
+    "deformation of cold pads": (
+        {"deformation": ["growth"], "reference_temperature": "20 degC"},
+        "deformation",
+        "thermal: full",
+    ),
+    "deformation twice": (GROWN | {"deformation": ["growth", "growth"]}, "deformation", "one word twice"),
+    "deformation of insulated pads": (GROWN | {"walls": None}, "walls", "pads that conduct, such as {}"),
+    "growth from no temperature": (GROWN | {"reference_temperature": None}, "reference_temperature", "20 degC"),
+    "growth without expansion": (
+        GROWN | {"materials.pads": {"elastic_modulus": "210 GPa"}, "deformation": ["growth", "bending"]},
+        "materials.pads.thermal_expansion",
+        "missing",
+    ),
+    "bending without modulus": (
+        GROWN | {"materials.pads": {"thermal_expansion": "12e-6 1/K"}, "deformation": ["growth", "bending"]},
+        "materials.pads.elastic_modulus",
+        "210 GPa",
+    ),
+    "an unknown steel": (GROWN | {"materials.pads": "unobtainium"}, "materials.pads", "unobtainium"),
+    "reference temperature without growth": (
+        {"reference_temperature": "20 degC"},
+        "reference_temperature",
+        "growth alone",
+    ),
+    "journal that does not grow": ({"materials.journal": "C45"}, "materials.journal", "growth alone"),
+    "housing that does not grow": ({"materials.housing": "C45"}, "materials.housing", "growth alone"),
+    "temperature of a housing that does not grow": (
+        {"thermal": "full", "walls": {"housing": {"temperature": "50 degC"}}},
+        "walls.housing.temperature",
+        "growth alone",
+    ),
+    "pads that take no heat": ({"materials.pads": "C45"}, "materials.pads", "walls.pads"),
+    "modulus of pads that do not bend": (
+        GROWN | {"materials.pads": {"elastic_modulus": "210 GPa", "thermal_expansion": "12e-6 1/K"}},
+        "materials.pads.elastic_modulus",
+        "bending alone",
+    ),
+    "expansion of rigid pads": (
+        {"thermal": "full", "walls": {"pads": {}}, "materials.pads": {"thermal_expansion": "12e-6 1/K"}},
+        "materials.pads.thermal_expansion",
+        "growth and bending alone",
+    ),
+    "journal given and balanced": (
+        {"thermal": "full", "walls": {"journal": {"temperature": "50 degC", "shaft_conductance": "2 W/K"}}},
+        "walls.journal.shaft_conductance",
+        "remove one",
+    ),
+    "alarm of films of one temperature": (
+        {"limits": {"probe_alarm": "90 degC"}},
+        "limits.probe_alarm",
+        "thermal: full",
+    ),
+    "alarm above the trip": (
+        {"thermal": "full", "limits": {"probe_alarm": "110 degC", "probe_trip": "100 degC"}},
+        "limits.probe_alarm",
+        "up to 100 degC",
+    ),
+    "pads that give off no heat": (
+        {
+            "thermal": "full",
+            "walls": {"pads": {"heat_transfer_coefficient": "0 W/(m2 K)", "edge_coefficient": "0 W/(m2 K)"}},
+        },
+        "walls.pads",
+        "give off no heat leave walls out",
+    ),
     "ratios that fall": ({"whirl_ratios": [0.5, 0.2]}, "whirl_ratios[1]", "0.2 is not above 0.5"),
     "a shaft without rotor": ({"shaft_stiffness": "200 MN/m"}, "shaft_stiffness", "rotor_mass"),
     "limits that are not there": ({"clearance_cases": "all"}, "pads.clearance", "limits of a clearance"),

@@ -6,7 +6,7 @@ Each is the part of the case language of the same fields, with short names.
 from __future__ import annotations
 
 from babbitt.api.part import OwnPart
-from babbitt.case.parts import position
+from babbitt.case.parts import position, walls
 from babbitt.kinds.journal.case import (
     dynamic_load,
     film_features,
@@ -132,7 +132,7 @@ class ConductingHousing(OwnPart, film_heat.ConductingHousingInput):
     """What surrounds the bush."""
 
 
-class ConductingJournal(OwnPart, film_heat.ConductingJournalInput):
+class ConductingJournal(OwnPart, walls.ConductingJournalInput):
     """The journal, which has one temperature."""
 
 

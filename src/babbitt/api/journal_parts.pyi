@@ -6,7 +6,7 @@ from typing import Any, ClassVar, Literal, SupportsFloat, SupportsIndex, TypeAli
 
 from babbitt.api.part import OwnPart
 from babbitt.case.part import Part
-from babbitt.case.parts import position
+from babbitt.case.parts import position, walls
 from babbitt.kinds.journal.case import dynamic_load, film_features, film_heat, film_oil, film_surface, grooved_segments, heat_exchange, operating_point, supply_element
 
 Quantity: TypeAlias = str | SupportsFloat
@@ -193,7 +193,7 @@ class ConductingHousing(OwnPart, film_heat.ConductingHousingInput):
         ambient_temperature: Quantity | None = ...,
     ) -> None: ...
 
-class ConductingJournal(OwnPart, film_heat.ConductingJournalInput):
+class ConductingJournal(OwnPart, walls.ConductingJournalInput):
     def __init__(
         self,
         *,

@@ -6,17 +6,21 @@ Each is the part of the case language of the same fields, with short names.
 from __future__ import annotations
 
 from babbitt.api.part import OwnPart
-from babbitt.kinds.tilting_pad_journal.case import bearing, pads, pivots
+from babbitt.kinds.tilting_pad_journal.case import bearing, heat, materials, pads, pivots
 
 __all__ = [
+    "ConductingPads",
     "FlexurePivot",
     "JournalPads",
     "LinePivot",
     "OnePad",
+    "PadHousing",
     "PadJournalLimits",
-    "PadLining",
+    "PadJournalMaterials",
+    "PadJournalWalls",
     "PadOilSupply",
     "PadOperatingPoint",
+    "PadStructure",
     "PivotPoint",
     "PointPivot",
     "RigidPivot",
@@ -70,8 +74,24 @@ class PadOilSupply(OwnPart, bearing.PadOilSupply):
     """Fresh oil of the pads."""
 
 
-class PadLining(OwnPart, bearing.PadLining):
-    """What the pads are lined with."""
+class PadJournalMaterials(OwnPart, materials.PadJournalMaterials):
+    """What pads, their lining, journal and housing are made of."""
+
+
+class PadStructure(OwnPart, materials.PadStructure):
+    """Material of the pads behind their lining: a name of the catalogue, or numbers."""
+
+
+class PadJournalWalls(OwnPart, heat.PadJournalWalls):
+    """Pads, housing and journal, which take heat from full thermal films."""
+
+
+class ConductingPads(OwnPart, heat.ConductingPadsInput):
+    """The pads, which conduct heat from the films to their backs and edges."""
+
+
+class PadHousing(OwnPart, heat.PadHousingInput):
+    """The housing around the pads, which makes room as it grows."""
 
 
 class PadJournalLimits(OwnPart, bearing.PadJournalLimits):

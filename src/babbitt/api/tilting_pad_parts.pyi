@@ -6,7 +6,7 @@ from typing import Any, ClassVar, Literal, SupportsFloat, SupportsIndex, TypeAli
 
 from babbitt.api.part import OwnPart
 from babbitt.case.part import Part
-from babbitt.kinds.tilting_pad_journal.case import bearing, pads, pivots
+from babbitt.kinds.tilting_pad_journal.case import bearing, heat, materials, pads, pivots
 
 Quantity: TypeAlias = str | SupportsFloat
 
@@ -155,12 +155,50 @@ class PadOilSupply(OwnPart, bearing.PadOilSupply):
         circulation_time: Quantity | None = ...,
     ) -> None: ...
 
-class PadLining(OwnPart, bearing.PadLining):
+class PadJournalMaterials(OwnPart, materials.PadJournalMaterials):
     def __init__(
         self,
         *,
         bearing_metal: Quantity | Mapping[str, Any] | Part | None = ...,
         load_character: Literal["calm", "shock"] | Enum | None = ...,
+        pads: Quantity | Mapping[str, Any] | Part | None = ...,
+        journal: Quantity | Mapping[str, Any] | Part | None = ...,
+        housing: Quantity | Mapping[str, Any] | Part | None = ...,
+    ) -> None: ...
+
+class PadStructure(OwnPart, materials.PadStructure):
+    def __init__(
+        self,
+        *,
+        name: str | None = ...,
+        elastic_modulus: Quantity | None = ...,
+        thermal_expansion: Quantity | None = ...,
+    ) -> None: ...
+
+class PadJournalWalls(OwnPart, heat.PadJournalWalls):
+    def __init__(
+        self,
+        *,
+        pads: Mapping[str, Any] | Part | None = ...,
+        housing: Mapping[str, Any] | Part | None = ...,
+        journal: Mapping[str, Any] | Part | None = ...,
+    ) -> None: ...
+
+class ConductingPads(OwnPart, heat.ConductingPadsInput):
+    def __init__(
+        self,
+        *,
+        conductivity: Quantity | None = ...,
+        heat_transfer_coefficient: Quantity | None = ...,
+        edge_coefficient: Quantity | None = ...,
+        temperature: Quantity | None = ...,
+    ) -> None: ...
+
+class PadHousing(OwnPart, heat.PadHousingInput):
+    def __init__(
+        self,
+        *,
+        temperature: Quantity | None = ...,
     ) -> None: ...
 
 class PadJournalLimits(OwnPart, bearing.PadJournalLimits):
@@ -172,6 +210,8 @@ class PadJournalLimits(OwnPart, bearing.PadJournalLimits):
         temperature: Quantity | None = ...,
         transition_film_thickness: Quantity | None = ...,
         log_decrement: Quantity | None = ...,
+        probe_alarm: Quantity | None = ...,
+        probe_trip: Quantity | None = ...,
     ) -> None: ...
 
 class PadOperatingPoint(OwnPart, bearing.PadOperatingPoint):

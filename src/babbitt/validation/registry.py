@@ -8,6 +8,7 @@ from babbitt.validation.case import Evidence, ValidationCase
 from babbitt.validation.published import (
     butenschoen_1976,
     closed_forms_din31652,
+    fillon_1992,
     film_butenschoen_rotation,
     film_butenschoen_squeeze,
     film_characteristics,
@@ -61,6 +62,7 @@ _CASES = (
     someya_1989_table3.CASE,
     someya_1989_table5.CASE,
     ross_five_pads.CASE,
+    fillon_1992.CASE,
     fowell_2007.CASE,
     parabolic_slider.CASE,
     long_film_isothermal.CASE,

@@ -11,7 +11,7 @@ from babbitt.reynolds.lands.operators import kernel_operator
 from babbitt.reynolds.model import Resolution
 from babbitt.reynolds.tilting_pads._pads import WORK, find_pads, journal_step
 from babbitt.reynolds.tilting_pads._place import new_places
-from babbitt.reynolds.tilting_pads._tilt import MOST_FILMS
+from babbitt.reynolds.tilting_pads._tilt import AT_LIMIT, MOST_FILMS, NOT_FOUND
 from babbitt.reynolds.tilting_pads.model import TiltingPad, TiltingPadBearing
 from babbitt.reynolds.tilting_pads.pivots import LineContact, PointContact, RigidPivot, SpringPivot, stiffness_of
 from babbitt.reynolds.tilting_pads.solution import PadStatus
@@ -76,8 +76,9 @@ def test_a_pad_between_its_limit_and_more_is_solved():
 
 
 def test_a_pad_that_carries_nowhere_has_no_fold():
-    spread = tuple(-5.0 * math.sin(phi) for phi in np.linspace(-0.6, 0.6, 41))  # diverges at any tilt it can reach
-    fold = fold_of(one_pad(0.7, 70.0, 0.55, profile=tuple(-one * one for one in spread)), 0, GRID)
+    """Its bore is bent so far inwards at both sides of the pivot that it touches the journal everywhere."""
+    profile = tuple(-9.0 * np.sin(np.linspace(-0.67, 0.55, 41)) ** 2)
+    fold = fold_of(one_pad(0.7, 70.0, 0.55, profile=profile), 0, GRID)
     assert fold.outcome is Outcome.NOT_CONVERGED
     assert math.isnan(fold.eccentricity_ratio)
 
@@ -185,9 +186,11 @@ def test_a_search_that_used_up_its_work_says_so():
     chosen = four_pads()
     pads, axial = kernel_pads(chosen, PadScales(chosen)), kernel_operator(4)
     places = new_places(pads)
-    places.films[0] = MOST_FILMS - 30
+    places.films[0] = MOST_FILMS - 10
     ended = find_pads(axial, pads, 48, *FOUR_LOAD, 0.0, 0.0, 1e-6, 100, places, no_total())
     assert ended[2] == WORK
+    assert NOT_FOUND in places.status  # which is no pad at its limit
+    assert AT_LIMIT not in places.status
 
 
 def random_bearing(rng, flexed):

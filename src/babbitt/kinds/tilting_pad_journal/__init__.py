@@ -11,8 +11,7 @@ KINDS = (
         model=f"{HERE}.case.bearing:TiltingPadJournalCase",
         template=f"{HERE}:tilting_pad_journal.yaml",
         views={"film": f"{HERE}.view:FILM"},
-        one_method="tilting pads have one film method, there is nothing to compare; to see what its options do, "
-        "solve copies of the case with another thermal, or vary a field with babbitt sweep",
+        comparison=f"{HERE}.comparison:compare",
         meanings=f"{HERE}.report.words:OF_PADS",
         vocabulary=f"{HERE}.report.words:PAD_WORDS",
     ),

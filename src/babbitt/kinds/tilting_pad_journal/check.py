@@ -14,9 +14,12 @@ from babbitt.design.checks import checks_not_made, limit_checks
 from babbitt.design.failure import failure
 from babbitt.design.heat_balance import Equilibrium
 from babbitt.kinds.tilting_pad_journal.dynamics import PadDynamics, dynamics_of
-from babbitt.kinds.tilting_pad_journal.film import PadFilms, operating_films
+from babbitt.kinds.tilting_pad_journal.film import operating_films
 from babbitt.kinds.tilting_pad_journal.margins import PadMargin, pad_margins
 from babbitt.kinds.tilting_pad_journal.model import PadCase, Thermal
+from babbitt.kinds.tilting_pad_journal.state import PadFilms
+from babbitt.kinds.tilting_pad_journal.thermal_assumptions import thermal_assumptions
+from babbitt.kinds.tilting_pad_journal.thermal_values import thermal_rows, thermal_values
 from babbitt.kinds.tilting_pad_journal.values import dynamic_rows, dynamic_values, film_values, pad_rows
 from babbitt.kinds.tilting_pad_journal.warnings import warnings_of_solution
 
@@ -27,6 +30,8 @@ METHOD = "film"
 LEAST_DECREMENT = 0.1
 DECREMENT_SOURCE = "least log decrement of API 617, as API RP 684 explains it"
 USER = "limit set in the case"
+LARGEST_HEAT_ERROR = 1e-3
+"""Of the heat balance of films with their own temperatures, over the heat made."""
 LAMINAR = "C110"
 """The check of other methods that the film is laminar; here W407 tells it, for nothing else could be chosen."""
 
@@ -66,7 +71,7 @@ def pad_solution(case: PadCase) -> Solution:
     refuse_starved(case, films)
     margins = pad_margins(case, films.solution)
     dynamics = dynamics_of(case, films.solution)
-    values = film_values(case, films, margins) | dynamic_values(case, dynamics)
+    values = film_values(case, films, margins) | thermal_values(case, films) | dynamic_values(case, dynamics)
     values |= {"iterations": float(found.evaluations), "wall_time": perf_counter() - begun}
     result = Result(
         case.name,
@@ -74,12 +79,12 @@ def pad_solution(case: PadCase) -> Solution:
         METHOD,
         Outcome.CONVERGED,
         {name: float(value) for name, value in values.items() if math.isfinite(value)},
-        checks=(*checks_of(case, values), *stability_checks(case, values)),
+        checks=(*checks_of(case, values), *stability_checks(case, values), *heat_checks(case, values)),
         warnings=(*case.warnings, *warnings_of_solution(case, films, dynamics, margins, values)),
         not_checked=(*checks_not_made(case, values), *stability_not_checked(case, values)),
         assumptions=(*case.lubricant.assumptions, *case.assumptions, *assumptions_of(case)),
         settings=settings_of(case, dynamics),
-        arrays=pad_rows(case, films.solution) | dynamic_rows(case, dynamics),
+        arrays=pad_rows(case, films.solution) | thermal_rows(case, films) | dynamic_rows(case, dynamics),
         missing=missing_of(case, values),
     )
     return Solution(case, result, PadSolutionState(films, dynamics, margins))
@@ -88,6 +93,7 @@ def pad_solution(case: PadCase) -> Solution:
 def unsolved(case: PadCase, found: Equilibrium[PadFilms], time: float) -> Result:
     """The result of a bearing without equilibrium, with the last place that was reached."""
     last: dict[str, float] = {"wall_time": time}
+    warnings = case.warnings
     if found.film is not None:
         solution = found.film.solution
         last |= {
@@ -95,15 +101,31 @@ def unsolved(case: PadCase, found: Equilibrium[PadFilms], time: float) -> Result
             "minimum_film_thickness": solution.minimum_film_thickness,
             "effective_temperature": found.film.temperature,
         }
+        if (share := growth_with_a_film(found)) is not None:
+            last["growth_share"] = share
+            warnings = (*warnings, Notice("W406", values={"growth_share": share}))
     return Result(
-        case.name, case.kind, METHOD, found.outcome, last, warnings=case.warnings,
+        case.name, case.kind, METHOD, found.outcome, last, warnings=warnings,
         assumptions=(*case.lubricant.assumptions, *case.assumptions, *assumptions_of(case)),
         message=why(case, found), settings=settings_of(case, None),
     )  # fmt: skip
 
 
+def growth_with_a_film(found: Equilibrium[PadFilms]) -> float | None:
+    """Largest share of the growth at which a film was found, of a bearing that its growth closes; else None."""
+    thermal = None if found.film is None else found.film.thermal
+    closed = thermal is not None and found.outcome is Outcome.NO_CLEARANCE
+    return thermal.growth_share if closed and thermal is not None else None
+
+
 def why(case: PadCase, found: Equilibrium[PadFilms]) -> str:
     """How far an unsolved bearing came, and what to try."""
+    if (share := growth_with_a_film(found)) is not None:
+        return (
+            f"growth of pads and journal closes the clearance: a film was found with up to {share:.0%} of it. "
+            "Try: the temperature that the housing really has (walls.housing.temperature), more clearance, more "
+            "or cooler oil"
+        )
     if found.outcome is Outcome.OVERLOADED:
         return (
             f"at {found.last_temperature - ZERO_CELSIUS:.1f} °C an edge of a pad touches the journal, or a pivot "
@@ -165,6 +187,17 @@ def stability_checks(case: PadCase, values: Mapping[str, float]) -> Iterator[Che
         yield Check("C402", "least_pad_margin", values["least_pad_margin"], 0.0, Bound.AT_LEAST, source, True)
 
 
+def heat_checks(case: PadCase, values: Mapping[str, float]) -> Iterator[Check]:
+    """Heat balance of films with their own temperatures, and what a probe in a pad may read."""
+    if "film_dissipation" not in values:
+        return
+    error, source = abs(values["energy_balance_error"]), "heat that the films make, by what takes it"
+    yield Check("C403", "energy_balance_error", error, LARGEST_HEAT_ERROR, Bound.AT_MOST, source, True)
+    for code, limit in (("C404", case.probe_alarm), ("C405", case.probe_trip)):
+        if limit is not None:
+            yield Check(code, "probe_temperature", values["probe_temperature"], limit, Bound.AT_MOST, USER)
+
+
 def stability_not_checked(case: PadCase, values: Mapping[str, float]) -> Iterator[Notice]:
     """Which of these lack data."""
     if "log_decrement" not in values:
@@ -189,11 +222,12 @@ def settings_of(case: PadCase, dynamics: PadDynamics | None) -> dict[str, str]:
 
 def assumptions_of(case: PadCase) -> Iterator[str]:
     """What is assumed of every bearing of this kind."""
-    yield (
-        "Films of one viscosity that rupture where pressure and its gradient vanish (Reynolds); pads tilt "
-        "without friction about their pivots alone, in the plane of the bearing; rigid pads; ambient or groove "
-        "pressure on all edges of a pad."
-    )
+    if not case.thermal.is_resolved:
+        yield (
+            "Films of one viscosity that rupture where pressure and its gradient vanish (Reynolds); pads tilt "
+            "without friction about their pivots alone, in the plane of the bearing; rigid pads; ambient or "
+            "groove pressure on all edges of a pad."
+        )
     yield "The moment of the shear on a pad about its pivot is left out, as in published tables."
     yield (
         "Stiffness and damping are synchronous: pads follow at the frequency of the rotation; viscosity and the "
@@ -205,6 +239,8 @@ def assumptions_of(case: PadCase) -> Iterator[str]:
             f"One temperature for all films; {case.feed.carry_over:.0%} of the oil that leaves a pad over its "
             "trailing edge enters the next; all heat goes with the oil."
         )
+    if case.thermal.is_resolved:
+        yield from thermal_assumptions(case)
 
 
 def missing_of(case: PadCase, values: Mapping[str, float]) -> dict[str, str]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from functools import partial
 
 from babbitt.core.result import Outcome
@@ -16,58 +15,17 @@ from babbitt.design.heat_balance import (
     coolest_equilibrium,
 )
 from babbitt.design.oil import properties_at
-from babbitt.design.pad_heat import HeatBalance, Temperatures, mixed_temperatures
+from babbitt.design.pad_heat import HeatBalance, mixed_temperatures
 from babbitt.kinds.tilting_pad_journal.model import PadCase, Thermal
-from babbitt.reynolds.tilting_pads.solution import TiltingPadSolution
+from babbitt.kinds.tilting_pad_journal.state import PadFilms
+from babbitt.kinds.tilting_pad_journal.thermal_film import thermal_films
 from babbitt.reynolds.tilting_pads.solve import solve_tilting_pads, tilting_pads_at
 
-__all__ = ["PadFilms", "film_at_temperature", "operating_films"]
-
-
-@dataclass(frozen=True, eq=False)
-class PadFilms:
-    """Films of all pads at one effective temperature, SI.
-
-    Attributes
-    ----------
-    temperature, density, viscosity, volumetric_heat_capacity : float
-        Of the oil in the films.
-    relative_clearance : float
-        Machined clearance of the pads over the radius, to which the Reynolds number belongs.
-    solution : TiltingPadSolution
-    fresh_flow : float
-        Oil that the leading edges draw in besides what is carried over, m3/s.
-    temperatures : Temperatures or None
-        Of the mixing between the pads; None where the temperature of the films is given.
-    """
-
-    temperature: float
-    density: float
-    viscosity: float
-    volumetric_heat_capacity: float
-    relative_clearance: float
-    solution: TiltingPadSolution
-    fresh_flow: float
-    temperatures: Temperatures | None
-
-    @property
-    def load(self) -> float:
-        """Force of the films, N."""
-        return self.solution.load
-
-    @property
-    def friction_power(self) -> float:
-        """W."""
-        return self.solution.friction_power
-
-    @property
-    def total_flow(self) -> float:
-        """Fresh oil, m3/s."""
-        return self.fresh_flow
+__all__ = ["film_at_temperature", "operating_films"]
 
 
 def operating_films(case: PadCase) -> Equilibrium[PadFilms]:
-    """Films at the temperature that the case gives, or at which friction and fresh oil balance.
+    """Films at the temperature that the case gives, at which friction and fresh oil balance, or with their own.
 
     Always ends with a status; the films of a pad at its limit are an equilibrium of heat and none of forces.
     """
@@ -78,6 +36,8 @@ def operating_films(case: PadCase) -> Equilibrium[PadFilms]:
         case Thermal.GLOBAL:
             assert case.oil_supply is not None
             found = coolest_equilibrium(film_at, _surplus, case.oil_supply.temperature, COARSE_SEARCH)
+        case Thermal.ADIABATIC | Thermal.FULL:
+            return thermal_films(case)
     if found.film is not None and found.outcome.solved and not found.film.solution.outcome.solved:
         return Equilibrium(found.film.solution.outcome, found.film, found.evaluations, found.last_temperature)
     return found

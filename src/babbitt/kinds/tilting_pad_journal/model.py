@@ -18,16 +18,22 @@ from babbitt.design.conditions import (
 )
 from babbitt.properties.lubricants import Lubricant
 from babbitt.properties.materials import BearingMetal, LoadCharacter
+from babbitt.reynolds.heat.heat_model import JournalHeat
 from babbitt.reynolds.model import DRAFT, ENGINEERING, Resolution
 from babbitt.reynolds.tilting_pads.model import TiltingPad, TiltingPadBearing
+from babbitt.reynolds.tilting_pads.pad_heat import PadBending, PadGrowth, PadWalls
+from babbitt.reynolds.tilting_pads.thermal_pads import THERMAL_PADS
 
-__all__ = ["Accuracy", "Feed", "PadBearing", "PadCase", "Thermal", "WHIRL_RATIOS"]
+__all__ = ["Accuracy", "Feed", "HeatChoices", "PadBearing", "PadCase", "Thermal", "WHIRL_RATIOS"]
 
 WHIRL_RATIOS = (0.2, 0.4, 0.6, 0.8, 1.0, 1.2)
 """Frequencies over the speed at which coefficients are given where the case names none."""
 
 FINE = Resolution(6, 192, tolerance=1e-9)
 """Grid of the accuracy ``reference``, on every pad."""
+
+COARSE_HEAT, FINE_HEAT = Resolution(4, 24), Resolution(4, 192)
+"""Grids of ``draft`` and ``reference`` of films with their own temperatures: within 0.2 K, and 0.03 K."""
 
 
 class Accuracy(Enum):
@@ -42,12 +48,44 @@ class Accuracy(Enum):
         """Grid of the film engine."""
         return {"draft": DRAFT, "engineering": ENGINEERING, "reference": FINE}[self.value]
 
+    @property
+    def thermal_resolution(self) -> Resolution:
+        """Grid of films with their own temperatures."""
+        return {"draft": COARSE_HEAT, "engineering": THERMAL_PADS, "reference": FINE_HEAT}[self.value]
+
 
 class Thermal(Enum):
     """How the temperature of the films is found."""
 
     ISOTHERMAL = "isothermal"
     GLOBAL = "global"
+    ADIABATIC = "adiabatic"
+    FULL = "full"
+
+    @property
+    def is_resolved(self) -> bool:
+        """Whether films have temperatures of their own."""
+        return self in (Thermal.ADIABATIC, Thermal.FULL)
+
+
+@dataclass(frozen=True)
+class HeatChoices:
+    """What takes heat from films with their own temperatures, and what it deforms.
+
+    Attributes
+    ----------
+    journal : JournalHeat or None
+        None: it takes no heat.
+    walls : PadWalls or None
+        None: the pads take no heat.
+    bending : PadBending or None
+    growth : PadGrowth or None
+    """
+
+    journal: JournalHeat | None = None
+    walls: PadWalls | None = None
+    bending: PadBending | None = None
+    growth: PadGrowth | None = None
 
 
 @dataclass(frozen=True)
@@ -123,7 +161,9 @@ class PadCase:
     """One tilting-pad bearing at one operating point with all choices made.
 
     Speed in rad/s, positive counter-clockwise; `load_angle` in rad from +x. With the thermal model `ISOTHERMAL`
-    the films have the `effective_temperature` (K), else it is None and found from friction and fresh oil.
+    the films have the `effective_temperature` (K), else it is None and found from friction and fresh oil; `heat`
+    counts for films with their own temperatures, whose bores at 75 % of a pad `probe_alarm` and `probe_trip` (K)
+    limit.
     `rotor_mass` (kg) is the part of a rotor that this bearing carries, `shaft_stiffness` (N/m) that of the shaft
     between that mass and the journal; None is rigid. Coefficients are given at the `whirl_ratios`, frequencies
     over the speed.
@@ -138,6 +178,7 @@ class PadCase:
     feed: Feed
     oil_supply: OilSupply | None = None
     effective_temperature: float | None = None
+    heat: HeatChoices = HeatChoices()
     load_angle: float = -0.5 * math.pi
     accuracy: Accuracy = Accuracy.ENGINEERING
     whirl_ratios: tuple[float, ...] = WHIRL_RATIOS
@@ -145,6 +186,8 @@ class PadCase:
     shaft_stiffness: float | None = None
     limits: Limits = field(default_factory=Limits)
     least_log_decrement: float | None = None
+    probe_alarm: float | None = None
+    probe_trip: float | None = None
     given: tuple[tuple[str, str], ...] = ()
     assumptions: tuple[str, ...] = ()
     warnings: tuple[Notice, ...] = ()

@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 from babbitt.core.result import Matrix
 from babbitt.design.values import duty_values, limit_values, oil_values
 from babbitt.kinds.tilting_pad_journal.dynamics import PadDynamics, bounded_decrement, swinging
-from babbitt.kinds.tilting_pad_journal.film import PadFilms
 from babbitt.kinds.tilting_pad_journal.margins import PadMargin
 from babbitt.kinds.tilting_pad_journal.model import PadCase
+from babbitt.kinds.tilting_pad_journal.state import PadFilms
 from babbitt.reynolds.tilting_pads.model import TiltingPad
 from babbitt.reynolds.tilting_pads.solution import PadState, PadStatus, TiltingPadSolution
 
@@ -106,7 +106,7 @@ def place_values(case: PadCase, solution: TiltingPadSolution) -> dict[str, float
     """Place of the journal: eccentricity over the assembled clearance, and its angles."""
     x, y = flat(plain(solution.position))
     load_angle = math.atan2(-float(solution.force[1]), -float(solution.force[0]))
-    ratio = solution.eccentricity_ratio
+    ratio = math.hypot(x, y) / case.bearing.assembled_clearance
     shift = math.remainder(case.sense * (math.atan2(y, x) - load_angle), 2.0 * math.pi)
     return {
         "journal_x": x,
@@ -190,7 +190,7 @@ def pad_rows(case: PadCase, solution: TiltingPadSolution) -> dict[str, Matrix]:
         "pad_load": of_states("load"),
         "pad_tilt": [state.position.tilt for state in states],
         "pad_eccentricity_ratio": of_states("eccentricity_ratio"),
-        "pad_film_thickness": [pivot_film(pad, state) for pad, state in zip(pads, states, strict=True)],
+        "pad_film_thickness": [pivot_film(*one) for one in zip(solution.bearing.pads, states, strict=True)],
         "pad_minimum_film_thickness": of_states("minimum_film_thickness"),
         "pad_maximum_pressure": of_states("maximum_pressure"),
         "pad_leading_flow": of_states("inflow"),
@@ -204,7 +204,7 @@ def pad_rows(case: PadCase, solution: TiltingPadSolution) -> dict[str, Matrix]:
 
 
 def pivot_film(pad: TiltingPad, state: PadState) -> float:
-    """Film at the pivot, c_p (1 - eps_p), m."""
+    """Film at the pivot, c_p (1 - eps_p) with the clearance of the pad as it runs, m."""
     return pad.clearance * (1.0 - state.eccentricity_ratio)
 
 

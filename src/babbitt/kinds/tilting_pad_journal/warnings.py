@@ -11,15 +11,18 @@ from babbitt.design.warnings import (
     warnings_about_pressure,
 )
 from babbitt.kinds.tilting_pad_journal.dynamics import LARGEST_FIT_ERROR, PadDynamics
-from babbitt.kinds.tilting_pad_journal.film import PadFilms
 from babbitt.kinds.tilting_pad_journal.margins import NEAR_FLUTTER, PadMargin, loading_preload
 from babbitt.kinds.tilting_pad_journal.model import PadCase
+from babbitt.kinds.tilting_pad_journal.state import PadFilms
 from babbitt.reynolds.tilting_pads.pivots import LineContact
 
 __all__ = ["warnings_of_solution"]
 
 WIDE_CONTACT = 0.05
 """Half width of a line contact over the radius of the pivot beyond which the half-spaces of Hertz end."""
+
+SETTLING = "W146"
+"""Of a balance left open by less than a thousandth."""
 
 OIL_INVENTED_FROM = 0.05
 """Mass balance error above which films that begin anew without oil are told."""
@@ -40,6 +43,7 @@ def warnings_of_solution(
             "fit_error": dynamics.fit.error, "least": float(ratios.min()), "most": float(ratios.max()),
         })  # fmt: skip
     yield from about_supply(case, films)
+    yield from about_carry_over(case, films)
     yield from about_laminar_films(values)
     yield from about_contacts(films)
     if films.solution.indifferent:
@@ -54,7 +58,14 @@ def warnings_of_solution(
         yield Notice("W107", "pads", {
             "effective_temperature": films.temperature, "lubricant": case.lubricant.name,
         })  # fmt: skip
-    yield from warnings_about_heat_balance(values.get("energy_balance_error", 0.0))
+    yield from about_heat_balance(films, values)
+
+
+def about_heat_balance(films: PadFilms, values: Mapping[str, float]) -> Iterator[Notice]:
+    """A heat balance left open; that of films with their own temperatures never closes to round-off."""
+    for one in warnings_about_heat_balance(values.get("energy_balance_error", 0.0)):
+        if films.thermal is None or one.code != SETTLING:
+            yield one
 
 
 def about_unloaded_pads(films: PadFilms, margins: tuple[PadMargin, ...]) -> Iterator[Notice]:
@@ -82,6 +93,14 @@ def about_supply(case: PadCase, films: PadFilms) -> Iterator[Notice]:
     if given is not None and given < films.fresh_flow:
         over = case.feed.carry_over
         yield Notice("W405", values={"given": given, "wanted": films.fresh_flow, "carry_over": over})
+
+
+def about_carry_over(case: PadCase, films: PadFilms) -> Iterator[Notice]:
+    """Pads that are brought more hot oil than they take."""
+    pads = () if films.thermal is None else films.thermal.temperatures
+    capped = tuple(number for number, pad in enumerate(pads, 1) if pad.is_capped)
+    if capped:
+        yield Notice("W404", values={"pads": capped, "carry_over": case.feed.carry_over})
 
 
 def about_laminar_films(values: Mapping[str, float]) -> Iterator[Notice]:

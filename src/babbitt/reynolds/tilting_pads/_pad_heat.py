@@ -1,12 +1,15 @@
 """Kernels: temperatures of the films of tilting pads, of the oil between them, and of the journal.
 
-The energy equation is linear. With the flows as they are, the temperatures of a pad are those without warm
-surroundings, plus T_in times those for oil that enters at 1 K, plus T_J times those for a journal at 1 K and
-nothing else warm: three states of one matrix. Balances of the oil between the pads and of the journal then give
-all T_in and T_J at once, exactly.
+The energy equation is linear. With the flows as they are, the temperatures of a pad are those in surroundings at
+0 K, plus T_in times those for oil that enters at 1 K, plus T_J times those for a journal at 1 K, all else at 0 K.
 
 A pad meets its film at a conductance alpha on both sides (Robin): the film knows T_pad - q/alpha of the last pass,
-the pad q + alpha T_film of this one. Where both agree alpha is out of it.
+the pad q + alpha T_film of this one. Where both agree alpha is out of it. What is uneven along a pad comes to rest
+in few passes. The level of a whole pad would not where films and pads take little heat compared with alpha, as in
+slow bearings: the fourth state is that of T_pad - q/alpha raised by 1 K.
+
+Four states of one matrix then. Balances of the oil between the pads, of the journal and of the heat of every pad
+give all T_in, T_J and these levels at once, exactly.
 """
 
 from __future__ import annotations
@@ -29,6 +32,7 @@ Array = NDArray[float64]
 MOST_SWEEPS = 60  # of a pad in which oil flows back
 SWEPT = 1e-10  # change of a state at 1 K that ends them
 LEADING, TRAILING, BACK = range(3)
+STATES = 4  # sources alone, oil at 1 K, journal at 1 K, T_pad - q/alpha raised by 1 K
 
 
 class Oil(NamedTuple):
@@ -54,6 +58,8 @@ class WallState(NamedTuple):
     exchange: float  # alpha, W/(m2 K)
     answer: Array  # bore temperature over q + alpha T of the film, (pads, n + 1, n + 1), K m2/W
     given: Array  # bore temperature over that of leading edge, trailing edge and back, (pads, n + 1, 3)
+    answer_mean: Array  # mean of answer along the bore, that of the leading edge with the next, (pads, n + 1)
+    given_mean: Array  # mean of given along the bore, (pads, 3)
     back: float  # temperature behind the pads, K
     bore: Array  # temperature, K, (lines,)
     flux: Array  # into the bore, W/m2, (lines,)
@@ -66,17 +72,25 @@ class Temperatures(NamedTuple):
     viscosity: Array
     temperature: Array  # of the cells, K
     on_lines: Array  # K
-    states: Array  # sources alone, oil at 1 K, journal at 1 K, (lines, layers, 3)
+    states: Array  # (lines, layers, STATES)
     inlet: Array  # temperature of the oil that enters every pad, K, (pads,)
     capped: NDArray[bool_]  # whether a pad is brought more than it takes, (pads,)
 
 
 @compiled
 def prepare_films(pads, ring, columns, flows, films, fresh, part):
-    """Coefficients of the films for viscosities of which ``part`` is ``fresh``."""
+    """Coefficients of the films for viscosities of which ``part`` is ``fresh``.
+
+    Returns the largest share by which they still differ from that.
+    """
     relax_viscosity(columns, fresh, films.viscosity, part)
     spread_viscosity(ring, columns, films.viscosity, flows)
     take_viscosity(pads, ring)
+    behind = 0.0
+    for i in range(fresh.shape[0]):
+        for n in range(fresh.shape[2]):
+            behind = max(behind, abs(fresh[i, 0, n] / films.viscosity[i, 0, n] - 1.0))
+    return behind
 
 
 @compiled
@@ -95,7 +109,7 @@ def heat_pads(axial, pads, grid, places, ring, columns, flows, cells, oil, walls
     rows = grid.step.shape[1] + 1
     for k in range(pads.kappa.size):
         sweep_pad(columns, flows, cells, walls, k * rows, rows, films.states)
-    change = balance_grooves(columns, flows, cells, oil, walls, rows, films)
+    change = balance_grooves(ring, columns, flows, cells, oil, walls, rows, films)
     if walls.pads_open:
         change = max(change, answer_pads(ring, cells, oil, walls, rows, films))
     return change
@@ -109,7 +123,7 @@ def sweep_pad(columns, flows, cells, walls, first, rows, states):
     """
     layers = len(columns.layers)
     last = first + rows - 1
-    right = np.empty((layers, 3))
+    right = np.empty((layers, STATES))
     states[first] = 0.0
     states[first, :, 1] = 1.0
     backward = False
@@ -122,12 +136,13 @@ def sweep_pad(columns, flows, cells, walls, first, rows, states):
             behind = min(i + 1, last)
             for k in range(layers):
                 west, east = cells.west[i, 0, k], cells.east[i, 0, k]
-                for s in range(3):
+                for s in range(STATES):
                     right[k, s] = west * states[i - 1, k, s] + east * states[behind, k, s]
                 right[k, 0] += cells.heat[i, 0, k]
                 right[k, 1] += max(-flows.leak[i, 0], 0.0) * flows.pressure_profile[i, 0, k]
             right[0, 0] += cells.bush[i, 0] * walls.datum[i]
             right[layers - 1, 2] += cells.journal[i, 0]
+            right[0, 3] += cells.bush[i, 0]
             change = max(change, take_layers(cells, i, layers, right, states))
         if not backward or change < SWEPT:
             break
@@ -138,18 +153,18 @@ def take_layers(cells, i, layers, right, states):
     """Solve the layers of a line; returns the largest change of a state at 1 K."""
     for k in range(1, layers):
         factor = cells.factor[i, 0, k]
-        for s in range(3):
+        for s in range(STATES):
             right[k, s] -= factor * right[k - 1, s]
     change = 0.0
     for k in range(layers - 1, -1, -1):
         pivot, high = cells.pivot[i, 0, k], cells.high[i, 0, k]
-        for s in range(3):
+        for s in range(STATES):
             value = pivot * right[k, s]
             if k < layers - 1:
                 value -= high * right[k + 1, s]
             right[k, s] = value
         change = max(change, abs(right[k, 1] - states[i, k, 1]))
-        for s in range(3):
+        for s in range(STATES):
             states[i, k, s] = right[k, s]
     return change
 
@@ -163,16 +178,17 @@ def edge_flow(flows, r, k):
 
 
 @inner
-def balance_grooves(columns, flows, cells, oil, walls, rows, films):
-    """Temperatures of the oil that enters every pad and of the journal, and with them of all films.
+def balance_grooves(ring, columns, flows, cells, oil, walls, rows, films):
+    """Temperatures of the oil that enters every pad, of the journal and of the pads, and with them of all films.
 
     As ``_heat_cells.mix``: of the oil brought to a groove, by the pad in front and by what flows back, the share
     that is carried over enters, and fresh oil for what is missing. Returns the largest change, K.
     """
     count, layers, states = films.inlet.size, len(columns.layers), films.states
-    matrix, right = np.zeros((count + 1, count + 1)), np.zeros(count + 1)
+    matrix, right = np.eye(2 * count + 1), np.zeros(2 * count + 1)
     for k in range(count):
         b, first = oil.previous[k], k * rows
+        matrix[k, k] = 0.0
         last = b * rows + rows - 1
         brought, taken = 0.0, 0.0
         for i in range(first + 1, first + rows):
@@ -183,6 +199,7 @@ def balance_grooves(columns, flows, cells, oil, walls, rows, films):
             right[k] += oil.carry_over * phi * states[last, n, 0]
             matrix[k, b] -= oil.carry_over * phi * states[last, n, 1]
             matrix[k, count] -= oil.carry_over * phi * states[last, n, 2]
+            matrix[k, count + 1 + b] -= oil.carry_over * phi * states[last, n, 3]
             phi = oil.share[k] * edge_flow(flows, first, n)
             if phi >= 0.0:
                 taken += phi
@@ -191,6 +208,7 @@ def balance_grooves(columns, flows, cells, oil, walls, rows, films):
             right[k] -= oil.carry_over * phi * states[first + 1, n, 0]
             matrix[k, k] += oil.carry_over * phi * states[first + 1, n, 1]
             matrix[k, count] += oil.carry_over * phi * states[first + 1, n, 2]
+            matrix[k, count + 1 + k] += oil.carry_over * phi * states[first + 1, n, 3]
         kept = oil.carry_over * brought
         films.capped[k] = kept > taken
         added = max(taken - kept, 0.0)
@@ -198,7 +216,8 @@ def balance_grooves(columns, flows, cells, oil, walls, rows, films):
             added = 1.0
         matrix[k, k] += kept + added
         right[k] += added * oil.fresh
-    matrix[count, count] = 1.0
+        if walls.pads_open:
+            pad_balance(ring, cells, oil, walls, k, rows, films, matrix, right)
     right[count] = walls.journal[0]
     if walls.journal_open and not walls.journal_given:
         journal_balance(cells, oil, walls, rows, films, matrix[count], right)
@@ -220,6 +239,47 @@ def journal_balance(cells, oil, walls, rows, films, row, right):
             right[count] -= conduct * films.states[i, top, 0]
             row[k] += conduct * films.states[i, top, 1]
             row[count] += conduct * (films.states[i, top, 2] - 1.0)
+            row[count + 1 + k] += conduct * films.states[i, top, 3]
+
+
+@inlined
+def pad_balance(ring, cells, oil, walls, k, rows, films, matrix, right):
+    """A pad takes on the whole what its film gives: D' = D + d, q of the film, and mean(q) = mean(q_pad) with
+
+    q_pad = q + alpha (q/alpha + D' - T_pad), T_pad = answer (2 q + alpha D') + given T_around, over alpha.
+    """
+    count, first, alpha = films.inlet.size, k * rows, walls.exchange
+    level = count + 1 + k
+    matrix[level, level] = 0.0
+    for i in range(1, rows):
+        r = first + i
+        share = 0.5 * (ring.step[r - 1] + ring.step[r]) / (0.5 * ring.step[first] * (rows - 1))
+        of_flux = share / alpha - 2.0 * walls.answer_mean[k, i]
+        of_datum = share - alpha * walls.answer_mean[k, i]
+        conduct = of_flux * film_conductance(ring, cells, oil, r)
+        s = films.states[r, 0]
+        right[level] -= conduct * (s[0] - walls.datum[r]) + of_datum * walls.datum[r]
+        matrix[level, k] += conduct * s[1]
+        matrix[level, count] += conduct * s[2]
+        matrix[level, level] += conduct * (s[3] - 1.0) + of_datum
+    matrix[level, k] -= walls.given_mean[k, LEADING]
+    matrix[level, follower(oil, k)] -= walls.given_mean[k, TRAILING]
+    right[level] += walls.given_mean[k, BACK] * walls.back
+
+
+@inlined
+def film_conductance(ring, cells, oil, r):
+    """Between a cell next to the pad and T_pad - q/alpha, W/(m2 K)."""
+    return cells.bush[r, 0] * oil.wall_heat / (0.5 * (ring.step[r - 1] + ring.step[r]))
+
+
+@inlined
+def follower(oil, k):
+    """The pad behind pad k in the sense of rotation."""
+    for b in range(oil.previous.size):
+        if oil.previous[b] == k:
+            return b
+    return 0
 
 
 @inlined
@@ -229,16 +289,17 @@ def take_temperatures(cells, flows, oil, walls, rows, films, solution):
     journal, taken = solution[count], 0.0
     change = abs(journal - walls.journal[0])
     for k in range(count):
-        inlet = solution[k]
+        inlet, level = solution[k], solution[count + 1 + k]
         change = max(change, abs(inlet - films.inlet[k]))
         films.inlet[k] = inlet
         for i in range(k * rows, (k + 1) * rows):
             for n in range(layers):
                 s = films.states[i, n]
-                value = s[0] + inlet * s[1] + journal * s[2]
+                value = s[0] + inlet * s[1] + journal * s[2] + level * s[3]
                 change = max(change, abs(value - films.temperature[i, 0, n]) * flows.fill[i, 0])
                 films.temperature[i, 0, n] = value
             taken += oil.share[k] * cells.journal[i, 0] * (films.temperature[i, 0, layers - 1] - journal)
+            walls.datum[i] += level
         temperatures_on_lines(films, k * rows, rows)
     walls.journal[0], walls.journal[1] = journal, taken * oil.flow_heat
     return change
@@ -269,14 +330,10 @@ def answer_pads(ring, cells, oil, walls, rows, films):
     asked = np.empty(rows)
     for k in range(count):
         first = k * rows
-        trailing = films.inlet[0]
-        for b in range(count):
-            if oil.previous[b] == k:
-                trailing = films.inlet[b]
+        trailing = films.inlet[follower(oil, k)]
         for i in range(1, rows):
             r = first + i
-            width = 0.5 * (ring.step[r - 1] + ring.step[r])
-            film = cells.bush[r, 0] * (films.temperature[r, 0, 0] - walls.datum[r]) * oil.wall_heat / width
+            film = film_conductance(ring, cells, oil, r) * (films.temperature[r, 0, 0] - walls.datum[r])
             asked[i] = 2.0 * film + alpha * walls.datum[r]  # q + alpha T at the wall of the film
         asked[0] = asked[1]
         for i in range(rows):

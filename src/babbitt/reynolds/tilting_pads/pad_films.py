@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from copy import deepcopy
 from dataclasses import dataclass, field
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,12 +16,15 @@ from babbitt.reynolds.heat._heat_cells import Cells, new_cells
 from babbitt.reynolds.heat._heat_flows import Columns, Flows, new_flows
 from babbitt.reynolds.heat.heat_model import HeatGrid, JournalHeat
 from babbitt.reynolds.lands.operators import kernel_operator
+from babbitt.reynolds.lands.profiles import common_profiles
 from babbitt.reynolds.model import Resolution
 from babbitt.reynolds.tilting_pads._pad_flows import NARROWEST, PAD_TOTALS, PadRing
-from babbitt.reynolds.tilting_pads._pad_heat import Oil, Temperatures, WallState, heat_pads, prepare_films
-from babbitt.reynolds.tilting_pads._pads import CLOSED, CONVERGED, STUCK, find_pads
+from babbitt.reynolds.tilting_pads._pad_heat import STATES, Oil, Temperatures, WallState, heat_pads, prepare_films
+from babbitt.reynolds.tilting_pads._pad_steps import step_pads
+from babbitt.reynolds.tilting_pads._pads import CLOSED, CONVERGED, LIMIT, STUCK, find_pads
 from babbitt.reynolds.tilting_pads._place import new_places, pads_at
 from babbitt.reynolds.tilting_pads._structs import PadPlaces, Pads
+from babbitt.reynolds.tilting_pads._tilt import AT_LIMIT
 from babbitt.reynolds.tilting_pads.model import TiltingPadBearing
 from babbitt.reynolds.tilting_pads.pad_bending import bending_matrices
 from babbitt.reynolds.tilting_pads.pad_conduction import SURROUNDINGS, PadConduction, pad_conduction
@@ -37,7 +41,10 @@ WALL_EXCHANGE = 4.0
 """Conductance at which pads and films meet, over k/c_p of the oil. Only the number of passes depends on it."""
 USUAL_LAYERS = 8
 """Number of layers that the compiler knows."""
-DEFORMATION_STEP, LARGEST_STEP = 0.6, 0.1
+OPENED = 1.5
+"""Times the widening of a pad on a centred pivot that its journal must be behind the middle for the pad to be
+taken as unloaded unseen. A pad that widens evenly by g carries down to e = -g."""
+DEFORMATION_STEP, LARGEST_STEP = 0.8, 0.1
 """Share of a new deformation that a pass takes, and its largest step over the smallest gap."""
 
 
@@ -61,9 +68,10 @@ class PadFilms:
     """Films of all pads in the units of the kernels; changed in place from pass to pass.
 
     ``conduction`` and ``bending`` are those of every pad, empty where none is asked for. ``profiles`` and
-    ``clearances`` are those of the bearing without bending and growth, ``bent`` (pads, n + 1) what bending adds to
-    the one, ``grown`` (pads,) what growth takes from the other, over the unit of length. ``share`` is the part of
-    the growth that is taken, ``solved`` the number of solutions of the film of a pad.
+    ``clearances`` are those of the bearing without bending and growth, ``bent`` (pads, n + 1) what bending adds
+    to the one, ``grown`` (pads,) what growth takes from the other, over the unit of length. ``unloaded`` is the e
+    below which pads that ``can_unload`` unseen do so. ``share`` is the part of the growth that is taken,
+    ``solved`` the number of solutions of the film of a pad.
     """
 
     bearing: TiltingPadBearing
@@ -88,6 +96,8 @@ class PadFilms:
     grown: Array
     total: Array = field(default_factory=no_total)
     totals: Array = field(default_factory=lambda: np.zeros((0, PAD_TOTALS)))
+    can_unload: NDArray[np.bool_] = field(default_factory=lambda: np.zeros(0, dtype=bool))
+    unloaded: float | Array = -math.inf
     share: float = 1.0
     passes: int = 0
     solved: int = 0
@@ -106,32 +116,38 @@ class PadFilms:
         start = heat.supply_temperature + GUESSED_RISE
         films = Temperatures(
             np.ones((rows, 1, layers)), np.full((rows, 1, layers), start), np.full((rows, 1, layers), start),
-            np.zeros((rows, layers, 3)), np.full(count, heat.supply_temperature), np.zeros(count, dtype=bool),
+            np.zeros((rows, layers, STATES)), np.full(count, heat.supply_temperature), np.zeros(count, dtype=bool),
         )  # fmt: skip
         oil = oil_of(bearing, heat, scales)
         conduction = conduction_of(bearing, heat, n)
         pads = kernel_pads(bearing, scales)
-        profiles = resampled(pads.bearing.profiles, n + 1 if heat.bending is not None else 0)
+        straight, profiles, centred = heat.bending is None, pads.bearing.profiles, pads.centred
+        if not straight:
+            profiles = common_profiles([*profiles, np.zeros(n + 1)])[:-1]
         pads = pads._replace(
             bearing=pads.bearing._replace(profiles=profiles), fluidity=np.ones((count, n)),
-            drag=np.ones((count, n)), centred=pads.centred & (heat.bending is None),
-            plain=pads.plain & (heat.bending is None),
+            drag=np.ones((count, n)), centred=centred & straight, plain=pads.plain & straight,
         )  # fmt: skip
         return cls(
             bearing, heat, resolution, scales, kernel_operator(resolution.axial_unknowns), pads, new_places(pads),
             ring_of(bearing, n), columns, flows, new_cells(rows, 1, layers), oil,
             walls_of(bearing, heat, conduction, rows, start), films, conduction, bending_of(bearing, heat, n),
             profiles.copy(), pads.bearing.lands[:, CLEARANCE].copy(), np.zeros((count, n + 1)), np.zeros(count),
-            totals=np.zeros((count, PAD_TOTALS)),
+            totals=np.zeros((count, PAD_TOTALS)), can_unload=centred,
         )  # fmt: skip
 
-    def prepare(self, part: float) -> None:
-        """Coefficients of the films at their temperatures; ``part`` of a new viscosity is taken, by logarithms."""
+    def prepare(self, part: float) -> float:
+        """Coefficients of the films at their temperatures; ``part`` of a new viscosity is taken, by logarithms.
+
+        Returns the largest share by which viscosities still differ from those of the temperatures.
+        """
         fresh = np.asarray(self.heat.viscosity(self.films.on_lines)) / self.bearing.viscosity
         part = 1.0 if self.passes == 0 else part
-        prepare_films(self.pads, self.ring, self.columns, self.flows, self.films, fresh, part)
-        self.places.unloaded_below[:] = -np.inf
+        behind = prepare_films(self.pads, self.ring, self.columns, self.flows, self.films, fresh, part)
+        self.places.unloaded_below[:] = self.unloaded
+        self.places.fold[:] = np.nan
         self.places.films[0] = 0
+        return float(behind)
 
     def carry(self, load: Array, start: Array, tolerance: float, most: int) -> Placement:
         """Equilibrium of journal and pads at the viscosity as it is."""
@@ -143,6 +159,18 @@ class PadFilms:
         residual = math.hypot(self.total[0] + load[0], self.total[1] + load[1])
         return Placement(np.array([x, y]), int(status), int(steps), bool(indifferent), residual, grid)
 
+    def follow(self, load: Array, last: Placement, tolerance: float, most: int) -> Placement:
+        """Equilibrium at a viscosity that has changed a little since the last one, in short steps if they do."""
+        x, y, steps, found = step_pads(
+            self.axial, self.pads, last.grid, load[0], load[1], last.at[0], last.at[1], tolerance, self.places,
+            self.total,
+        )  # fmt: skip
+        if not found:
+            return self.carry(load, last.at, tolerance, most)
+        self.solved += int(self.places.films[0])
+        residual = math.hypot(self.total[0] + load[0], self.total[1] + load[1])
+        return Placement(np.array([x, y]), CONVERGED, steps, last.indifferent, residual, last.grid)
+
     def place(self, at: Array) -> Placement:
         """Pads around a journal at a place, at the viscosity as it is."""
         is_open, is_found, grid = pads_at(
@@ -150,6 +178,8 @@ class PadFilms:
         )
         self.solved += int(self.places.films[0])
         status = CONVERGED if is_found else STUCK
+        if is_found and AT_LIMIT in self.places.status:
+            status = LIMIT
         return Placement(at, status if is_open else CLOSED, 0, False, 0.0, grid)
 
     def heat_up(self, placement: Placement) -> float:
@@ -195,8 +225,18 @@ class PadFilms:
         self.bent += part * bend
         self.pads.bearing.lands[:, CLEARANCE] = self.clearances - self.grown
         if self.bending:
-            self.pads.bearing.profiles[:] = self.profiles + self.bent
+            self.unloaded = np.where(self.can_unload, -OPENED * self.opening(), -np.inf)
+            self.pads.bearing.profiles[:] = self.profiles + on_samples(self.bent, self.profiles.shape[1])
         return change / smallest
+
+    def opening(self) -> Array:
+        """Radius g by which the bore of every pad widens at most, w <= g (1 - cos phi), shape (pads,)."""
+        widest = np.empty(len(self.bearing.pads))
+        for k, pad in enumerate(self.bearing.pads):
+            phi = pad.extent * (np.linspace(0.0, 1.0, self.bent.shape[1]) - pad.pivot_fraction)
+            edge = np.abs(phi) > 0.1 * pad.extent
+            widest[k] = float((self.bent[k, edge] / (1.0 - np.cos(phi[edge]))).max())
+        return np.maximum(widest, 0.0)
 
     def growths(self, drives: Array) -> Array:
         """How much narrower the gap of every pad is by growth of pad and journal, less that of the housing.
@@ -302,9 +342,12 @@ def walls_of(
     exchange = WALL_EXCHANGE * heat.conductivity / min(pad.clearance for pad in bearing.pads)
     answer, given = np.zeros((count, lines, lines)), np.zeros((count, lines, SURROUNDINGS))
     for k, one in enumerate(conduction):
-        matrix = np.eye(lines) + exchange * one.bore[:, :lines]
-        solved = np.linalg.solve(matrix, one.bore)
+        solved = met_at(one, exchange)
         answer[k], given[k] = solved[:, :lines], solved[:, lines:]
+    share = np.full(lines, 1.0 / (lines - 1))
+    share[[0, -1]] *= 0.5
+    answer_mean = share @ answer
+    answer_mean[:, 1] += answer_mean[:, 0]
     back = supply if heat.walls is None or heat.walls.back_temperature is None else heat.walls.back_temperature
     return WallState(
         journal=np.array([
@@ -312,16 +355,23 @@ def walls_of(
             journal.ambient_temperature,
         ]),
         journal_open=heat.journal is not None, journal_given=journal.temperature is not None,
-        pads_open=bool(conduction), exchange=exchange, answer=answer, given=given, back=back,
+        pads_open=bool(conduction), exchange=exchange, answer=answer, given=given, answer_mean=answer_mean,
+        given_mean=share @ given, back=back,
         bore=np.full(rows, start), flux=np.zeros(rows), datum=np.full(rows, start),
     )  # fmt: skip
 
 
-def resampled(profiles: Array, samples: int) -> Array:
-    """Profiles with at least as many samples as lines, where bending adds to them."""
-    if samples <= profiles.shape[1]:
-        return profiles
-    if profiles.shape[1] < 2:
-        return np.zeros((profiles.shape[0], samples))
-    new, old = np.linspace(0.0, 1.0, samples), np.linspace(0.0, 1.0, profiles.shape[1])
-    return np.array([np.interp(new, old, row) for row in profiles])
+@lru_cache(maxsize=64)
+def met_at(conduction: PadConduction, exchange: float) -> Array:
+    """Bore temperature over q + alpha T, and over the surroundings, as `PadConduction.bore`."""
+    lines = conduction.bore.shape[0]
+    matrix = np.eye(lines) + exchange * conduction.bore[:, :lines]
+    return np.asarray(np.linalg.solve(matrix, conduction.bore))
+
+
+def on_samples(bent: Array, samples: int) -> Array:
+    """Bending at the lines on the samples of the bores, straight between lines."""
+    if bent.shape[1] == samples:
+        return bent
+    lines, places = np.linspace(0.0, 1.0, bent.shape[1]), np.linspace(0.0, 1.0, samples)
+    return np.array([np.interp(places, lines, row) for row in bent])

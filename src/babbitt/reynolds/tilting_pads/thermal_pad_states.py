@@ -28,8 +28,8 @@ __all__ = ["Settled", "thermal_solution"]
 Array = NDArray[np.float64]
 
 BARELY_LOADED = 1e-3
-"""Share of the force of all films below which a pad counts as at its limit: warm oil alone may carry that much,
-more or less of it with the layers of the film."""
+"""Share of the force of all films below which a pad counts as at its limit: the heat of the oil alone may carry
+that much, more or less of it with the layers of the film."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -120,8 +120,8 @@ def oil_enthalpy(films: PadFilms) -> tuple[float, float]:
         brought_heat[k] += back @ above[first + 1]
         leak, lines = films.flows.leak[first + 1 : last + 1, 0], slice(first + 1, last + 1)
         taken[k] = np.maximum(entering, 0.0).sum() + width * np.maximum(-leak, 0.0).sum()
-        warm = (films.flows.pressure_profile[lines, 0] * above[lines]).sum(axis=1)
-        enthalpy += width * float(np.maximum(leak, 0.0) @ warm)
+        carried = (films.flows.pressure_profile[lines, 0] * above[lines]).sum(axis=1)
+        enthalpy += width * float(np.maximum(leak, 0.0) @ carried)
     kept = films.oil.carry_over * brought
     enthalpy += float((brought_heat - taken * (films.films.inlet - fresh)).sum())
     added = float(np.maximum(taken - kept, 0.0).sum())

@@ -18,7 +18,7 @@ from babbitt.core.notices import InputError
 from babbitt.core.result import Outcome
 from babbitt.reynolds.lands._equilibrium import THINNEST
 from babbitt.reynolds.model import Resolution
-from babbitt.reynolds.tilting_pads._pads import CLOSED
+from babbitt.reynolds.tilting_pads._pads import CLOSED, CONVERGED, LIMIT
 from babbitt.reynolds.tilting_pads.model import TiltingPadBearing
 from babbitt.reynolds.tilting_pads.pad_films import PadFilms
 from babbitt.reynolds.tilting_pads.pad_heat import PadHeat
@@ -36,10 +36,16 @@ RELAXATIONS = (0.8, 0.4, 0.2)
 """Shares of a new viscosity that a pass takes, in one attempt after the other."""
 SETTLED, SHAPED = 5e-3, 3e-4
 """Largest change of temperature in a pass, K, and of a pad's shape over the smallest gap, at which they rest."""
-MOST_PASSES = 60
-LOOSE, FINE = 1e-3, 1e-4
+MOST_PASSES, GROWING_PASSES = 100, 40
+"""Of an attempt, and of one with a little more growth."""
+LOOSE, FINE = 1e-2, 1e-4
 """Residual force over load in the first pass, and behind one whose temperatures change by a kelvin or more; less
 in proportion."""
+THINNING = 0.04
+"""Share by which oils thin in a kelvin, about: viscosities that differ from those of the temperatures count as
+changes of temperature."""
+SMALL_CHANGE = 15.0
+"""Change of temperature in a pass, K, behind which the journal needs no search."""
 PATIENT, SWING = 25, 0.3
 """Passes from which on temperatures may swing, and by how much, K."""
 CAREFUL = 0.4
@@ -48,9 +54,15 @@ FIRST_SHARE, LEAST_SHARE = 0.25, 0.02
 """Of the growth: the first step, and that at which no more is tried."""
 MOST_STEPS = 100
 """Of the journal in one pass."""
-MOST_FILMS = 100_000
-"""Solutions of the film of a pad in one attempt: about a second."""
-ENDS = (Outcome.CONVERGED, Outcome.PAD_AT_LIMIT, Outcome.OUTSIDE_CLEARANCE, Outcome.WORK_BOUND)
+NEARER, IN_VAIN = 0.7, 10
+"""Share of the least change of temperature that counts as nearer, and passes in a row that bring it no nearer,
+after which an attempt is given up."""
+HELD = 6
+"""Passes in a row with a pad at its limit, behind which temperatures may change by `SWING`: each takes thousands
+of films."""
+MOST_FILMS = 40_000
+"""Solutions of the film of a pad in one attempt: about 0.3 s."""
+ENDS = (Outcome.CONVERGED, Outcome.PAD_AT_LIMIT, Outcome.OUTSIDE_CLEARANCE)
 """What smaller steps would not change."""
 
 
@@ -143,7 +155,7 @@ def grow(failed: Settled, load: Array | None, at: Array) -> Settled:
     while best.outcome.solved and share < 1.0 and step >= LEAST_SHARE:
         trial = best.films.copied()
         trial.share = min(share + step, 1.0)
-        found = settle(trial, load, best.placement.at, CAREFUL)
+        found = settle(trial, load, best.placement.at, CAREFUL, GROWING_PASSES)
         passes += found.passes
         if found.outcome.solved:
             best, share, step = found, trial.share, 1.5 * step
@@ -154,32 +166,42 @@ def grow(failed: Settled, load: Array | None, at: Array) -> Settled:
     return replace(best, passes=passes)
 
 
-def settle(films: PadFilms, load: Array | None, at: Array, part: float) -> Settled:
+def settle(films: PadFilms, load: Array | None, at: Array, part: float, most: int = MOST_PASSES) -> Settled:
     """Passes until temperatures, shapes and journal rest.
 
     Where the end of a film jumps from node to node for ever, temperatures next to it swing; they are let be once
-    they only swing, by less than `SWING`.
+    they only swing, by less than `SWING`. So are they where a pad stays at its limit.
     """
-    tolerance, rises = LOOSE, np.zeros_like(films.films.temperature)
-    for passes in range(1, MOST_PASSES + 1):
-        films.prepare(part)
+    tolerance, change, rises = LOOSE, math.inf, np.zeros_like(films.films.temperature)
+    nearest, reached, held = math.inf, 0, 0
+    for passes in range(1, most + 1):
+        behind = films.prepare(part) / THINNING
         if load is None:
             placement = films.place(at)
         else:
-            placement = films.carry(load, at, max(films.resolution.tolerance, tolerance), MOST_STEPS)
+            asked = max(films.resolution.tolerance, tolerance)
+            if change < SMALL_CHANGE and placement.status == CONVERGED:
+                placement = films.follow(load, placement, asked, MOST_STEPS)
+            else:
+                placement = films.carry(load, at, asked, MOST_STEPS)
             at = placement.at
         if placement.status == CLOSED:
             return Settled(films, placement, Outcome.OUTSIDE_CLEARANCE, passes)
         if films.solved > MOST_FILMS:
             return Settled(films, placement, Outcome.WORK_BOUND, passes)
         before = films.films.temperature.copy()
-        change = films.heat_up(placement)
+        change = max(films.heat_up(placement), behind)
         if not math.isfinite(change) or films.gap() < THINNEST:
             break
         shaped, last = films.deform(placement.grid), rises
         rises = films.films.temperature - before
         swings = passes > PATIENT and float(np.vdot(rises, last)) < 0.0
-        if change < (SWING if swings else SETTLED) and shaped < SHAPED:
+        held = held + 1 if placement.status == LIMIT else 0
+        if change < (SWING if swings or held >= HELD else SETTLED) and shaped < SHAPED:
             return Settled(films, placement, OUTCOMES.get(placement.status, Outcome.NOT_CONVERGED), passes)
         tolerance = FINE * min(change, 1.0)
+        if change < NEARER * nearest:
+            nearest, reached = change, passes
+        elif nearest > SWING and passes - reached > IN_VAIN:
+            break
     return Settled(films, placement, Outcome.NOT_CONVERGED, passes)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 from pydantic import Field
 
 from babbitt.case.part import Issue, Part, is_given, rule
+from babbitt.case.parts.walls import ConductingJournalInput, Conductivity, HeatTransfer, Surroundings
 from babbitt.core.units import si, written
 from babbitt.kinds.journal.case.film_features import GrooveInput
 
@@ -29,10 +30,7 @@ AxialTemperatureInput = Literal["mean", "resolved"]
 CoefficientsInput = Literal["frozen", "following"]
 
 CarryOverInput = Annotated[float, si("1", "0", "1")]
-Conductivity = Annotated[float, si("W/(m K)", "0.01 W/(m K)", "1000 W/(m K)")]
 OuterDiameter = Annotated[float, si("m", "1 mm", "10 m")]
-HeatTransfer = Annotated[float, si("W/(m2 K)", "0 W/(m2 K)", "100000 W/(m2 K)")]
-Surroundings = Annotated[float, si("K", "-60 degC", "200 degC")]
 
 BUSH_OVER_BORE = 1.25
 """Outside diameter of the bush over that of the bore where it is not given: an assumption."""
@@ -85,28 +83,6 @@ class ConductingHousingInput(Part):
     ambient_temperature: Surroundings | None = Field(
         None, description="Of the air around the housing. That of cooling, or 20 degC, if not given."
     )
-
-
-class ConductingJournalInput(Part):
-    """The journal, which has one temperature."""
-
-    example: ClassVar[str] = "{shaft_conductance: 2 W/K, ambient_temperature: 40 degC}"
-
-    temperature: Annotated[float, si("K", "-30 degC", "290 degC")] | None = Field(
-        None, description="Prescribed temperature. Found from its heat balance if not given."
-    )
-    shaft_conductance: Annotated[float, si("W/K", "0 W/K", "10000 W/K")] = Field(
-        0.0, description="Conductance from the journal along the shaft to its surroundings. 0: none leaves."
-    )
-    ambient_temperature: Surroundings | None = Field(
-        None, description="Of the surroundings of the shaft. That around the housing if not given."
-    )
-
-    @rule
-    def _balance_or_temperature(self) -> Iterator[Issue]:
-        if self.temperature is not None and is_given(self, "shaft_conductance"):
-            says = "a prescribed journal temperature needs no balance with the shaft"
-            yield Issue(("shaft_conductance",), says, "temperature or shaft_conductance", "remove one")
 
 
 class WallsInput(Part):

@@ -13,7 +13,6 @@ from babbitt.case.case_file import CaseFile
 from babbitt.case.part import Issue, Part, exactly_one, is_given, rule
 from babbitt.case.parts.fields import Name, Prose
 from babbitt.case.parts.lubricant import LubricantInput
-from babbitt.case.parts.materials import MetalInput
 from babbitt.case.parts.position import PositionInput
 from babbitt.case.parts.supply import GaugePressure, OilTemperature, SupplyFlow
 from babbitt.case.parts.surfaces import SurfacesInput
@@ -21,14 +20,19 @@ from babbitt.core.solution import Calculation
 from babbitt.core.units import either_sense, si
 from babbitt.design.conditions import Limits
 from babbitt.kinds.tilting_pad_journal.case import rules
+from babbitt.kinds.tilting_pad_journal.case.heat import (
+    PadJournalWalls,
+    ReferenceTemperature,
+    heat_goes_with_the_films,
+)
+from babbitt.kinds.tilting_pad_journal.case.materials import PadJournalMaterials
+from babbitt.kinds.tilting_pad_journal.case.methods import METHOD_MAPPING, PadFilmChoices
 from babbitt.kinds.tilting_pad_journal.case.pads import JournalPads
 from babbitt.kinds.tilting_pad_journal.methods import PAD_FILM
 from babbitt.kinds.tilting_pad_journal.model import WHIRL_RATIOS
-from babbitt.properties.materials import BearingMetal
 
 __all__ = [
     "PadJournalLimits",
-    "PadLining",
     "PadOilSupply",
     "PadOperatingPoint",
     "TiltingPadJournalCase",
@@ -36,24 +40,8 @@ __all__ = [
 
 Load = Annotated[float, si("N", "1 N", "1000 MN")]
 Speed = Annotated[float, either_sense("rad/s", "0.1 rpm", "1000000 rpm")]
+ProbeTemperature = Annotated[float, si("K", "20 degC", "250 degC")]
 LoadAngle = Annotated[float, si("rad", "-360 deg", "360 deg")]
-
-
-class PadLining(Part):
-    """What the pads are lined with."""
-
-    example: ClassVar[str] = "{bearing_metal: SnSb12Cu6Pb}"
-
-    bearing_metal: MetalInput | None = Field(
-        None, description="Bearing metal. Without it no specific load is checked, and no bearing passes."
-    )
-    load_character: Literal["calm", "shock"] | None = Field(
-        None, description="How the load acts on the bearing metal. calm if not given."
-    )
-
-    def metal(self) -> BearingMetal | None:
-        """Give the bearing metal; None where it is not named."""
-        return None if self.bearing_metal is None else self.bearing_metal.metal()
 
 
 class PadOilSupply(Part):
@@ -92,6 +80,12 @@ class PadJournalLimits(Part):
     log_decrement: Annotated[float, si("1", "0", "10")] | None = Field(
         None, description="Least permissible log decrement of the rotor. 0.1 if not given."
     )
+    probe_alarm: ProbeTemperature | None = Field(
+        None, description="Alarm of a probe in a pad at 75 % of its arc, of films with their own temperatures."
+    )
+    probe_trip: ProbeTemperature | None = Field(
+        None, description="Temperature of such a probe at which the machine is shut down."
+    )
 
     def limits(self) -> Limits:
         """Give the limits of the calculation."""
@@ -118,11 +112,14 @@ class PadOperatingPoint(Part):
     supply_temperature: OilTemperature | None = Field(None, description="Temperature of the fresh oil.")
 
 
-class TiltingPadJournalCase(CaseFile):
+class TiltingPadJournalCase(PadFilmChoices, CaseFile):
     """A file with one journal bearing of tilting pads."""
 
     kind: Literal["tilting_pad_journal"] = Field(description="Journal bearing of tilting pads.")
     name: Name = Field(description="Name of the bearing.")
+    method: Annotated[Literal["film"], METHOD_MAPPING] = Field(
+        "film", description="The films of all pads in two dimensions, with their tilts and pivots."
+    )
     diameter: Annotated[float, si("m", "1 mm", "3 m")] = Field(description="Diameter of the journal.")
     pads: JournalPads = Field(description="The pads.")
     clearance_cases: Literal["mean", "all"] = Field(
@@ -138,21 +135,19 @@ class TiltingPadJournalCase(CaseFile):
         description="What brings oil to the pads. It sets carry_over where that is not given: 1 flooded, 0.7 for "
         "grooves in the leading edges, 0.8 for spray bars, which are assumptions.",
     )
-    carry_over: Annotated[float, si("1", "0", "1")] | None = Field(
-        None,
-        description="Share of the hot oil leaving a pad over its trailing edge that enters the next one; the rest "
-        "leaves.",
-    )
-    thermal: Literal["isothermal", "global"] | None = Field(
-        None,
-        description="Temperature of the films: given (isothermal), or one for all films from friction and fresh "
-        "oil (global). global where supply.temperature alone is given, else isothermal.",
-    )
     effective_temperature: Annotated[float, si("K", "-30 degC", "290 degC")] | None = Field(
         None,
         description="Temperature of isothermal films. That of the fresh oil if not given.",
     )
-    materials: PadLining = Field(PadLining(), description="Bearing metal of the pads.")
+    walls: PadJournalWalls = Field(
+        PadJournalWalls(), description="Pads, housing and journal that take heat, of full thermal films."
+    )
+    reference_temperature: ReferenceTemperature | None = Field(
+        None, description="Temperature at which the clearances are those given, for growth."
+    )
+    materials: PadJournalMaterials = Field(
+        PadJournalMaterials(), description="Materials of lining, pads, journal and housing."
+    )
     surfaces: SurfacesInput | None = Field(None, description="Roughness, tilt and waviness of the surfaces.")
 
     load: Load | None = Field(None, description="Load of the bearing.")
@@ -186,9 +181,6 @@ class TiltingPadJournalCase(CaseFile):
         None,
         description="Stiffness of the shaft between that mass and this bearing (for a shaft on two equal bearings "
         "half its stiffness in the middle). Rigid if not given.",
-    )
-    accuracy: Literal["draft", "engineering", "reference"] = Field(
-        "engineering", description="How fine the grid of every pad is."
     )
     limits: PadJournalLimits = Field(PadJournalLimits(), description="Limits in place of those by experience.")
     assumptions: tuple[Prose, ...] = Field(
@@ -255,6 +247,14 @@ class TiltingPadJournalCase(CaseFile):
     @rule
     def _temperature_is_known(self) -> Iterator[Issue]:
         yield from rules.temperature_is_known(self)
+
+    @rule
+    def _heat_goes_with_the_films(self) -> Iterator[Issue]:
+        yield from heat_goes_with_the_films(self)
+
+    @rule
+    def _probes_know_their_pads(self) -> Iterator[Issue]:
+        yield from rules.probes_know_their_pads(self)
 
     @rule
     def _surface_speed(self) -> Iterator[Issue]:

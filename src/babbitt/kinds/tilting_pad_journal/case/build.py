@@ -12,6 +12,7 @@ from babbitt.core.notices import Notice
 from babbitt.core.result_name import ResultName
 from babbitt.design.conditions import OilSupply, PrescribedLoad, PrescribedPosition
 from babbitt.kinds.tilting_pad_journal.case.as_given import words_of
+from babbitt.kinds.tilting_pad_journal.case.heat import heat_assumptions, heat_choices
 from babbitt.kinds.tilting_pad_journal.case.pads import JournalPads, OnePad, clearances
 from babbitt.kinds.tilting_pad_journal.model import Accuracy, Feed, PadBearing, PadCase, Thermal
 from babbitt.properties.materials import LoadCharacter
@@ -64,6 +65,7 @@ def pad_case(case: TiltingPadJournalCase, point: PadOperatingPoint | None, named
         feed=feed_of(case),
         oil_supply=supply_of(case, temperature),
         effective_temperature=effective,
+        heat=heat_choices(case, temperature),
         load_angle=angle,
         accuracy=Accuracy(case.accuracy),
         whirl_ratios=case.whirl_ratios,
@@ -71,6 +73,8 @@ def pad_case(case: TiltingPadJournalCase, point: PadOperatingPoint | None, named
         shaft_stiffness=case.shaft_stiffness,
         limits=case.limits.limits(),
         least_log_decrement=case.limits.log_decrement,
+        probe_alarm=case.limits.probe_alarm,
+        probe_trip=case.limits.probe_trip,
         given=tuple(words_of(case, speed, which)),
         assumptions=(*case.assumptions, *assumptions_of(case)),
         warnings=(*about_grouped_digits(case), *warnings_of(case, speed), *fields_not_read(case, point)),
@@ -145,7 +149,9 @@ def assumptions_of(case: TiltingPadJournalCase) -> Iterator[str]:
         yield f"Carry-over {feed.carry_over:g} of {CARRY_OVER_OF[case.feed]}."
     if case.thermal_model == "isothermal" and case.effective_temperature is None:
         yield "The films are as warm as the fresh oil."
-    yield "Clearances hold in operation: neither heat nor load changes them."
+    if "growth" not in case.deformation:
+        yield "Clearances hold in operation: neither heat nor load changes them."
+    yield from heat_assumptions(case)
 
 
 def warnings_of(case: TiltingPadJournalCase, speed: float) -> Iterator[Notice]:

@@ -41,7 +41,7 @@ def sheet_of(case: PadCase, solution: Solution, state: PadSolutionState) -> Work
     """Values of the result, and what they follow from."""
     films = state.films.solution
     number = int(np.argmax([pad.load for pad in films.pads]))
-    pad, at = case.bearing.pads[number], films.pads[number]
+    pad, at = films.bearing.pads[number], films.pads[number]
     known = dict(solution.result.values) | {
         "this_pivot": pad.pivot_angle,
         "this_clearance": pad.clearance,
@@ -104,7 +104,10 @@ def _heat(state: PadSolutionState, sheet: Worksheet) -> Iterator[Line]:
     yield sheet.line("friction_power", f"friction_torque * {speed}")
     yield sheet.given("entering_flow", "of the films")
     yield sheet.given("trailing_flow", "of the films")
-    yield sheet.line("total_flow", "entering_flow - carried_share * trailing_flow", digits=7)
+    if state.films.thermal is None:
+        yield sheet.line("total_flow", "entering_flow - carried_share * trailing_flow", digits=7)
+    else:
+        yield from _own_heat(sheet)
     if state.films.temperatures is not None:
         spread = "trailing_flow + (entering_flow - trailing_flow) / 2"
         yield sheet.line("pad_warming", f"friction_power / (volumetric_heat_capacity * ({spread}))", digits=6)
@@ -122,6 +125,19 @@ def _heat(state: PadSolutionState, sheet: Worksheet) -> Iterator[Line]:
         "film_reynolds_number", "density * surface_speed * largest_pad_clearance / effective_viscosity"
     )
     yield sheet.line("critical_reynolds_number", "41.3 * sqrt(diameter / (2 * largest_pad_clearance))")
+
+
+def _own_heat(sheet: Worksheet) -> Iterator[Line]:
+    """Heat of films with their own temperatures."""
+    yield sheet.given("total_flow", "fresh oil, of the films and the mixing before them")
+    yield sheet.given("film_dissipation", "of the films")
+    yield sheet.given("heat_to_pads", "of the films")
+    yield sheet.given("heat_to_oil", "of the films, above the temperature of the fresh oil")
+    surplus = "given_flow" in sheet and sheet["given_flow"] > sheet["total_flow"]
+    passing = "given_flow" if surplus else "total_flow"
+    yield sheet.line(
+        "outlet_temperature", f"supply_temperature + heat_to_oil / (volumetric_heat_capacity * {passing})"
+    )
 
 
 def _stability(sheet: Worksheet, state: PadSolutionState) -> Iterator[Section]:

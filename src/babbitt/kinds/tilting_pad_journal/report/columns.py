@@ -13,6 +13,8 @@ COLUMNS = (
     column_of("maximum_pressure", 6),
     column_of("friction_power", 1),
     column_of("total_flow", 5),
+    column_with_limit("maximum_temperature", "T_lim", 4),
+    column_without_limit("maximum_temperature", 4),
     column_with_limit("trailing_temperature", "T_lim", 4),
     column_without_limit("trailing_temperature", 4),
     column_of("outlet_temperature", 8),

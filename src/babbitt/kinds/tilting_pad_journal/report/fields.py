@@ -47,6 +47,9 @@ def pad_fields(solution: Solution) -> xarray.Dataset:
         land = tilted_land(films.bearing, pad, position)
         x, y = films.position - np.asarray(land.centre)
         gaps.append(land.clearance - x * np.cos(angles) - y * np.sin(angles))
+    thermal = solution.state.films.thermal
+    if thermal is not None:
+        gaps = [gap + heat.deflection for gap, heat in zip(gaps, thermal.temperatures, strict=True)]
     over = ("pad", "line", "place")
     variables: dict[str, Any] = {
         "pressure": (over, np.array([state.pressure for state in pads]), _named("Pa", "film pressure, gauge")),
@@ -55,6 +58,11 @@ def pad_fields(solution: Solution) -> xarray.Dataset:
         "theta": (("pad", "line"), theta, _named("rad", "angle, counter-clockwise from +x")),
         "z": (("pad", "place"), z, _named("m", "place along the shaft, from the mid-plane to the side")),
     }
+    if thermal is not None:
+        bores = np.array([heat.bore for heat in thermal.temperatures])
+        means = np.array([heat.film_mean for heat in thermal.temperatures])
+        variables["bore_temperature"] = (("pad", "line"), bores, _named("K", "temperature of the bore"))
+        variables["film_temperature"] = (("pad", "line"), means, _named("K", "mean temperature over the gap"))
     for name, rows in result.arrays.items():
         if len(rows) == 1 and len(rows[0]) == len(pads) and name.startswith(("pad_", "pivot_")):
             variables[name] = ("pad", np.array(rows[0]), _named(QUANTITIES[name].unit, QUANTITIES[name].meaning))

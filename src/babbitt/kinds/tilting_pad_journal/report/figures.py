@@ -36,7 +36,7 @@ def pad_figures(solution: Solution, image_format: str = "svg") -> tuple[Drawing,
 
 
 def _painted(case: PadCase, state: PadSolutionState) -> Iterator[Painted]:
-    from babbitt.kinds.tilting_pad_journal.report import maps, plots, seen_along
+    from babbitt.kinds.tilting_pad_journal.report import maps, plots, seen_along, temperatures
 
     films, dynamics = state.films.solution, state.dynamics
     enlarged = seen_along.FILM * 0.5 * case.bearing.diameter / case.bearing.pad_clearance
@@ -50,8 +50,8 @@ def _painted(case: PadCase, state: PadSolutionState) -> Iterator[Painted]:
     )
     yield (
         "pad-curve",
-        "Load of a pad that is free to tilt over the eccentricity ratio at its pivot, film alone. Filled: the "
-        "pads by number; tick: where a pad unloads.",
+        "Load of a pad that is free to tilt over the eccentricity ratio at its pivot, film alone, at one "
+        "temperature. Filled: the pads by number; tick: where a pad unloads.",
         plots.pad_curve(case, films, state.margins),
         False,
     )
@@ -62,6 +62,14 @@ def _painted(case: PadCase, state: PadSolutionState) -> Iterator[Painted]:
         True,
     )
     yield "pad-loads", "Load and thinnest film of every pad.", plots.pad_loads(films), True
+    if (thermal := state.films.thermal) is not None:
+        yield (
+            "pad-temperatures",
+            "Temperatures of bores and films over the angle, numbers at the pivots; groove, trailing edge, "
+            "probe at 75 % of the arc and highest of every pad, from the temperature of the fresh oil on.",
+            temperatures.pad_temperatures(case, thermal),
+            True,
+        )
     yield (
         "whirl-ratio",
         "Stiffness and damping over the whirl ratio; dots: ratios of the case, dotted: fit of stiffness, "

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 
+from babbitt.core.units import ZERO_CELSIUS
 from babbitt.kinds.tilting_pad_journal.case.pivots import written_pivot
 from babbitt.kinds.tilting_pad_journal.model import PadCase
 from babbitt.report.inputs import InputGroup, Row, metal_rows, named_row, oil_rows
@@ -78,5 +79,35 @@ def _oil(case: PadCase) -> Iterator[Row]:
     yield Row("Hot oil carried over", f"{100.0 * case.feed.carry_over:.4g}", None, "%")
     if case.effective_temperature is not None:
         yield named_row("effective_temperature", case.effective_temperature, "Temperature of the films, given")
-    else:
+    elif not case.thermal.is_resolved:
         yield Row("Temperature of the films", "one, from friction and fresh oil (global)")
+    else:
+        yield from _heat(case)
+
+
+def _heat(case: PadCase) -> Iterator[Row]:
+    """Walls and deformation of films with their own temperatures."""
+    heat = case.heat
+    yield Row("Temperature of the films", f"their own ({case.thermal.value})")
+    if heat.journal is not None:
+        at = heat.journal.temperature
+        known = "one, from its heat balance" if at is None else f"{at - ZERO_CELSIUS:.4g} °C"
+        yield Row("Temperature of the journal", known)
+        if heat.journal.shaft_conductance:
+            yield Row("Conductance along the shaft", f"{heat.journal.shaft_conductance:.4g}", None, "W/K")
+    if heat.walls is not None:
+        yield Row("Conductivity of the pads", f"{heat.walls.conductivity:.4g}", None, "W/(m K)")
+        yield Row("Heat transfer on backs", f"{heat.walls.back_coefficient:.4g}", None, "W/(m² K)")
+        yield Row("Heat transfer on edges", f"{heat.walls.edge_coefficient:.4g}", None, "W/(m² K)")
+        if heat.walls.back_temperature is not None:
+            yield named_row("ambient_temperature", heat.walls.back_temperature, "Oil behind the pads")
+    if heat.bending is not None:
+        yield Row("Elastic modulus of the pads", f"{1e-9 * heat.bending.elastic_modulus:.4g}", None, "GPa")
+    if heat.growth is not None:
+        growth = heat.growth
+        yield Row("Clearances hold at", f"{growth.reference_temperature - ZERO_CELSIUS:.4g}", None, "°C")
+        expansions = (growth.pad_expansion, growth.journal_expansion, growth.housing_expansion)
+        parts = ", ".join(f"{1e6 * one:.4g}" for one in expansions)
+        yield Row("Expansion of pads, journal, housing", parts, None, "10⁻⁶/K")
+        if growth.housing_temperature is not None:
+            yield Row("Temperature of the housing", f"{growth.housing_temperature - ZERO_CELSIUS:.4g}", None, "°C")

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-__all__ = ["over_width", "pressure_map"]
+__all__ = ["angle_ticks", "over_width", "pressure_map", "seam"]
 
 ACROSS = 41
 """Places over the width at which a map is drawn."""
@@ -34,7 +34,7 @@ def pressure_map(case: PadCase, solution: TiltingPadSolution) -> Figure:
         pivot = math.degrees(start + (case.bearing.pads[number - 1].pivot_angle - start) % math.tau)
         panel.plot([pivot], [0.0], "o", color=INK, markerfacecolor="white", markersize=3.5, zorder=6)
     panel.set_xlim(math.degrees(start), math.degrees(start) + 360.0)
-    _ticks(panel)
+    angle_ticks(panel)
     panel.set(xlabel="θ in °, counter-clockwise from $+x$", ylabel="$z$ in mm")
     load = math.atan2(-float(solution.force[1]), -float(solution.force[0]))
     at = math.degrees(start + (load - start) % math.tau)
@@ -95,7 +95,8 @@ def _pad(panel: Axes, state: PadState, number: int, start: float, levels: Array,
     point(panel, float(theta[row]), float(z[column]), f"{float(shown.max()):.3g}")
 
 
-def _ticks(panel: Axes) -> None:
+def angle_ticks(panel: Axes) -> None:
+    """Angles every 45 degrees, within a turn."""
     from matplotlib.ticker import FuncFormatter, MultipleLocator
 
     panel.xaxis.set_major_locator(MultipleLocator(45.0))

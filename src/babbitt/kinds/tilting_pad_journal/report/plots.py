@@ -38,6 +38,9 @@ SLOW = 3.0
 NEAREST = 0.05
 """Film at the pivot over the machined clearance at which the curve of a pad ends."""
 
+SIDE_BY_SIDE = 0.04
+"""Share of the ratio and of the largest load within which pads are named together."""
+
 POINTS = 45
 """Of that curve."""
 
@@ -145,7 +148,7 @@ def pad_curve(case: PadCase, solution: TiltingPadSolution, margins: tuple[PadMar
     figure, ((panel,),) = Sheet(81.0, 60.0, left=12.0).panels()
     strokes = ("-", (0, (5, 2)), (0, (1, 1.5)), (0, (6, 2, 1, 2)))
     alike: dict[TiltingPad, list[int]] = {}
-    for number, pad in enumerate(case.bearing.pads):
+    for number, pad in enumerate(solution.bearing.pads):
         alike.setdefault(replace(pad, pivot_angle=0.0, pivot=RigidPivot()), []).append(number)
     for place, (pad, numbers) in enumerate(alike.items()):
         ratios, loads = curve_of(case, solution, pad, margins[numbers[0]])
@@ -153,18 +156,30 @@ def pad_curve(case: PadCase, solution: TiltingPadSolution, margins: tuple[PadMar
         fold = margins[numbers[0]].fold
         if math.isfinite(fold):
             panel.plot([ratios[0]], [1e-3 * loads[0]], "|", color=INK, markersize=7)
-    by_place: dict[tuple[float, float], list[str]] = {}
-    for number, state in enumerate(solution.pads, 1):
-        at = round(state.eccentricity_ratio, 3), 1e-3 * round(state.load, 1)
-        by_place.setdefault(at, []).append(str(number))
-        mark(panel, state.eccentricity_ratio, 1e-3 * state.load)
-    for (ratio, load), names in by_place.items():
-        panel.annotate(", ".join(names), (ratio, load), xytext=(-4, 3), textcoords="offset points", fontsize=7,
-                       ha="right")  # fmt: skip
     largest = max(1e-3 * state.load for state in solution.pads)
+    for state in solution.pads:
+        mark(panel, state.eccentricity_ratio, 1e-3 * state.load)
+    for first, numbers in pads_side_by_side(solution).items():
+        at = solution.pads[first].eccentricity_ratio, 1e-3 * solution.pads[first].load
+        panel.annotate(", ".join(str(number + 1) for number in numbers), at, xytext=(-4, 3),
+                       textcoords="offset points", fontsize=7, ha="right")  # fmt: skip
     panel.set_ylim(0.0, 1.6 * largest if largest > 0.0 else None)
     panel.set(xlabel="$ε_\\mathrm{p}$", ylabel="$W_\\mathrm{p}$ in kN")
     return figure
+
+
+def pads_side_by_side(solution: TiltingPadSolution) -> dict[int, list[int]]:
+    """Numbers of the pads whose points in the curve nearly touch, by the first of them."""
+    pads, groups = solution.pads, dict[int, list[int]]()
+    reach = SIDE_BY_SIDE * max(state.load for state in pads)
+    for number, state in enumerate(pads):
+        near = (
+            first for first in groups
+            if abs(pads[first].eccentricity_ratio - state.eccentricity_ratio) < SIDE_BY_SIDE
+            and abs(pads[first].load - state.load) <= reach
+        )  # fmt: skip
+        groups.setdefault(next(near, number), []).append(number)
+    return groups
 
 
 def curve_of(

@@ -107,8 +107,9 @@ def _journal(panel: Axes, case: PadCase, solution: TiltingPadSolution, enlarged:
     panel.add_patch(Circle((x, y), 1.0, facecolor="white", edgecolor=INK, linewidth=0.9, zorder=4))
     panel.plot([0.0], [0.0], "+", color=GREY, markersize=6, markeredgewidth=0.8, zorder=6)
     panel.plot([x], [y], "o", color=INK, markersize=3, zorder=6)
+    ratio = math.hypot(*solution.position) / case.bearing.assembled_clearance
     panel.annotate(
-        f"$ε$ = {solution.eccentricity_ratio:.3f}", (x, y), xytext=(0, 10), textcoords="offset points", fontsize=7,
+        f"$ε$ = {ratio:.3f}", (x, y), xytext=(0, 10), textcoords="offset points", fontsize=7,
         ha="center", va="bottom", zorder=7,
     )  # fmt: skip
     turn = 0.5 * math.pi + case.sense * np.linspace(-0.5, 0.5, 25)

@@ -21,6 +21,16 @@ FILM = (
     "pad_tilt",
 )
 OIL = ("pad_leading_flow", "pad_trailing_flow", "pad_side_flow", "pad_friction_power")
+HEAT = (
+    "pad_mixed_temperature",
+    "pad_trailing_temperature",
+    "pad_probe_temperature",
+    "pad_maximum_temperature",
+    "pad_mean_temperature",
+    "pad_heat",
+    "pad_growth",
+    "pad_bending",
+)
 PIVOTS = ("pad_load", "pivot_displacement", "pivot_stiffness")
 DIRECTIONS = ("xx", "xy", "yx", "yy")
 
@@ -44,6 +54,15 @@ def _tables(result: Result) -> Iterator[dict[str, Any]]:
     yield table_by_pad(
         result, "Oil of the pads", OIL, "In over the leading edge; out over the trailing edge and both sides."
     )
+    if "pad_probe_temperature" in result.arrays:
+        names = tuple(name for name in HEAT if name in result.arrays)
+        yield table_by_pad(
+            result,
+            "Temperatures of the pads",
+            names,
+            "Oil at the leading edge, after mixing, and at the trailing edge; bore at 75 % of the arc and "
+            "highest; of pads that conduct their mean and the heat into them; growth and bending.",
+        )
     if "pivot_stiffness" in result.arrays:
         yield table_by_pad(
             result, "Pivots", PIVOTS, "Load, how far the pivot gives way, and its stiffness under the load."

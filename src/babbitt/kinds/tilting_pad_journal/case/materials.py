@@ -1,0 +1,87 @@
+"""What pads, journal and housing are made of."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Annotated, Any, ClassVar, Literal
+
+from pydantic import Field
+
+from babbitt.case.part import Issue, Part, is_given, refused, rule
+from babbitt.case.parts.fields import Name
+from babbitt.case.parts.materials import MetalInput, StructureInput
+from babbitt.case.shorthand import Shorthand
+from babbitt.core.units import si
+from babbitt.properties.materials import BearingMetal, structural_material
+
+__all__ = ["PadJournalMaterials", "PadStructureInput"]
+
+
+class PadStructure(Part):
+    """Material of the pads behind their lining: a name of the catalogue, or numbers."""
+
+    example: ClassVar[str] = "{elastic_modulus: 210 GPa, thermal_expansion: 12e-6 1/K}"
+
+    name: Name | None = Field(None, description="Name in the catalogue, see `babbitt list materials`.")
+    elastic_modulus: Annotated[float, si("Pa", "1 GPa", "1000 GPa")] | None = Field(
+        None, description="Young's modulus. That of the name if not given."
+    )
+    thermal_expansion: Annotated[float, si("1/K", "0 1/K", "100e-6 1/K")] | None = Field(
+        None, description="Coefficient of linear thermal expansion. That of the name if not given."
+    )
+
+    @rule
+    def _name_is_known(self) -> Iterator[Issue]:
+        name = self.name
+        if name is not None:
+            yield from refused(("name",), lambda: structural_material(name))
+
+    def modulus(self) -> float | None:
+        """Young's modulus in Pa; None where neither it nor a name is given."""
+        return self._own_or_named("elastic_modulus")
+
+    def expansion(self) -> float | None:
+        """Coefficient of linear thermal expansion in 1/K; None where neither it nor a name is given."""
+        return self._own_or_named("thermal_expansion")
+
+    def conductivity(self) -> float | None:
+        """Thermal conductivity in W/(m K); None without a name."""
+        return None if self.name is None else structural_material(self.name).thermal_conductivity
+
+    def _own_or_named(self, field: str) -> float | None:
+        if is_given(self, field):
+            return float(getattr(self, field))
+        return None if self.name is None else float(getattr(structural_material(self.name), field))
+
+
+def _named(given: Any) -> Any:
+    return {"name": given} if isinstance(given, str) else given
+
+
+PadStructureInput = Annotated[PadStructure, Shorthand(_named, "a name in the catalogue")]
+
+
+class PadJournalMaterials(Part):
+    """What pads, their lining, journal and housing are made of."""
+
+    example: ClassVar[str] = "{bearing_metal: SnSb12Cu6Pb, pads: C45}"
+
+    bearing_metal: MetalInput | None = Field(
+        None, description="Bearing metal. Without it no specific load is checked, and no bearing passes."
+    )
+    load_character: Literal["calm", "shock"] | None = Field(
+        None, description="How the load acts on the bearing metal. calm if not given."
+    )
+    pads: PadStructureInput | None = Field(
+        None, description="Material of the pads, which bends, grows and conducts heat."
+    )
+    journal: StructureInput | None = Field(
+        None, description="Material of the journal, which grows. Steel if not given, an assumption."
+    )
+    housing: StructureInput | None = Field(
+        None, description="Material of the housing, which grows. Steel if not given, an assumption."
+    )
+
+    def metal(self) -> BearingMetal | None:
+        """Give the bearing metal; None where it is not named."""
+        return None if self.bearing_metal is None else self.bearing_metal.metal()

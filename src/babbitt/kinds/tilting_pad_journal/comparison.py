@@ -1,0 +1,219 @@
+"""Tilting pads by every thermal model, and how far the numbers move with what is assumed of their heat."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from babbitt.core.notices import InputError
+from babbitt.core.quantities import QUANTITIES
+from babbitt.core.units import ZERO_CELSIUS
+from babbitt.kinds.tilting_pad_journal.case.bearing import TiltingPadJournalCase
+from babbitt.kinds.tilting_pad_journal.case.build import pad_cases
+from babbitt.kinds.tilting_pad_journal.case.heat import PadJournalWalls
+from babbitt.kinds.tilting_pad_journal.methods import PAD_FILM
+from babbitt.kinds.tilting_pad_journal.model import PadCase, Thermal
+from babbitt.study.comparison import Comparison, Variant
+
+__all__ = ["compare"]
+
+GIVEN_TEMPERATURE = "takes the given temperature for all films, whatever heat they make"
+REMARKS = {
+    Thermal.ISOTHERMAL: "takes the temperature of the fresh oil for all films: neglects that they heat themselves",
+    Thermal.GLOBAL: "one temperature for all films, from friction and fresh oil; neglects that pads differ",
+    Thermal.ADIABATIC: "finds the temperature at every place of the films and of the oil between the pads; "
+    "neglects the heat that journal and pads take, and that the journal carries from hot pads to cold ones",
+    Thermal.FULL: "as adiabatic films, with a journal of one temperature",
+}
+"""What each model sees and neglects, from the simplest to the fullest."""
+LABELS = {
+    Thermal.GLOBAL: "one temperature",
+    Thermal.ADIABATIC: "adiabatic films",
+    Thermal.FULL: "full thermal films",
+}
+
+COMPARED = (
+    "eccentricity_ratio",
+    "attitude_angle",
+    "minimum_film_thickness",
+    "maximum_pressure",
+    "effective_temperature",
+    "outlet_temperature",
+    "maximum_temperature",
+    "probe_temperature",
+    "journal_temperature",
+    "friction_power",
+    "heat_to_oil",
+    "heat_to_pads",
+    "total_flow",
+    "running_clearance",
+    *(f"{name}_{axes}" for name in ("stiffness", "damping") for axes in ("xx", "xy", "yx", "yy")),
+    "log_decrement",
+    "threshold_mass",
+)
+"""What is put side by side."""
+
+MOVED = (
+    "maximum_temperature",
+    "effective_temperature",
+    "minimum_film_thickness",
+    "friction_power",
+    "stiffness_yy",
+    "damping_yy",
+)
+"""What the assumptions are asked about, in sentences."""
+
+SPREAD = "What assumptions move"
+"""Heading of these sentences."""
+
+CARRIED, TRANSFER, WARMER = 0.2, 3.0, 10.0
+"""By how much carry-over (a share), heat transfer on the backs (a factor) and the temperature of the housing (K)
+are varied: as far as published values of one bearing lie apart."""
+
+
+End = tuple[str, TiltingPadJournalCase] | None
+"""A number as it is printed, and the case with it."""
+
+
+@dataclass(frozen=True)
+class Assumption:
+    """One number that is assumed, or known no better, with the same case at less and at more of it.
+
+    ``low`` and ``high`` are None where there is no less or no more.
+    """
+
+    name: str
+    base: str
+    low: End
+    high: End
+
+
+def compare(case: TiltingPadJournalCase) -> tuple[Comparison, ...]:
+    """Solve every operating point by every thermal model; that of the case stands first.
+
+    Parameters
+    ----------
+    case : TiltingPadJournalCase
+        Its walls and deformation count for full thermal films alone.
+    """
+    return tuple(compared(case, index, problem) for index, problem in enumerate(pad_cases(case)))
+
+
+def compared(case: TiltingPadJournalCase, index: int, problem: PadCase) -> Comparison:
+    """One operating point by every thermal model, and with other numbers in place of those assumed."""
+    asked = by_model(problem)
+    found, left_out = [asked], []
+    for thermal in Thermal:
+        if thermal is problem.thermal:
+            continue
+        if problem.oil_supply is None:
+            left_out.append(f"{thermal.value} is left out: the temperature of the fresh oil is not given")
+            continue
+        try:
+            found.append(by_model(pad_cases(with_thermal(case, thermal))[index]))
+        except InputError as error:  # the films of one model may need more oil than is supplied
+            left_out.append(f"{thermal.value} is left out: {error.message}")
+    sentences: list[str] = []
+    for assumption in assumptions(case, problem):
+        ends: list[Variant | None] = []
+        for end in (assumption.low, assumption.high):
+            try:
+                ends.append(None if end is None else at_one_end(assumption, end, index))
+            except InputError as error:
+                ends.append(None)
+                left_out.append(f"one end of {assumption.name} is left out: {error.message}")
+        found += [one for one in ends if one is not None]
+        sentences += spread(assumption, ends[0], asked, ends[1])
+    return Comparison(problem.name, tuple(found), COMPARED, "\n".join(left_out), tuple(sentences), heading=SPREAD)
+
+
+def with_thermal(case: TiltingPadJournalCase, thermal: Thermal) -> TiltingPadJournalCase:
+    """The same case by another thermal model, without what that does not read."""
+    changes: dict[str, object] = {"thermal": thermal.value}
+    if thermal is not Thermal.FULL:
+        changes |= {"walls": PadJournalWalls(), "deformation": ()}
+    return case.model_copy(update=changes)
+
+
+def by_model(problem: PadCase) -> Variant:
+    """One bearing by its thermal model."""
+    thermal, remark = problem.thermal, REMARKS[problem.thermal]
+    label, heat, supply = LABELS.get(thermal, ""), problem.heat, problem.oil_supply
+    if thermal is Thermal.ISOTHERMAL:
+        assert problem.effective_temperature is not None
+        label = f"films at {problem.effective_temperature - ZERO_CELSIUS:.4g} °C"
+        if supply is None or supply.temperature != problem.effective_temperature:
+            remark = GIVEN_TEMPERATURE
+    if thermal is Thermal.FULL:
+        counted = (("pads that conduct", heat.walls), ("bend", heat.bending), ("grow", heat.growth))
+        words = [name for name, given in counted if given is not None]
+        remark += f"; with {', '.join(words)}" if words else "; neglects the heat that pads take"
+    return Variant(label, remark, PAD_FILM.solve_one(problem), detail=list(Thermal).index(thermal))
+
+
+def assumptions(case: TiltingPadJournalCase, problem: PadCase) -> Iterator[Assumption]:
+    """What of the heat of a bearing may be otherwise; nothing of films at a given temperature."""
+    if problem.thermal is Thermal.ISOTHERMAL:
+        return
+    share = problem.feed.carry_over
+    low, high = max(share - CARRIED, 0.0), min(share + CARRIED, 1.0)
+    yield Assumption(
+        "Carry-over",
+        f"{share:.3g}",
+        (f"{low:.3g}", case.model_copy(update={"carry_over": low})) if low < share else None,
+        (f"{high:.3g}", case.model_copy(update={"carry_over": high})) if high > share else None,
+    )
+    walls, growth = problem.heat.walls, problem.heat.growth
+    if walls is not None:
+        least, most = walls.back_coefficient / TRANSFER, walls.back_coefficient * TRANSFER
+        yield Assumption(
+            "Heat transfer on the backs in W/(m² K)",
+            f"{walls.back_coefficient:.3g}",
+            (f"{least:.3g}", with_wall(case, "pads", "heat_transfer_coefficient", least)),
+            (f"{most:.3g}", with_wall(case, "pads", "heat_transfer_coefficient", most)),
+        )
+    if growth is not None and problem.oil_supply is not None:
+        housing = growth.housing_temperature
+        base = problem.oil_supply.temperature if housing is None else housing
+        cold, warm = base - WARMER, base + WARMER
+        yield Assumption(
+            "Housing in °C",
+            f"{base - ZERO_CELSIUS:.4g}",
+            (f"{cold - ZERO_CELSIUS:.4g}", with_wall(case, "housing", "temperature", cold)),
+            (f"{warm - ZERO_CELSIUS:.4g}", with_wall(case, "housing", "temperature", warm)),
+        )
+
+
+def with_wall(case: TiltingPadJournalCase, wall: str, name: str, value: float) -> TiltingPadJournalCase:
+    """The same case with another number of pads or housing."""
+    changed = getattr(case.walls, wall).model_copy(update={name: value})
+    return case.model_copy(update={"walls": case.walls.model_copy(update={wall: changed})})
+
+
+def at_one_end(assumption: Assumption, end: tuple[str, TiltingPadJournalCase], index: int) -> Variant:
+    """The bearing with less or more of what is assumed."""
+    value, case = end
+    remark = f"as the case, with {value} in place of {assumption.base}"
+    solution = PAD_FILM.solve_one(pad_cases(case)[index])
+    return Variant(f"{assumption.name} {value}", remark, solution, is_method=False)
+
+
+def spread(assumption: Assumption, low: Variant | None, asked: Variant, high: Variant | None) -> Iterator[str]:
+    """Low, base and high of what an assumption moves, in a sentence; nothing where only the base has a film."""
+    ends = (assumption.low and assumption.low[0], assumption.base, assumption.high and assumption.high[0])
+    columns = [
+        (str(value), one.result.values if one.result.outcome.solved else {})
+        for value, one in zip(ends, (low, asked, high), strict=True)
+        if one is not None
+    ]
+    if sum(bool(values) for _, values in columns) < 2:
+        return
+    said = []
+    for name in MOVED:
+        told = [values.get(name) for _, values in columns]
+        if not any(told):  # films of one temperature have no highest
+            continue
+        quantity = QUANTITIES[name].suited(*(one for one in told if one is not None))
+        cells = ", ".join("–" if one is None else quantity.format(one) for one in told)
+        said.append(f"{quantity.symbol} {cells} {quantity.display.label}")
+    yield f"{assumption.name} {', '.join(value for value, _ in columns)}: {'; '.join(said)}."

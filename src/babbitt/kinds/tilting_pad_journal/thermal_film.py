@@ -1,0 +1,121 @@
+"""The films of pads with their own temperatures, at the heat capacity that belongs to these."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+
+from babbitt.core.result import Outcome
+from babbitt.design.conditions import PrescribedLoad
+from babbitt.design.heat_balance import CEILING, Equilibrium, NoFilmError
+from babbitt.design.oil import bounded_viscosity, highest_usable, properties_at
+from babbitt.kinds.tilting_pad_journal.model import PadCase
+from babbitt.kinds.tilting_pad_journal.state import PadFilms
+from babbitt.reynolds.tilting_pads.model import TiltingPad, TiltingPadBearing
+from babbitt.reynolds.tilting_pads.pad_heat import PadHeat
+from babbitt.reynolds.tilting_pads.thermal_pad_solution import PadTemperatures, ThermalTiltingPadSolution
+from babbitt.reynolds.tilting_pads.thermal_pads import find_thermal_tilting_pads, thermal_tilting_pads_at
+
+__all__ = ["thermal_films"]
+
+MOST_ROUNDS = 10
+SAME_TEMPERATURE = 0.05
+"""Change of the mean temperature in K at which density and heat capacity count as settled."""
+
+TOO_HOT = (Outcome.THERMAL_RUNAWAY, Outcome.NO_LUBRICANT_DATA)
+LEAST_CLEARANCE = 1e-12
+"""Assembled clearance in m that stands for none: of bearings that growth has closed, which are not solved."""
+
+
+def thermal_films(case: PadCase) -> Equilibrium[PadFilms]:
+    """Films with their own temperatures in equilibrium with journal, pads, bending and growth.
+
+    Always ends with a status; the films of an unsolved bearing are where the search ended.
+    """
+    assert case.oil_supply is not None
+    temperature = case.oil_supply.temperature
+    for rounds in range(1, MOST_ROUNDS + 1):
+        try:
+            found = found_at(case, temperature)
+        except NoFilmError as failure:
+            return Equilibrium(failure.outcome, None, rounds, temperature, failure)
+        outcome = outcome_of(case, found)
+        before, temperature = temperature, mean_temperature(found)
+        if not math.isfinite(temperature) or outcome in TOO_HOT:
+            return Equilibrium(outcome, None, rounds, before)
+        if not outcome.solved or abs(temperature - before) <= SAME_TEMPERATURE:
+            return Equilibrium(outcome, films_of(case, found, temperature), rounds, temperature)
+    return Equilibrium(Outcome.NOT_CONVERGED, films_of(case, found, temperature), MOST_ROUNDS, temperature)
+
+
+def found_at(case: PadCase, temperature: float) -> ThermalTiltingPadSolution:
+    """Films at the heat capacity and conductivity that the oil has at a temperature in K."""
+    assert case.oil_supply is not None
+    supply, heat = case.oil_supply.temperature, case.heat
+    _, _, capacity = properties_at(case.lubricant, temperature)
+    _, fresh_viscosity, _ = properties_at(case.lubricant, supply)
+    pads = case.bearing.film(fresh_viscosity, case.journal_speed)
+    model = PadHeat(
+        bounded_viscosity(case.lubricant), capacity, case.lubricant.conductivity(temperature), supply,
+        heat.journal, heat.walls, heat.bending, heat.growth, carry_over=case.feed.carry_over,
+    )  # fmt: skip
+    resolution = case.accuracy.thermal_resolution
+    if isinstance(case.duty, PrescribedLoad):
+        load = case.duty.load * math.cos(case.load_angle), case.duty.load * math.sin(case.load_angle)
+        return find_thermal_tilting_pads(pads, load, model, resolution)
+    return thermal_tilting_pads_at(pads, (case.duty.x, case.duty.y), model, resolution)
+
+
+def outcome_of(case: PadCase, found: ThermalTiltingPadSolution) -> Outcome:
+    """How the search ended, with oil that is hotter than its laws reach."""
+    hottest = found.maximum_temperature
+    if math.isfinite(hottest) and hottest >= (usable := highest_usable(case.lubricant)):
+        return Outcome.THERMAL_RUNAWAY if usable >= CEILING else Outcome.NO_LUBRICANT_DATA
+    return found.outcome
+
+
+def mean_temperature(found: ThermalTiltingPadSolution) -> float:
+    """Of all films, by their area, K."""
+    bearing = found.bearing
+    areas = [pad.extent * (bearing.width if pad.width is None else pad.width) for pad in bearing.pads]
+    return float(np.average([film_temperature(pad) for pad in found.temperatures], weights=areas))
+
+
+def film_temperature(pad: PadTemperatures) -> float:
+    """Mean over the film of a pad, K."""
+    mean = pad.film_mean
+    return float(mean[:-1].mean() + mean[1:].mean()) / 2.0
+
+
+def films_of(case: PadCase, found: ThermalTiltingPadSolution, temperature: float) -> PadFilms:
+    """The films with the bearing that runs."""
+    density, viscosity, capacity = properties_at(case.lubricant, temperature)
+    return PadFilms(
+        temperature, density, viscosity, capacity, case.bearing.pad_clearance * 2.0 / case.bearing.diameter,
+        replace(found, bearing=running_bearing(case, found, viscosity)), found.supplied_flow, None,
+    )  # fmt: skip
+
+
+def running_bearing(case: PadCase, found: ThermalTiltingPadSolution, viscosity: float) -> TiltingPadBearing:
+    """The bearing as heat leaves it, with the viscosity of every pad at the mean temperature of its film."""
+    pads = tuple(
+        running_pad(case, pad, heat, found.bearing.sense)
+        for pad, heat in zip(found.bearing.pads, found.temperatures, strict=True)
+    )
+    return replace(found.bearing, pads=pads, viscosity=viscosity)
+
+
+def running_pad(case: PadCase, pad: TiltingPad, heat: PadTemperatures, sense: float) -> TiltingPad:
+    """A pad grown and bent. What its bore comes nearer its thickness takes: the pivot keeps its radius."""
+    bent = heat.deflection if sense > 0.0 else heat.deflection[::-1]
+    _, viscosity, _ = properties_at(case.lubricant, film_temperature(heat))
+    return replace(
+        pad,
+        clearance=pad.clearance - heat.growth,
+        assembled_clearance=max(pad.assembled_clearance - heat.growth, LEAST_CLEARANCE),
+        thickness=pad.thickness + heat.growth,
+        viscosity=viscosity,
+        profile=tuple(float(one) for one in bent) if bent.any() else pad.profile,
+    )

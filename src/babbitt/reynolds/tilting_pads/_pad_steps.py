@@ -1,0 +1,38 @@
+"""Kernel: a journal that is nearly in equilibrium among its pads, on wet sets as they stand."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from babbitt.reynolds._compiling import compiled
+from babbitt.reynolds.lands._grids import new_film, new_lines, uniform_lines
+from babbitt.reynolds.tilting_pads._pads import journal_step
+from babbitt.reynolds.tilting_pads._place import all_found, longest_step, place_all
+from babbitt.reynolds.tilting_pads._tilt import AT_LIMIT, ROOT_MOMENT
+
+MOST_SHORT_STEPS = 5
+
+
+@compiled
+def step_pads(axial, pads, grid, load_x, load_y, x, y, tolerance, places, total):
+    """Newton steps without a search along them: x, y, steps, and whether the force vanishes at the end.
+
+    Pads may have bent since the last time; their lines stand. Tilts are tight: loose ones carry beyond folds.
+    """
+    n, m = grid.step.shape[1], len(axial.size)
+    film, lines = new_film(n), new_lines(n, m)
+    uniform_lines(pads.bearing, grid)
+    floor = tolerance * math.hypot(load_x, load_y) + 1e-13
+    for step in range(MOST_SHORT_STEPS):
+        if not place_all(axial, pads, grid, film, lines, x, y, ROOT_MOMENT, places, total):
+            return x, y, step, False
+        rx, ry = total[0] + load_x, total[1] + load_y
+        if math.hypot(rx, ry) <= floor:
+            return x, y, step, all_found(places) and not np.any(places.status == AT_LIMIT)
+        dx, dy = journal_step(total, rx, ry)
+        if longest_step(pads, places, dx, dy) < 1.0:
+            return x, y, step, False
+        x, y = x + dx, y + dy
+    return x, y, MOST_SHORT_STEPS, False
