@@ -12,14 +12,10 @@ from babbitt.core.result import Outcome
 from babbitt.reynolds.heat.heat_model import JournalHeat
 from babbitt.reynolds.tilting_pads.dynamics import condensed_at, full_coefficients
 from babbitt.reynolds.tilting_pads.model import TiltingPad, TiltingPadBearing
-from babbitt.reynolds.tilting_pads.pad_heat import Feed, PadBending, PadGrowth, PadWalls
+from babbitt.reynolds.tilting_pads.pad_heat import THERMAL_PADS, Feed, PadBending, PadGrowth, PadWalls
 from babbitt.reynolds.tilting_pads.solution import PadStatus
 from babbitt.reynolds.tilting_pads.solve import solve_tilting_pads
-from babbitt.reynolds.tilting_pads.thermal_pads import (
-    THERMAL_PADS,
-    find_thermal_tilting_pads,
-    thermal_tilting_pads_at,
-)
+from babbitt.reynolds.tilting_pads.thermal_pads import find_thermal_tilting_pads, thermal_tilting_pads_at
 
 # highest bore temperature in degC at 1000, 2000, 3000, 4000 rpm, of a prototype with Lobatto points across the gap
 BORE = {

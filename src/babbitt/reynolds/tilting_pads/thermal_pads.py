@@ -21,17 +21,15 @@ from babbitt.reynolds.model import Resolution
 from babbitt.reynolds.tilting_pads._pads import CLOSED, CONVERGED, LIMIT
 from babbitt.reynolds.tilting_pads.model import TiltingPadBearing
 from babbitt.reynolds.tilting_pads.pad_films import PadFilms
-from babbitt.reynolds.tilting_pads.pad_heat import PadHeat
+from babbitt.reynolds.tilting_pads.pad_heat import THERMAL_PADS, PadHeat
 from babbitt.reynolds.tilting_pads.solve import OUTCOMES, PadScales, groove_force
 from babbitt.reynolds.tilting_pads.thermal_pad_solution import ThermalTiltingPadSolution
 from babbitt.reynolds.tilting_pads.thermal_pad_states import Settled, thermal_solution
 
-__all__ = ["THERMAL_PADS", "find_thermal_tilting_pads", "thermal_tilting_pads_at"]
+__all__ = ["find_thermal_tilting_pads", "thermal_tilting_pads_at"]
 
 Array = NDArray[np.float64]
 
-THERMAL_PADS = Resolution(4, 48)
-"""Usual grid: temperatures within 0.2 K of finer ones."""
 RELAXATIONS = (0.8, 0.4, 0.2)
 """Shares of a new viscosity that a pass takes, in one attempt after the other."""
 SETTLED, SHAPED = 5e-3, 3e-4
