@@ -9,7 +9,8 @@ texts that they have, by the same keys. A ``{placeholder}`` names a value of the
 - ``{load}``, the name of a quantity: the number with its unit, as in tables;
 - ``{limit:film_reynolds_number}``, ``{depth:um}``: shown like that quantity, or in a unit of
   `babbitt.core.quantities.quantity.SI`;
-- ``{pad}``, any other: a count, a name, or a number in SI with up to four digits.
+- ``{pad}``, any other: a count, a name, or a number in SI with up to four digits;
+- ``{remedy}``: no value, but the remedy of the code, as the rest of a sentence.
 """
 
 from __future__ import annotations
@@ -32,6 +33,8 @@ SHARED = "shared"
 
 PLACEHOLDER = re.compile(r"\{(\w+)(?::([^{}]+))?\}")
 """Name of a value, and how it is shown if not by its name."""
+
+REMEDY = "{remedy}"
 
 _OTHERS: list[str] = []
 """Packages of other kinds that have texts."""
@@ -63,6 +66,10 @@ def words(language: str = ENGLISH) -> Words:
             for code, entry in own_entries.items():
                 entries.setdefault(code, {}).update(entry)
             messages |= own_messages
+    for (code, variant), text in messages.items():
+        if REMEDY in text:
+            remedy = entries[code]["remedy"]
+            messages[code, variant] = text.replace(REMEDY, remedy[0].lower() + remedy[1:])
     return Words({code: _explanation(**entry) for code, entry in entries.items()}, messages)
 
 
