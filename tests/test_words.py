@@ -15,7 +15,7 @@ import babbitt
 from babbitt.core.notices import Notice
 from babbitt.core.notices import words as loader
 from babbitt.core.notices.notice import quantity_shown
-from babbitt.core.notices.words import PLACEHOLDER, SHARED, explanations, words
+from babbitt.core.notices.words import PLACEHOLDER, REMEDY, SHARED, explanations, words
 
 SOURCE = Path(babbitt.__file__).parent
 MESSAGES = words().messages
@@ -43,7 +43,7 @@ class Site:
 
 
 def placeholders(text: str) -> set[str]:
-    return {name for name, _ in PLACEHOLDER.findall(text)}
+    return {name for name, _ in PLACEHOLDER.findall(text.replace(REMEDY, ""))}
 
 
 def constants(node: ast.expr) -> tuple[str, ...] | None:

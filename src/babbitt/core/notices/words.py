@@ -52,6 +52,9 @@ class Words:
         said = self.messages.get((code, variant)) or self.messages.get((SHARED, variant))
         if said is None:
             raise KeyError(f"{code} has no message {variant!r}")
+        if REMEDY in said:
+            remedy = self.explanations[code].remedy
+            said = said.replace(REMEDY, remedy[0].lower() + remedy[1:])
         return said
 
 
@@ -66,10 +69,6 @@ def words(language: str = ENGLISH) -> Words:
             for code, entry in own_entries.items():
                 entries.setdefault(code, {}).update(entry)
             messages |= own_messages
-    for (code, variant), text in messages.items():
-        if REMEDY in text:
-            remedy = entries[code]["remedy"]
-            messages[code, variant] = text.replace(REMEDY, remedy[0].lower() + remedy[1:])
     return Words({code: _explanation(**entry) for code, entry in entries.items()}, messages)
 
 
