@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 
-from babbitt.core.result import Outcome
+from babbitt.core.notices import Notice
 
 __all__ = ["COLD_FILM", "MOST_WORK", "WorkBoundError", "bounded_work", "spend"]
 
@@ -29,16 +29,13 @@ class WorkBoundError(Exception):
 
     Attributes
     ----------
-    outcome : Outcome
-    said : str
+    failure : Notice
         What to try.
     """
 
-    outcome = Outcome.WORK_BOUND
-    said = (
-        "films of a pad were solved again and again without an end; less thrust or a straighter housing, "
-        "`thermal: global`, `radial_temperature: mean`, fewer waves of the runout or fewer points of a sweep"
-    )
+    def __init__(self) -> None:
+        self.failure = Notice("S009", "pads")
+        super().__init__(self.failure.message)
 
 
 @contextmanager
