@@ -192,7 +192,7 @@ def test_what_gave_way_is_heat_only_where_the_last_film_is_hot():
 def test_a_search_without_an_answer_tells_the_last_film_and_what_to_try():
     last = thermal_operating_film(replace(HOLE, duty=PrescribedLoad(0.5 * HOLE.duty.load))).film
     said = thermal_failure(HOLE, Equilibrium(Outcome.NOT_CONVERGED, last, 0, last.temperature)).message
-    assert "did not come to rest together" in said
+    assert "did not converge together" in said
     assert f"The largest load with a film was about {0.5e-3 * HOLE.duty.load:.2f} kN" in said
     assert f"h_min = {1e6 * last.solution.minimum_film_thickness:.1f} µm" in said
     assert "Try: less load" in said

@@ -17,7 +17,7 @@ RIGID_FILM_UP_TO = 0.95
 PLAIN_BEARING_UP_TO = 100e6
 """Film pressure in Pa above which a rigid film of constant viscosity says little of a plain bearing.
 
-Assumption: a white metal of Brinell hardness 30, the hardest on board, yields at about a third of its hardness
+Assumption: a white metal of Brinell hardness 30, the hardest in the catalogue, yields at about a third of it
 (D. Tabor, The Hardness of Metals, 1951: a hardness is some three times the yield strength)."""
 
 
