@@ -164,7 +164,7 @@ class Part(BaseModel):
 
 
 def as_far_as_usable(issues: Iterable[Issue]) -> Iterator[Issue]:
-    """Give issues until they touch a field that is itself unusable, which has been told already."""
+    """Give issues until they touch a field that is itself unusable, which has been reported already."""
     try:
         yield from issues
     except AttributeError as error:

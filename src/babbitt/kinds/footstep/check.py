@@ -33,7 +33,7 @@ from babbitt.kinds.footstep.superposition import GroovedFootstep
 __all__ = ["heel_results", "state_title"]
 
 LAMINAR_UP_TO = 1500.0
-"""Reynolds number above which the laminar film is doubted."""
+"""Reynolds number above which the laminar film is questioned."""
 HOTTEST = 150.0 + ZERO_CELSIUS
 """K; mineral oil ages fast above it."""
 LAND_SHARE = 1.0 / 3.0

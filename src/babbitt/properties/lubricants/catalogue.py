@@ -142,7 +142,7 @@ def _with_family(families: Table, entry: Table) -> Table:
 
 
 def _lubricant(entry: Table, shared: Table) -> Lubricant:
-    """A lubricant of its whole table; what is wrong with it is told by its field."""
+    """A lubricant of its whole table; what is wrong with it is reported by its field."""
     lowest, highest = part_of_entry("temperature_range", partial(_range, entry))
     viscosity, computed = part_of_entry("viscosity", lambda: _viscosity(entry["viscosity"], (lowest, highest)))
     laws = {field: part_of_entry(field, partial(_law_in, entry, field, shared)) for field in _PROPERTIES}

@@ -80,10 +80,10 @@ NO_CALM_FILM = "no film was found at this position without the supply pressure; 
 """Why the flows by film pressure and by supply pressure are missing."""
 
 DRAWN_IN_FROM = 0.02
-"""Oil that the sides draw in, over what leaves, from which it is told."""
+"""Oil that the sides draw in, over what leaves, from which it is reported."""
 
 OIL_INVENTED_FROM = 0.05
-"""Mass balance error above which a film without mass conservation is doubted."""
+"""Mass balance error above which a film without mass conservation is questioned."""
 
 
 def film_check(case: FilmCase, watch: ProgressCallback = no_progress) -> Result:
@@ -104,7 +104,7 @@ def film_solution(case: FilmCase, watch: ProgressCallback = no_progress) -> Solu
     -------
     Solution
         Its result has a status in every case; the values of an unsolved case describe the last film reached. Its
-        state is the `FilmState` at the place of rest, or None where no film was found.
+        state is the `FilmState` at the equilibrium position, or None where no film was found.
 
     Notes
     -----
@@ -235,7 +235,7 @@ def _supply_of_ducts(asked: FilmCase, beyond: Arrival | None) -> dict[str, float
 
 
 def _tilt_missing(case: FilmCase, outcome: Outcome, arrays: Mapping[str, Matrix]) -> dict[str, str]:
-    """Why coefficients of tilt that were asked for are not told."""
+    """Why coefficients of tilt that were asked for are not given."""
     if not case.tilt_coefficients or not outcome.solved or "tilt_stiffness" in arrays:
         return {}
     why = "the film of the leaning journal did not converge; another accuracy may"

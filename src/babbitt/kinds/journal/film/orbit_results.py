@@ -34,7 +34,7 @@ __all__ = [
 ]
 
 GRID_TOLD_FROM = 0.05
-"""Share of the load that a finer grid does not confirm, from which the orbit is doubted."""
+"""Share of the load that a finer grid does not confirm, from which the orbit is questioned."""
 
 
 HELD_ON_ORBIT = ("minimum_film_thickness", "maximum_pressure", "specific_load", "pressure_speed_product")

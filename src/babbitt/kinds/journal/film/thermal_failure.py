@@ -75,10 +75,10 @@ def last_film(case: FilmCase, film_at: Callable[[FilmCase, ThermalSearch], FilmS
 
 
 def what_gave_way(case: FilmCase, outcome: Outcome, last: FilmState | None) -> Outcome:
-    """Overload where a film seems to run away, or does not come to rest, although the last one there was, is cool.
+    """Overload where a film seems to run away, or does not converge, although the last one there was, is cool.
 
     A gap that closes grows hot at its thinnest place without bound, whatever closed it: a tilted journal that
-    touches at an edge is no matter of heat. Nor does a film come to rest where the last one is as good as closed.
+    touches at an edge is no matter of heat. Nor does a film converge where the last one is as good as closed.
     A film that is thick at the last has not closed: whether the search says so is a matter of round-off.
 
     Parameters

@@ -32,7 +32,7 @@ ATMOSPHERE = 101325.0
 """Pa; standard atmosphere, to which the published relative load is referred."""
 
 THICK_FROM = 0.005
-"""c/R above which the theory of thin films is doubted."""
+"""c/R above which the theory of thin films is questioned."""
 
 LAMINAR_UP_TO = 1500.0
 """Local Reynolds number ρ u h/η above which the laminar law is invalid."""
