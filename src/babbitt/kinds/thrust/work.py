@@ -11,6 +11,7 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 
 from babbitt.core.notices import Notice
+from babbitt.core.picklable_error import PicklableError
 
 __all__ = ["COLD_FILM", "MOST_WORK", "WorkBoundError", "bounded_work", "spend"]
 
@@ -24,7 +25,7 @@ COLD_FILM = 7.0
 _left: ContextVar[list[float] | None] = ContextVar("work left", default=None)
 
 
-class WorkBoundError(Exception):
+class WorkBoundError(PicklableError):
     """The work that is allowed is used up; it tells nothing about the bearing.
 
     Attributes
