@@ -15,7 +15,8 @@ import babbitt
 from babbitt.core.notices import Notice
 from babbitt.core.notices import words as loader
 from babbitt.core.notices.notice import quantity_shown
-from babbitt.core.notices.words import PLACEHOLDER, SHARED, explanations, words
+from babbitt.core.notices.words import PLACEHOLDER, REMEDY, SHARED, explanations, words
+from babbitt.core.result import Outcome, Result
 
 SOURCE = Path(babbitt.__file__).parent
 MESSAGES = words().messages
@@ -43,7 +44,7 @@ class Site:
 
 
 def placeholders(text: str) -> set[str]:
-    return {name for name, _ in PLACEHOLDER.findall(text)}
+    return {name for name, _ in PLACEHOLDER.findall(text.replace(REMEDY, ""))}
 
 
 def constants(node: ast.expr) -> tuple[str, ...] | None:
@@ -124,6 +125,17 @@ def test_clauses_become_part_of_the_sentence_and_of_the_values():
     assert left.message.startswith("thermal loop gain 1.500 > 1: cooler")
     assert left.plain_values() == {"how": {"thermal_loop_gain": 1.5}}
     assert Notice("W177", values={"error": math.inf}).plain_values() == {"error": None}
+
+
+def test_a_failure_ends_with_the_remedy_of_its_code():
+    failed = Notice("S002", "tried", {"far": Notice("S002", "far", {"reached": 373.15})})
+    remedy = explanations()["S002"].remedy
+    said = f"at 100.0 °C the friction power still exceeds the heat carried away. Try: m{remedy[1:]}"
+    assert failed.message == said
+    result = Result("A", "journal", "film", Outcome.of(failed), {}, failure=failed)
+    assert (result.outcome, result.message) == (Outcome.THERMAL_RUNAWAY, said)
+    assert pickle.loads(pickle.dumps(result)) == result
+    assert Outcome.of(None) is Outcome.CONVERGED
 
 
 def test_notices_are_compared_hashed_and_pickled():

@@ -519,7 +519,7 @@ def test_a_changed_field_changes_something(name, path):
         assert after != before
 
 
-SHOWN = {"notes": "Seen on board.", "source": "Drawing 7."}
+SHOWN = {"notes": "Seen aboard.", "source": "Drawing 7."}
 RANGES = {"face_gap_from": "8 um", "face_gap_to": "50 um", "clearance_from": "8 um", "clearance_to": "50 um",
           "map_points": 4}  # fmt: skip
 """Of the figures of a heel."""

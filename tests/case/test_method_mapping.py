@@ -157,7 +157,7 @@ def test_forms_that_contradict_each_other_are_refused_in_one_message(kind, metho
     [
         ({"kind": "film", "acuracy": "draft"}, "method.acuracy", "did you mean 'accuracy'?"),
         ({"kind": "film", "characteristics": "computed"}, "method.characteristics", "kind: iso7902"),
-        ({"kind": "film", "walls": {}}, "method.walls", "beside method"),
+        ({"kind": "film", "walls": {}}, "method.walls", "next to method"),
         ({"kind": "segments", "colour": "red"}, "method.colour", "kind alone"),
         ({"kind": "flim"}, "method.kind", "did you mean 'film'?"),
         ({"kind": ["film"]}, "method.kind", "a list of 1 is not allowed"),

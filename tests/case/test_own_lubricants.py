@@ -104,7 +104,7 @@ TWO = points(("40 degC", "46 cSt"), ("100 degC", "6 cSt"), of="kinematic_viscosi
     ("given", "words"),
     [
         ({"kind": "two_points", "nu40": "46 cSt", "nu100": "46 cSt"}, "not below nu40"),
-        ({"kind": "two_points", "nu40": "46 cSt", "nu100": "6 cSt", "points": TWO}, "given besides points"),
+        ({"kind": "two_points", "nu40": "46 cSt", "nu100": "6 cSt", "points": TWO}, "given together with points"),
         ({"kind": "two_points"}, "nu40 and nu100, or points"),
         ({"kind": "vogel", "factor": 1e-4}, "all its constants"),
         ({"kind": "vogel"}, "none of points, factor"),

@@ -276,7 +276,7 @@ def test_reversed_rotation_mirrors_the_segments():
 def test_oil_colder_than_its_law_is_not_called_overloaded(duty):
     result = segments_check(replace(PLAIN, duty=duty, oil_supply=OilSupply(ZERO - 10.0, 0.0)))
     assert result.outcome is Outcome.NO_LUBRICANT_DATA
-    assert "supplied at -10 °C" in result.message
+    assert "supplied at -10.0 °C" in result.message
 
 
 def test_one_doubt_about_temperatures_is_enough():

@@ -70,7 +70,7 @@ def test_a_ring_lighter_than_the_widest_gap_carries_is_lifted_off(load, method):
     pressed = float(widest.response.force[0])
     assert pressed > load
     assert (
-        f"a gap of 2 mm, the widest that is searched, the recesses still press with {pressed:.4g} N"
+        f"a gap of 2.00 mm, the widest that is searched, the recesses still press with {pressed:.3g} N"
         in result.message
     )
     just = hydrostatic_check(

@@ -60,7 +60,7 @@ def test_runaway_ends_in_a_status():
     """The oil was held at 300 degC, and the film, 427 K warmer than its supply, was called converged."""
     result = solved(60000)
     assert result.outcome is Outcome.THERMAL_RUNAWAY
-    assert "300 °C" in result.message
+    assert "300.0 °C" in result.message
     assert "temperature_rise" not in result.values
 
 

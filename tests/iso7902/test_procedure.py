@@ -209,7 +209,7 @@ def test_a_film_that_collapses_while_warming_up_says_at_which_temperature():
     case = replace(CASE_A, duty=PrescribedLoad(430e3), friction_factor=5.0)
     result = check(case)
     assert result.outcome is Outcome.OVERLOADED
-    assert "less than the load of 430 kN" in result.message
+    assert "less than the load of 430.0 kN" in result.message
     assert result.values["eccentricity_ratio"] == pytest.approx(0.99, abs=1e-6)
 
 

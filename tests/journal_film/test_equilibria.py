@@ -142,7 +142,7 @@ def test_a_saddle_is_not_shown_and_the_other_places_are_named():
     result = answer(**SLOW_CASE)
     (told,) = [notice for notice in result.warnings if notice.code == "W131"]
     assert result.equilibria == 3
-    assert told.message.startswith("2 besides the one shown")
+    assert told.message.startswith("2 in addition to the one shown")
     assert told.message.count("e/c =") == 2
     assert not any(notice.code == "W132" for notice in result.warnings)
     assert np.linalg.det(result.arrays["stiffness"]) > 0.0

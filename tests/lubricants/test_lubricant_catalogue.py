@@ -198,8 +198,8 @@ def test_no_two_entries_share_a_name():
         ("ISO VG 47", "nearest is 'ISO VG 46'"),
         ("watr", "nearest is 'water'"),
         ("TP-46 STO lower", "'TP-46 STO upper'"),
-        ("zzzz", "Nothing on board is named like it"),
-        ("", "Nothing on board is named like it"),
+        ("zzzz", "No name in the catalogue is near it"),
+        ("", "No name in the catalogue is near it"),
     ],
 )
 def test_an_unknown_name_is_answered_with_the_nearest(asked, hint):

@@ -1,4 +1,4 @@
-"""Lubricants and materials of the user's own catalogue: found like those on board, faults named and left out."""
+"""Lubricants and materials of the user's own catalogue: found like those that ship, faults named and left out."""
 
 from __future__ import annotations
 
@@ -120,9 +120,9 @@ def test_the_folder_of_the_settings_is_read_without_a_variable(folder, monkeypat
 
 FAULTS = {
     'name = "ISO VG-46"\nfamily = "iso_vg"\nviscosity.nu40 = 46.0\ndensity.value = 860.0':
-        "name: .*on board already",
+        "name: .*in the catalogue already",
     'name = "Other"\naliases = ["HO46"]\nfamily = "iso_vg"\nviscosity.nu40 = 46.0\ndensity.value = 860.0':
-        "'HO46' is on board",
+        "'HO46' is in the catalogue",
     'name = "Typo"\nfamily = "iso_vg"\ndensty.value = 860.0': "densty: .* did you mean density",
     'name = "Thick"\nfamily = "mineral_oil"\nsource = "x"\nviscosity = {nu40 = 5.0, nu100 = 46.0}':
         "viscosity: .* must fall",
@@ -160,7 +160,7 @@ def test_a_faulty_entry_is_named_once_and_leaves_the_rest(folder, entry, says):
 @pytest.mark.parametrize(
     ("before", "after", "says"),
     [
-        ('name = "House metal"', 'name = "B83"', "'B83' is on board"),
+        ('name = "House metal"', 'name = "B83"', "'B83' is in the catalogue"),
         ('family = "tin-based"', 'family = "tin"', "'House metal' of bearing_metal .*family: "),
         ("value = 12e6", "value = -12e6", "calm: .*positive"),
         ('source = "mill" }\n\n', 'source = "mil" }\n\n', "calm: 'mil' is missing"),

@@ -1,4 +1,4 @@
-"""The materials on board: every number sourced, in the range of metals, found by the names people write."""
+"""Materials of the catalogue: every number sourced, in the range of metals, found by the names people write."""
 
 import tomllib
 from importlib.resources import files

@@ -132,7 +132,7 @@ def test_checks_not_made_are_told_with_what_is_missing(reverse_gear, good):
     lacking = replace(good, not_checked=(Notice("C105", "no_public_limit", {"metal": "Own"}),))
     first, second = to_json(replace(reverse_gear, results=(lacking, good)))["bearings"]
     assert first["not_checked"] == [
-        {"code": "C105", "message": "no public limit of Own is on board", "values": {"metal": "Own"}}
+        {"code": "C105", "message": "no public limit of Own is included", "values": {"metal": "Own"}}
     ]
     assert second["not_checked"] == []
 

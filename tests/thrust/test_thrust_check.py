@@ -466,33 +466,33 @@ def test_what_the_runout_does_is_said_and_doubted():
 
 
 @pytest.mark.parametrize("oil", ["{kind: viscosity, viscosity: 50 mPa s}", f"{BALANCE}}}"])
-def test_hollow_pads_tell_their_crown_and_the_largest_load_they_carry(oil):
+def test_concave_pads_tell_their_crown_and_the_largest_load_they_carry(oil):
     """The same end at any thrust beyond; at a little less than the load that is told they have a film."""
-    said = {overloaded_hollow(f"{thrust} kN", oil) for thrust in (400, 500, 2000)}
+    said = {overloaded_concave(f"{thrust} kN", oil) for thrust in (400, 500, 2000)}
     [most] = {words.split("at most ")[1].split(" kN")[0] for words in said}
-    assert all("hollow (crown -5 µm)" in words for words in said)
+    assert all("concave (crown -5.0 µm)" in words for words in said)
     assert not any("-0" in words for words in said)
-    assert solve(parse_case(hollow(f"{0.99 * float(most)} kN", oil))).results[0].outcome.solved
-    assert "the pads carry at most" in overloaded_hollow(f"{1.03 * float(most)} kN", oil)
+    assert solve(parse_case(concave(f"{0.99 * float(most)} kN", oil))).results[0].outcome.solved
+    assert "the pads carry at most" in overloaded_concave(f"{1.03 * float(most)} kN", oil)
 
 
-def test_a_hollow_pad_that_a_tilt_overloads_is_told_alike():
-    tilted = hollow("340 kN", "{kind: viscosity, viscosity: 50 mPa s}") + "\ntilt: {offset: 30 um}\n"
+def test_a_concave_pad_that_a_tilt_overloads_is_told_alike():
+    tilted = concave("340 kN", "{kind: viscosity, viscosity: 50 mPa s}") + "\ntilt: {offset: 30 um}\n"
     found = solve(parse_case(tilted)).results[0]
     assert found.outcome is Outcome.OVERLOADED
-    assert "a pad carries at most 43.3 kN: the pads are hollow (crown -5 µm)" in found.message
+    assert "a pad carries at most 43.33 kN: the pads are concave (crown -5.0 µm)" in found.message
 
 
-def hollow(thrust, oil):
+def concave(thrust, oil):
     return (
-        f"babbitt: 1\nkind: thrust\nname: hollow\nthrust: {thrust}\nspeed: 120 rpm\noil: {oil}\n"
+        f"babbitt: 1\nkind: thrust\nname: concave\nthrust: {thrust}\nspeed: 120 rpm\noil: {oil}\n"
         "pads: {number: 8, inner_radius: 220 mm, outer_radius: 420 mm, extent: 35 deg, crown: -5 um, "
         "pivot: {kind: point, radius: 325 mm, fraction: 0.6}}\n"
     )
 
 
-def overloaded_hollow(thrust, oil):
-    found = solve(parse_case(hollow(thrust, oil))).results[0]
+def overloaded_concave(thrust, oil):
+    found = solve(parse_case(concave(thrust, oil))).results[0]
     assert found.outcome is Outcome.OVERLOADED
     return found.message
 

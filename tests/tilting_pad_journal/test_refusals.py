@@ -37,7 +37,7 @@ REFUSED = {
     "speed left out": ({"speed": None}, "speed", "missing"),
     "no load": ({"load": None}, "", "exactly one of load, position"),
     "load of nothing": ({"load": "0 kN"}, "load", "1 N"),
-    "load and position": ({"position": {"x": "0 um", "y": "-9 um"}}, "position", "besides load"),
+    "load and position": ({"position": {"x": "0 um", "y": "-9 um"}}, "position", "together with load"),
     "no viscosity": (
         {"lubricant": {"kind": "constant", "name": "Oil", "dynamic_viscosity": "0 mPa s"}},
         "lubricant.dynamic_viscosity",
@@ -108,7 +108,11 @@ REFUSED = {
     ),
     "one pad": ({"pads.number": 1}, "pads.number", "2 to 24"),
     "one angle": (ANGLES | {"pads.pivot_angles": ["-90 deg"]}, "pads.pivot_angles", "two pads or more"),
-    "number and angles": ({"pads.pivot_angles": ["-90 deg", "90 deg"]}, "pads.pivot_angles", "besides number"),
+    "number and angles": (
+        {"pads.pivot_angles": ["-90 deg", "90 deg"]},
+        "pads.pivot_angles",
+        "with number",
+    ),
     "no first pivot": ({"pads.first_pivot": None}, "pads.first_pivot", "load on a pad"),
     "lists of two lengths": ({"pads.each": [{}, {}]}, "pads.each", "2 entries are given for 4 pads"),
     "spring of nothing": (

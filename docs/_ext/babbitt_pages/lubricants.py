@@ -1,4 +1,4 @@
-"""The page of lubricants on board, each with its source and what is assumed."""
+"""The page of lubricants, each with its source and what is assumed."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The page of materials on board: bearing metals with their limits, shaft and housing materials, experience."""
+"""The page of materials: bearing metals with their limits, shaft and housing materials, experience."""
 
 from __future__ import annotations
 

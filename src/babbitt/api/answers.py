@@ -26,7 +26,7 @@ def solve(case: CaseFile, progress: ProgressCallback = no_progress) -> MachineRe
     case : CaseFile
         Such as a `babbitt.JournalBearing`, or what `babbitt.load_case` reads.
     progress : callable
-        Told the numbers of the cycles of an orbit, which takes long, by something that hands them on.
+        Called with the numbers of the cycles of an orbit, which takes long, by something that hands them on.
 
     Returns
     -------

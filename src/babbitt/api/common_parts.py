@@ -143,7 +143,7 @@ class Limits(OwnPart, choices.LimitsInput):
 
 
 class CatalogueLubricant(OwnPart, lubricant.CatalogueLubricant):
-    """A lubricant on board. Its name alone will do."""
+    """A lubricant of the catalogue. Its name alone will do."""
 
 
 class IsoVgLubricant(OwnPart, lubricant.IsoVgLubricant):

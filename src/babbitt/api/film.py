@@ -141,7 +141,7 @@ class SolvedFilm:
         Returns
         -------
         ndarray, shape (..., 2)
-            N, with the viscosity of the operating point; NaN where the film does not settle.
+            N, with the viscosity of the operating point; NaN where the film does not converge.
 
         Raises
         ------
@@ -174,7 +174,7 @@ class SolvedFilm:
         Returns
         -------
         stiffness, damping : ndarray, shape (..., 2, 2)
-            N/m and N s/m, [[xx, xy], [yx, yy]]; NaN where the film does not settle.
+            N/m and N s/m, [[xx, xy], [yx, yy]]; NaN where the film does not converge.
 
         Raises
         ------

@@ -139,7 +139,7 @@ def gradient_of(
     -----
     The case is solved anew at two steps to each side, h and h/2. With the slopes D(h) and D(h/2) of central
     differences the slope is (4 D(h/2) - D(h))/3 (Richardson), which is exact for a quartic; their difference is
-    told as its error, so that a step too small for the round-off of a search, or a film that jumps between the
+    given as its error, so that a step too small for the round-off of a search, or a film that jumps between the
     steps, shows.
     """
     from babbitt.api.sweeping import over_points

@@ -181,7 +181,7 @@ class Position(OwnPart, position.PositionInput):
 
 
 class HeatExchange(OwnPart, heat_exchange.HeatExchangeInput):
-    """Where heat goes besides the oil, and how the published calculation is repeated."""
+    """Where heat goes other than into the oil, and how the published calculation is repeated."""
 
 
 class SegmentOptions(OwnPart, grooved_segments.SegmentsInput):

@@ -1,4 +1,4 @@
-"""What is on board, by name: lubricants, materials, published cases, explanations."""
+"""What is included, by name: lubricants, materials, published cases, explanations."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ __all__ = ["explain", "lubricants", "materials", "published_cases", "validate"]
 
 
 def lubricants() -> tuple[str, ...]:
-    """Names of the lubricants on board; `babbitt.lubricant` gives one of them.
+    """Names of the lubricants in the catalogue; `babbitt.lubricant` gives one of them.
 
     >>> "ISO VG 46" in lubricants()
     True
@@ -26,7 +26,7 @@ def lubricants() -> tuple[str, ...]:
 
 
 def materials() -> tuple[str, ...]:
-    """Names of the bearing metals and structural materials on board."""
+    """Names of the bearing metals and structural materials in the catalogue."""
     from babbitt.properties.materials import bearing_metals, structural_materials
 
     return (*(one.name for one in bearing_metals()), *(one.name for one in structural_materials()))

@@ -126,7 +126,8 @@ def with_own_bore_in_words(given: Mapping[str, Any]) -> dict[str, Any]:
         return dict(given)
     if given.get("displacement") is not None:
         _refuse(
-            f"'{bore.describe}' is given beside a displacement, which is the same table", allowed="one of them"
+            f"'{bore.describe}' is given with a displacement, which is the same table",
+            allowed="one of them",
         )
     rest = {name: value for name, value in given.items() if name != "bore"}
     return {**rest, "displacement": bore.table(_width(given))}

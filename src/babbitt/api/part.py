@@ -65,7 +65,7 @@ class OwnPart(Part):
 
 
 def _only_kind(cls: type[Part]) -> dict[str, Any]:
-    """The `kind` of a part that has one kind, which need not be told in Python."""
+    """The `kind` of a part that has one kind, which need not be given in Python."""
     field = cls.model_fields.get("kind")
     known: tuple[Any, ...] = getattr(field.annotation, "__args__", ()) if field is not None else ()
     return {"kind": known[0]} if len(known) == 1 else {}

@@ -1,7 +1,7 @@
 """Former words of the case language, read as those of today before anything is checked.
 
 A part names them in `former_words`: path of the former word and path of the one that took its place, both from the
-part. What is wrong with the value is told at the word that the file has.
+part. What is wrong with the value is reported at the word that the file has.
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ def _always(value: Any) -> bool:
 
 @dataclass(frozen=True)
 class Moved:
-    """Where the value of a former word stands today, if more is to be told than its path.
+    """Where the value of a former word stands today, if more is to be said than its path.
 
     Attributes
     ----------
@@ -212,7 +212,7 @@ def todays_path(cls: type[Part], steps: Sequence[str]) -> tuple[str, ...]:
 
 
 def todays_field(cls: type[Part], steps: Sequence[str]) -> tuple[tuple[str, ...], float]:
-    """As `todays_path`, and the value of today over that at the path as it was told."""
+    """As `todays_path`, and the value of today over that at the path as it was given."""
     if steps[0] == METHOD and len(steps) > 1 and method_models(cls):
         choice = {**every_choice(cls), KIND: (METHOD,)}.get(steps[1], (METHOD, steps[1]))
         return (*choice, *steps[2:]), 1.0
@@ -261,7 +261,7 @@ _QUANTITY = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)(\s*[^\d\
 
 
 def scaled(value: Any, scale: float) -> Any:
-    """A quantity times a power of two, exact to the last bit; what is none is told where it is read."""
+    """A quantity times a power of two, exact to the last bit; what is none is reported where it is read."""
     if scale == 1.0 or isinstance(value, bool):
         return value
     if isinstance(value, int | float):

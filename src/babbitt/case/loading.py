@@ -151,7 +151,7 @@ def case_from_dict(given: Mapping[str, Any], name: str = "<case>", reach: Reach 
 
 
 def located(error: InputError, case: CaseFile, file: str | FilePath) -> CaseError:
-    """The refusal of a case that was read, told with its file and, where it names one, its field.
+    """The refusal of a case that was read, with its file and, where it names one, its field.
 
     Parameters
     ----------

@@ -164,7 +164,7 @@ class Part(BaseModel):
 
 
 def as_far_as_usable(issues: Iterable[Issue]) -> Iterator[Issue]:
-    """Give issues until they touch a field that is itself unusable, which has been told already."""
+    """Give issues until they touch a field that is itself unusable, which has been reported already."""
     try:
         yield from issues
     except AttributeError as error:
@@ -224,7 +224,7 @@ def at_most_one(part: Part, *names: str) -> Iterator[Issue]:
     """Complain if several of some fields are given."""
     first, *others = [name for name in names if is_given(part, name)] or [""]
     for other in others:
-        yield Issue((other,), f"given besides {first}", f"one of {', '.join(names)}", "remove one")
+        yield Issue((other,), f"given together with {first}", f"one of {', '.join(names)}", "remove one")
 
 
 def _lines(part: Part, given: Any) -> list[InitErrorDetails]:
@@ -273,7 +273,7 @@ def _no_choice(cls: type[Part], path: Path, given: Mapping[str, Any]) -> Issue:
         others = ", ".join(one for one in method_models(cls) if name in choices_of(cls, one))
         return Issue(path, f"is no choice of method {method}", f"kind: {others}, or leave it out", code="E003")
     if name in cls.model_fields:
-        return Issue(path, "is no choice of a method", f"{name} beside method", code="E003")
+        return Issue(path, "is no choice of a method", f"{name} next to method", code="E003")
     meant = near_typo(name, known)
     hint = f"did you mean '{meant}'?" if meant else ""
     return Issue(path, "is not a field here", "" if hint else ", ".join(known) or "kind alone", hint, "E003")

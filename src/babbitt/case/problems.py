@@ -1,4 +1,4 @@
-"""What is wrong with a case file, told once per fault with its place."""
+"""What is wrong with a case file, reported once per fault with its place."""
 
 from __future__ import annotations
 

@@ -11,7 +11,7 @@ from babbitt.report.table import console
 
 
 def print_lubricants() -> None:
-    """Lubricants on board with viscosity, density and source."""
+    """Lubricants of the catalogue with viscosity, density and source."""
     from babbitt.properties.lubricants import catalogue
 
     table = _table("name", "ν 40 °C mm²/s", "ν 100 °C mm²/s", "ρ 15 °C kg/m³", "range °C", "source")

@@ -1,4 +1,4 @@
-"""Commands that tell what is on board and what it means: new, schema, validate, list, explain, cite."""
+"""Commands that show what is included and what it means: new, schema, validate, list, explain, cite."""
 
 from __future__ import annotations
 
@@ -79,7 +79,7 @@ def validate(
 def list_(
     what: Annotated[str, typer.Argument(metavar="WHAT", help="lubricants, materials, kinds or cases.")],
 ) -> None:
-    """Show what is on board, with sources."""
+    """Show what is included, with sources."""
     from babbitt.cli import listings
 
     show: dict[str, Callable[[], None]] = {

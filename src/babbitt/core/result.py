@@ -44,6 +44,11 @@ class Outcome(Enum):
         """Code of the explanation in `babbitt.core.notices`; empty for a solution."""
         return _OUTCOME_CODES.get(self.name, "")
 
+    @classmethod
+    def of(cls, failure: Notice | None) -> Outcome:
+        """The outcome of which a failure speaks; convergence where there is none."""
+        return cls.CONVERGED if failure is None else next(one for one in cls if one.code == failure.code)
+
 
 _OUTCOME_CODES = {
     "OVERLOADED": "S001",
@@ -155,13 +160,15 @@ class Result:
     assumptions : tuple of str
         What was assumed because neither the case nor a published source says it.
     message : str
-        For an unsolved result: how far it came and what to try.
+        For an unsolved result: how far it came and what to try; the sentence of `failure` where that is given.
     settings : Mapping[str, str]
         Choices that the numbers depend on.
     arrays : Mapping[str, Matrix]
         Named quantities of several numbers, in SI: ``stiffness`` and ``damping`` as [[xx, xy], [yx, yy]].
     missing : Mapping[str, str]
         Quantities that belong among the values and could not be found, each with the reason.
+    failure : Notice or None
+        The same as `message`, with its values.
     """
 
     name: str
@@ -177,6 +184,11 @@ class Result:
     settings: Mapping[str, str] = field(default_factory=dict)
     arrays: Mapping[str, Matrix] = field(default_factory=dict)
     missing: Mapping[str, str] = field(default_factory=dict)
+    failure: Notice | None = None
+
+    def __post_init__(self) -> None:
+        if self.failure is not None:
+            object.__setattr__(self, "message", self.failure.message)
 
     @property
     def verdict(self) -> Verdict:

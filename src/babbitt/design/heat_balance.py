@@ -147,7 +147,7 @@ def heat_paths(film: FilmAtTemperature, case: CheckedProblem) -> tuple[float, fl
 
 
 def coolest_temperature(case: CheckedProblem) -> float:
-    """Temperature in K below which the film cannot settle: the coolest of inlet and ambient."""
+    """Temperature in K below which the film cannot find its equilibrium: the coolest of inlet and ambient."""
     sinks = []
     if case.oil_supply is not None:
         sinks.append(case.oil_supply.temperature)

@@ -94,7 +94,7 @@ def heat_values(case: CheckedProblem, film: DesignFilm) -> Named:
 def supply_values(case: CheckedProblem, film: DesignFilm) -> Named:
     """Oil that comes and goes; empty without a supply.
 
-    The temperature of the oil that goes follows from the heat balance: none is told at a temperature that is
+    The temperature of the oil that goes follows from the heat balance: none is given at a temperature that is
     prescribed, at which the film makes another heat than the oil would carry away.
     """
     leaving = outlet_temperature(film.temperature, case)

@@ -17,7 +17,7 @@ RIGID_FILM_UP_TO = 0.95
 PLAIN_BEARING_UP_TO = 100e6
 """Film pressure in Pa above which a rigid film of constant viscosity says little of a plain bearing.
 
-Assumption: a white metal of Brinell hardness 30, the hardest on board, yields at about a third of its hardness
+Assumption: a white metal of Brinell hardness 30, the hardest in the catalogue, yields at about a third of it
 (D. Tabor, The Hardness of Metals, 1951: a hardness is some three times the yield strength)."""
 
 
@@ -31,7 +31,7 @@ LARGEST_RISE = 100.0
 """Heating of the oil in K beyond which no model of a plain bearing holds (an assumption)."""
 
 SETTLED, OPEN_HEAT = 1e-6, 1e-3
-"""Share of the heat that is not accounted for: from which it is told of journal bearings, and from which no kind
+"""Share of the heat that is not accounted for: from which journal bearings report it, and from which no kind
 of bearing has a verdict."""
 
 BESIDE_THE_END = 0.05
@@ -133,7 +133,7 @@ def warnings_about_supply(limit: float | None, wanted: float) -> Iterator[Notice
 
 
 SHARE_OF_A_HOLE = 0.1
-"""Loss in a supply hole over the supply pressure from which it is told."""
+"""Loss in a supply hole over the supply pressure from which it is reported."""
 
 
 def warnings_about_hole(supply: OilSupply, diameter: float, flow: float, density: float) -> Iterator[Notice]:

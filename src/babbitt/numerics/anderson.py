@@ -149,7 +149,7 @@ def fixed_point(
     bounded: Callable[[Array, Array], Array | None] = as_it_is,
     weights: Array | float = 1.0,
 ) -> FixedPoint:
-    """State at which a residual has settled.
+    """State at which a residual has converged.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Lubricants and materials of one's own, in the form of the catalogues on board.
+"""Lubricants and materials of one's own, in the form of the catalogues that ship.
 
 They stand in ``lubricants.toml`` and ``materials.toml`` of a folder, or together in one file: that which
 `VARIABLE` names, else in the folder of the user's settings. A faulty entry is named in a warning and left out.
@@ -36,7 +36,7 @@ VARIABLE = "BABBITT_CATALOGUE"
 """Names a folder or a file."""
 
 LARGEST = 1_000_000
-"""Bytes of a catalogue; that on board takes about 10 000."""
+"""Bytes of a catalogue; that which ships takes about 10 000."""
 
 LONGEST_NAME = 120
 
@@ -137,7 +137,7 @@ def own_entries(
             _refuse_no_numbers(table)
             entry = read(table, str(own.file))
             if known := [one for one in (entry.name, *entry.aliases) if spelled(one) in taken]:
-                raise InputError("E003", f"name: '{known[0]}' is on board already")
+                raise InputError("E003", f"name: '{known[0]}' is in the catalogue already")
         except (InputError, *FAULTS) as error:
             named = table.get("name") if isinstance(table, Mapping) else None
             told = f"'{named[:LONGEST_NAME]}'" if isinstance(named, str) else f"{number}"

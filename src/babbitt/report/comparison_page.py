@@ -66,7 +66,7 @@ def _bearing(comparison: Comparison) -> Iterator[str]:
     yield f"<h1>{_text(comparison.name)}</h1>"
     yield (
         f'<p class="method">The same bearing by {len(methods)} methods; the case asks for '
-        f"{_text(asked.label)} (marked{AS_ASKED}). The methods differ in what they neglect: that is told for each "
+        f"{_text(asked.label)} (marked{AS_ASKED}). The methods differ in what they neglect: see the notes on each "
         "below the figure.</p>"
     )
     if comparison.sentences:

@@ -71,7 +71,7 @@ def short_comparison(comparison: Comparison) -> str:
         to.print(table)
         to.print(f" {AS_ASKED} {asked.label}: what the case asks for", markup=False)
         if others := ", ".join(one.label for one in comparison.choices):
-            to.print(f"   besides: {others}", markup=False)
+            to.print(f"   also: {others}", markup=False)
     return "\n".join(line.rstrip() for line in written.get().splitlines())
 
 

@@ -43,7 +43,7 @@ SHORT = {
     "maximum_wall_temperature": "Film at the bore, hottest",
     "returned_flow": "Oil back into supplies",
     "heat_returned": "Heat back into supplies",
-    "film_dissipation": "Heat born in the film",
+    "film_dissipation": "Heat generated in the film",
     "heat_film_to_bush": "Heat to the bush",
     "heat_film_to_journal": "Heat to the journal",
     "effective_viscosity": "Dynamic viscosity",

@@ -30,7 +30,7 @@ LINES: tuple[dict[str, Any], ...] = tuple(
     for dashes in ("-", (0, (6, 1.5)), (0, (2, 1.5)), (0, (6, 1.5, 1, 1.5)))
     for colour in (INK, GREY)
 )
-"""So many bearings can be told apart; more share lines."""
+"""So many bearings can be distinguished; more share lines."""
 
 MARKERS = ("o", "s", "^")
 """Where there are more bearings than lines."""

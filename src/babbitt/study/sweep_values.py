@@ -47,7 +47,7 @@ def values_of(text: str) -> SweepValues:
     ----------
     text : str
         Values between commas, or the first, the last and the number of equally spaced ones between colons. All are
-        told in the unit of the first.
+        given in the unit of the first.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""All published cases on board."""
+"""All published cases included."""
 
 from __future__ import annotations
 

@@ -46,7 +46,7 @@ ViscosityIndex = Annotated[float, si("1", "-100", "400")]
 
 
 class CatalogueLubricant(Part):
-    """A lubricant on board. Its name alone will do."""
+    """A lubricant of the catalogue. Its name alone will do."""
 
     kind: Literal["catalogue"] = Field(description="Lubricant of the catalogue.")
     name: Name = Field(description="Name in the catalogue, see `babbitt list lubricants`.")

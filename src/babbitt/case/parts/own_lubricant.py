@@ -1,4 +1,4 @@
-"""What is known of an own oil besides its viscosity, and the points that viscosity laws are laid through."""
+"""What is known of an own oil in addition to its viscosity, and the points of its viscosity laws."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ class ViscosityPoint(Part):
 
 
 class OwnLubricant(Part):
-    """What is known of an own oil besides its viscosity; what is missing is taken of a typical mineral oil."""
+    """Data of an own oil in addition to its viscosity; what is missing is that of a typical mineral oil."""
 
     name: Name = Field("own oil", description="As it shall appear in reports.")
     source: Name = Field("given in the case", description="Where the numbers come from.")
@@ -90,7 +90,7 @@ class OwnLubricant(Part):
 
     @property
     def properties(self) -> OilProperties:
-        """What is known besides viscosity."""
+        """What is known in addition to viscosity."""
         return OilProperties(
             self.density,
             self.density_temperature,

@@ -1,4 +1,4 @@
-"""How an earlier output of Babbitt is told from any other file.
+"""How an earlier output of Babbitt is distinguished from any other file.
 
 Every format that Babbitt writes carries a mark where the format has a place for one, and where it has none a
 beginning that Babbitt alone writes:

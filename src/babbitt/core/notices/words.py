@@ -9,7 +9,8 @@ texts that they have, by the same keys. A ``{placeholder}`` names a value of the
 - ``{load}``, the name of a quantity: the number with its unit, as in tables;
 - ``{limit:film_reynolds_number}``, ``{depth:um}``: shown like that quantity, or in a unit of
   `babbitt.core.quantities.quantity.SI`;
-- ``{pad}``, any other: a count, a name, or a number in SI with up to four digits.
+- ``{pad}``, any other: a count, a name, or a number in SI with up to four digits;
+- ``{remedy}``: no value, but the remedy of the code, as the rest of a sentence.
 """
 
 from __future__ import annotations
@@ -33,6 +34,8 @@ SHARED = "shared"
 PLACEHOLDER = re.compile(r"\{(\w+)(?::([^{}]+))?\}")
 """Name of a value, and how it is shown if not by its name."""
 
+REMEDY = "{remedy}"
+
 _OTHERS: list[str] = []
 """Packages of other kinds that have texts."""
 
@@ -49,6 +52,9 @@ class Words:
         said = self.messages.get((code, variant)) or self.messages.get((SHARED, variant))
         if said is None:
             raise KeyError(f"{code} has no message {variant!r}")
+        if REMEDY in said:
+            remedy = self.explanations[code].remedy
+            said = said.replace(REMEDY, remedy[0].lower() + remedy[1:])
         return said
 
 

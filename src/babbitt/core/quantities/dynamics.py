@@ -92,8 +92,8 @@ DYNAMICS: tuple[Quantity, ...] = (
     ),
     quantity("preload", "m_l", "1", "", 3, "Preload of the lobes, 1 - c/c_l"),
     quantity("lobe_clearance", "c_l", "m", "um", 4, "Radial clearance of the lobes"),
-    quantity("equilibria", "n_eq", "1", "count", 1, "Places found where the journal can rest under its load"),
-    quantity("least_resting_film", "h_rest", "m", "um", 3, "Smallest film thickness of the other places of rest"),
+    quantity("equilibria", "n_eq", "1", "count", 1, "Equilibrium positions found under the load"),
+    quantity("least_resting_film", "h_rest", "m", "um", 3, "Least film thickness at the other equilibria"),
     # orbit under a changing load
     quantity("orbit", "r(t)", "SI", "", 4, "Rows of angle turned, x, y, F_x, F_y, least film, largest pressure"),
     quantity(

@@ -16,7 +16,7 @@ FOOTSTEP: tuple[Quantity, ...] = (
         "m3/s",
         "mm3/s",
         4,
-        "Leakage through the clearance to ambient, beside the groove",
+        "Leakage through the clearance to ambient, not through the groove",
     ),
     quantity(
         "heel_net_flow",

@@ -145,7 +145,7 @@ JOURNAL: tuple[Quantity, ...] = (
         "Highest film temperature at the wall of the bore",
     ),
     quantity("journal_temperature", "T_J", "K", "degC", 4, "Journal temperature"),
-    quantity("film_dissipation", "P_d", "W", "kW", 4, "Heat born in the film: friction power and pumping power"),
+    quantity("film_dissipation", "P_d", "W", "kW", 4, "Heat generated in the film: friction and pumping power"),
     quantity("heat_film_to_bush", "P_fB", "W", "kW", 4, "Heat from film to bush"),
     quantity("heat_film_to_journal", "P_fJ", "W", "kW", 4, "Heat from film to journal"),
     quantity("effective_viscosity", "η_eff", "Pa s", "mPas", 4, "Dynamic viscosity at T_eff"),

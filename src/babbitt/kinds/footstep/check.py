@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from time import perf_counter
 
-from babbitt.core.notices import Notice, explanations
+from babbitt.core.notices import Notice
 from babbitt.core.result import Bound, Check, Outcome, Result
 from babbitt.core.result_name import ResultName
 from babbitt.core.units import ZERO_CELSIUS
@@ -33,7 +33,7 @@ from babbitt.kinds.footstep.superposition import GroovedFootstep
 __all__ = ["heel_results", "state_title"]
 
 LAMINAR_UP_TO = 1500.0
-"""Reynolds number above which the laminar film is doubted."""
+"""Reynolds number above which the laminar film is questioned."""
 HOTTEST = 150.0 + ZERO_CELSIUS
 """K; mineral oil ages fast above it."""
 LAND_SHARE = 1.0 / 3.0
@@ -98,7 +98,7 @@ def _titles(states: tuple[SteadyState, ...]) -> list[str]:
 
 
 def _unsolved(case: FootstepProblem, error: NoSteadyStateError, begun: float) -> Result:
-    far = f"{error}."
+    far = error.failure
     values = {
         "face_gap": case.footstep.face_gap,
         "heel_clearance": case.footstep.clearance,
@@ -109,16 +109,15 @@ def _unsolved(case: FootstepProblem, error: NoSteadyStateError, begun: float) ->
     fold = fold_clearance(case.footstep)
     if fold is not None:
         values["fold_clearance"] = fold
-        far += f" At this face gap such states exist from a clearance of {1e6 * fold:.3f} µm."
-    for state in draining_states(case.footstep):
-        far += f" {_drained(state).message}."
-    remedy = explanations()["S020"].remedy
-    message = f"{far} Try: {remedy[0].lower()}{remedy[1:]}"
+        far = Notice("S020", "from_fold", {"far": far, "fold_clearance": fold})
+    drained = tuple(map(_drained, draining_states(case.footstep)))
+    if drained:
+        far = Notice("S020", "drained", {"far": far, "drained": drained})
     return Result(
         ResultName(case.name, state="grooved heel"), case.kind, case.method.value, Outcome.NO_STEADY_STATE,
         values | {"wall_time": perf_counter() - begun},
-        warnings=tuple(_warnings_about_inputs(case)), assumptions=_assumptions(case), message=message,
-        settings=_settings(case),
+        warnings=tuple(_warnings_about_inputs(case)), assumptions=_assumptions(case),
+        settings=_settings(case), failure=Notice("S020", "tried", {"far": far}),
     )  # fmt: skip
 
 

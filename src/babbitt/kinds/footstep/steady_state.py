@@ -7,6 +7,7 @@ from enum import Enum
 
 import numpy as np
 
+from babbitt.core.notices import Notice
 from babbitt.core.picklable_error import PicklableError
 
 __all__ = ["Method", "NoSteadyStateError", "StateName", "SteadyState"]
@@ -40,16 +41,15 @@ class NoSteadyStateError(PicklableError):
         Largest outflow less inflow of the rim, m³/s; negative.
     groove_flow, rim_pressure : float
         Where that is: m³/s and Pa.
+    failure : Notice
+        The same as a clause.
     """
 
     def __init__(self, largest_residual: float, groove_flow: float, rim_pressure: float) -> None:
-        super().__init__(
-            "at every flow of a groove that feeds the rim the rim receives more oil than the clearance carries "
-            "away; "
-            f"it comes nearest at {1e9 * groove_flow:.4g} mm³/s, with {1e-6 * rim_pressure:.4g} MPa at the rim "
-            f"and "
-            f"{-1e9 * largest_residual:.4g} mm³/s too much"
-        )
+        self.failure = Notice("S020", "nearest", {
+            "groove_flow": groove_flow, "rim_pressure": rim_pressure, "too_much": -largest_residual,
+        })  # fmt: skip
+        super().__init__(self.failure.message)
         self.largest_residual, self.groove_flow, self.rim_pressure = largest_residual, groove_flow, rim_pressure
 
 

@@ -5,23 +5,20 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Iterator
-from dataclasses import replace
 
 import numpy as np
 
 from babbitt.core.notices import InputError, Notice
 from babbitt.core.result import Bound, Check, Outcome, Result
 from babbitt.core.solution import Solution
-from babbitt.core.units import ZERO_CELSIUS
-from babbitt.design.heat_balance import CEILING
-from babbitt.kinds.hydrostatic.answer import Answer, answer, answer_at, coarser
+from babbitt.kinds.hydrostatic.answer import Answer, coarser
 from babbitt.kinds.hydrostatic.capacity import capacity
 from babbitt.kinds.hydrostatic.extrapolation import half_of, richardson, richardson_of_matrices
+from babbitt.kinds.hydrostatic.failure import failure
 from babbitt.kinds.hydrostatic.geometry import RectangularPad, ThrustRing
-from babbitt.kinds.hydrostatic.heat_balance import heated, temperature_rise
+from babbitt.kinds.hydrostatic.heat_balance import heated
 from babbitt.kinds.hydrostatic.model import HydrostaticCase
 from babbitt.kinds.hydrostatic.pumping import held_pressure, highest_pressure, is_pumped
-from babbitt.kinds.hydrostatic.state import SearchOutcome
 from babbitt.kinds.hydrostatic.validity import warnings_of_solution
 from babbitt.kinds.hydrostatic.values import arrays, values
 from babbitt.kinds.hydrostatic.whirl import whirl_of
@@ -29,20 +26,7 @@ from babbitt.reynolds.stability.whirl_checks import warnings_about_whirl, whirl_
 
 __all__ = ["hydrostatic_check"]
 
-OUTCOMES = {
-    SearchOutcome.SOLVED: Outcome.CONVERGED,
-    SearchOutcome.OVERLOADED: Outcome.OVERLOADED,
-    SearchOutcome.LIFTED_OFF: Outcome.LIFTED_OFF,
-    SearchOutcome.UNSTABLE_NETWORK: Outcome.UNSTABLE_NETWORK,
-    SearchOutcome.THERMAL_RUNAWAY: Outcome.THERMAL_RUNAWAY,
-    SearchOutcome.NOT_CONVERGED: Outcome.NOT_CONVERGED,
-}
 USER = "set in the case"
-THROTTLED, OPEN = 0.3, 0.8
-"""Recess over supply pressure of the centred journal outside which restrictors are to be changed: as of W302."""
-
-SENSIBLE = 100.0
-"""Gap over that from which the search begins, beyond which no film is left."""
 
 
 def hydrostatic_check(case: HydrostaticCase) -> Result:
@@ -74,17 +58,17 @@ def hydrostatic_solution(case: HydrostaticCase) -> Solution:
     refuse_short_recess(case)
     state = heated(case)
     case, found = state.case, state.found
-    outcome, message = judged(case, found)
+    failed = failure(case, found)
     settings = {"method": case.method, "accuracy": case.accuracy if case.method == "film" else ""}
     if case.oil.lubricant is not None:
         settings["lubricant"] = case.oil.lubricant.name
-    if outcome is not Outcome.CONVERGED:
+    if failed is not None:
         last = {"supply_pressure": found.network.supply_pressure, "minimum_film_thickness": found.minimum_gap}
-        failed = Result(
-            case.name, case.kind, case.method, outcome, last, assumptions=case.assumptions, message=message,
-            settings=settings, warnings=case.warnings,
+        result = Result(
+            case.name, case.kind, case.method, Outcome.of(failed), last, assumptions=case.assumptions,
+            failure=failed, settings=settings, warnings=case.warnings,
         )  # fmt: skip
-        return Solution(asked, failed, state)
+        return Solution(asked, result, state)
     named, several = values(case, found), arrays(case, found)
     half = half_of(case, found)
     if half is not None:
@@ -113,7 +97,7 @@ def hydrostatic_solution(case: HydrostaticCase) -> Solution:
         case.name,
         case.kind,
         case.method,
-        outcome,
+        Outcome.CONVERGED,
         named,
         checks=(*checks(case, found, named), *whirl_checks(case, whirl)),
         not_checked=tuple(not_checked(case, found, named)),
@@ -135,93 +119,6 @@ def grid_error(case: HydrostaticCase, found: Answer) -> float:
     arm = 1.0 if case.is_journal else np.append(1.0, np.full(change.size - 1, 1.0 / case.reach))
     size = max(float(np.linalg.norm(found.response.force * arm)), 1e-300)
     return float(np.linalg.norm(change * arm)) / size / 3.0
-
-
-def judged(case: HydrostaticCase, found: Answer) -> tuple[Outcome, str]:
-    """How it ended, and for a failure how far it came."""
-    lowest = float(found.network.pressures.min())
-    if found.ending is SearchOutcome.SOLVED:
-        if lowest < case.cavitation_pressure:
-            recess = int(found.network.pressures.argmin()) + 1
-            return Outcome.STARVED_RECESS, (
-                f"recess {recess} would stand at {1e-6 * lowest:.3g} MPa, below cavitation; a larger "
-                "restrictor, more "
-                "supply pressure, less speed or less eccentricity keeps it full"
-            )
-        return Outcome.CONVERGED, ""
-    if found.ending is SearchOutcome.OVERLOADED:
-        return Outcome.OVERLOADED, overloaded(case, found)
-    if found.ending is SearchOutcome.LIFTED_OFF:
-        return Outcome.LIFTED_OFF, (
-            f"the load is {case.duty.load or 0.0:.4g} N; at a gap of {1e3 * found.rest_gap:.4g} mm, the widest "
-            "that is searched, the recesses still press with "
-            f"{float(found.response.force[0]):.4g} N. Raise the load, lower the supply pressure, or take smaller "
-            "restrictors"
-        )
-    if found.ending is SearchOutcome.UNSTABLE_NETWORK:
-        return Outcome.UNSTABLE_NETWORK, (
-            "the least eigenvalue of the recess network is "
-            f"{found.network.least_eigenvalue:.3g} of the largest; a valve opens "
-            "faster "
-            "with pressure than the lands let out: lower its gain"
-        )
-    if found.ending is SearchOutcome.THERMAL_RUNAWAY:
-        rise = temperature_rise(case, found)
-        return Outcome.THERMAL_RUNAWAY, (
-            f"with its oil at {CEILING - ZERO_CELSIUS:.0f} °C the film would warm it by {rise:.0f} K. Lower the "
-            "speed or the viscosity, or let more oil through: wider gap or restrictors, more supply pressure"
-        )
-    return Outcome.NOT_CONVERGED, _lost(case, found)
-
-
-def _lost(case: HydrostaticCase, found: Answer) -> str:
-    """Where a search ended that found no equilibrium; gaps beyond every film are no place."""
-    if not 0.0 < found.minimum_gap <= SENSIBLE * case.rest_gap:
-        where = "closed the gap" if found.minimum_gap <= 0.0 else "left every gap with a film"
-        return (
-            f"the search {where}: tilt and gap answer each other, and no balance of force and moment was met. "
-            "Try: less moment, a gap or clearance nearer to that of the load, or the other `method`"
-        )
-    return (
-        f"after {found.steps} steps the smallest gap was {1e6 * found.minimum_gap:.3g} µm and "
-        f"{100.0 * found.carried:.0f} % of the load were carried"
-    )
-
-
-def overloaded(case: HydrostaticCase, found: Answer) -> str:
-    """Whether the load or its moment is too much, and how far it came."""
-    load, share = case.duty.load or 0.0, found.carried
-    level = replace(case, duty=replace(case.duty, moments=(0.0, 0.0)))
-    if any(case.duty.moments) and answer(level).ending is SearchOutcome.SOLVED:
-        moment = math.hypot(*case.duty.moments)
-        came = f"; up to about {100.0 * share:.0f} % of both were carried" if share > 0.01 else ""
-        return (
-            f"the load of {1e-3 * load:.4g} kN alone is carried, but not with the moment of {moment:.4g} N m: it "
-            f"sets the load {1e3 * moment / load:.3g} mm off the axis, and the runner tilts onto the ring{came}. "
-            "Bring the load nearer to the axis, or take a larger ring"
-        )
-    return (
-        f"the load is {1e-3 * load:.4g} kN; up to about {1e-3 * share * load:.4g} kN were carried "
-        f"({100.0 * share:.3g} %). Raise the supply pressure or the recess area{about_restrictors(case)}"
-    )
-
-
-def about_restrictors(case: HydrostaticCase) -> str:
-    """Which way to change the restrictors of an overloaded bearing.
-
-    Where a pad touches, its recess has the pressure of the supply whatever the restrictor. A journal is carried by
-    the difference of its recesses, which open restrictors do not let arise, nor those that let hardly any oil in.
-    """
-    if not case.is_journal or is_pumped(case):
-        return ""
-    centred = answer_at(replace(case, accuracy="draft"), np.zeros(2), case.rest_gap)
-    if centred.ending is not SearchOutcome.SOLVED:
-        return ""
-    ratio = float(centred.network.pressures.mean()) / centred.network.supply_pressure
-    says = f"where the journal is centred its recesses have {100.0 * ratio:.3g} % of the supply pressure"
-    if ratio > OPEN:
-        return f"; {says}: narrow the restrictors, so that pressures can differ"
-    return f"; {says}: widen the restrictors" if ratio < THROTTLED else ""
 
 
 def checks(case: HydrostaticCase, found: Answer, named: dict[str, float]) -> list[Check]:

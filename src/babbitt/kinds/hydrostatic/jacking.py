@@ -256,9 +256,9 @@ def jacking_check(case: JackingCase) -> Result:
     failed = failure(case, lifted, gap)
     if failed is not None:
         return Result(
-            case.name, case.kind, case.method, failed[0],
+            case.name, case.kind, case.method, Outcome.of(failed),
             {"breakaway_pressure": upper, "lying_pressure": lying.pressure}, assumptions=assumptions(case),
-            message=failed[1], settings=settings,
+            failure=failed, settings=settings,
         )  # fmt: skip
     named = {
         "load": case.load,
@@ -318,40 +318,27 @@ def assumptions(case: JackingCase) -> tuple[str, ...]:
     return (*case.assumptions, "Every pocket gets the same flow, by its restrictor or stage of a flow divider.")
 
 
-def failure(case: JackingCase, lifted: LiftPoint, gap: float) -> tuple[Outcome, str] | None:
+def failure(case: JackingCase, lifted: LiftPoint, gap: float) -> Notice | None:
     """Why the shaft is not held, if it is not."""
-    flow = 6e4 * (case.pump_flow or 0.0)
-    least = 6e4 * lift_at(case, case.roughness).flow if case.pump_flow is not None else 0.0
+    flow = case.pump_flow or 0.0
+    least = lift_at(case, case.roughness).flow if case.pump_flow is not None else 0.0
     if gap <= case.roughness or (math.isnan(gap) and flow < least):
-        return Outcome.OVERLOADED, (
-            f"a pump flow of {flow:.3g} L/min does not lift the shaft off the composite roughness of "
-            f"{1e6 * case.roughness:.4g} µm; that takes more than {least:.3g} L/min. Raise the flow, "
-            f"or "
-            "take more viscous oil or a larger pocket"
-        )
+        return Notice("S001", "pump", {"flow": flow, "roughness": case.roughness, "least": least})
     if math.isnan(gap):
-        return Outcome.NOT_CONVERGED, (
-            f"a pump flow of {flow:.3g} L/min lifts by more than nine tenths of the clearance; give another flow"
-        )
+        return Notice("S004", "most_lift", {"flow": flow})
     if not lifted.pressure > 0.0:
-        return Outcome.NOT_CONVERGED, (
-            f"at a smallest gap of {1e6 * gap:.4g} µm the pockets push the shaft down; place all of them in the "
-            f"lower half"
-        )
+        return Notice("S004", "pressed_down", {"gap": gap})
     if lifted.is_balanced:
         return None
-    side = "right" if lifted.side_force > 0.0 else "left"
-    remedy = "place the pockets evenly on both sides of -90 deg"
-    if case.method == "quick":
-        remedy = f"choose method: film, which lets the shaft roll aside, or {remedy}"
-    elif case.bearing.count > 1 and not case.own_restrictors:
-        remedy = f"give every pocket its restrictor or stage of a flow divider, or {remedy}"
-    return Outcome.NOT_CONVERGED, (
-        f"the pockets push the shaft to the {side} with {1e-3 * abs(lifted.side_force):.4g} kN at the bottom of "
-        f"the "
-        f"bore, {100.0 * abs(lifted.side_force) / case.load:.3g} % of the load, and no place at a smallest gap of "
-        f"{1e6 * gap:.4g} µm was found where they push straight up; {remedy}"
-    )
+    several = case.bearing.count > 1 and not case.own_restrictors
+    force = abs(lifted.side_force)
+    return Notice("S004", "aside", {
+        "side": Notice("S004", "right" if lifted.side_force > 0.0 else "left"),
+        "force": force,
+        "share": force / case.load,
+        "gap": gap,
+        "advice": Notice("S004", "roll" if case.method == "quick" else "divide" if several else "evenly"),
+    })  # fmt: skip
 
 
 def jacking_warnings(case: JackingCase, upper: float, gap: float) -> Iterator[Notice]:

@@ -1,6 +1,6 @@
 """Flow network of the recesses: what the restrictors let in, the film lets out.
 
-With a standing wet set the film is linear, q = q_0 + G p with G symmetric; the restrictors are not. Newton on the
+At a fixed active set the film is linear, q = q_0 + G p with G symmetric; the restrictors are not. Newton on the
 recess pressures and, behind a pump, the supply pressure:
 
     q_k(p) = Q_k(p_k, p_s),     sum_k Q_k = Q_pump(p_s).

@@ -99,7 +99,7 @@ class RecessState:
 
 
 FINEST_RISE = 3e-3
-"""Of the share of the load that was carried: how closely the greatest load is told."""
+"""Of the share of the load that was carried: how closely the greatest load is known."""
 LEAST_SHARE = 1e-7
 """Of the load, below which none is sought that might be carried."""
 
@@ -139,7 +139,7 @@ def state_at(build: Build, feeding: Feeding, at: Array, grid: Grid) -> RecessSta
 
 
 def fixed_state(film: RecessFilm, feeding: Feeding, at: Array, pressures: Array, supply: float) -> RecessState:
-    """Recess pressures and wet set at a position."""
+    """Recess pressures and active set at a position."""
     steps, moved = 0, np.inf
     while steps < MOST_STEPS:
         steps += 1

@@ -50,14 +50,14 @@ def line_solution(design: LineDesign) -> Solution:
     try:
         with bounded_work(MOST_WORK):
             answer = line_answer(design)
-    except (NoPadFilmError, WorkBoundError) as failure:
+    except (NoPadFilmError, WorkBoundError) as error:
         failed = Result(
             design.name,
             design.kind,
             METHOD,
-            failure.outcome,
+            Outcome.of(error.failure),
             {},
-            message=failure.said,
+            failure=error.failure,
             warnings=design.thrust.warnings,
             assumptions=(*design.lubricant.assumptions, *design.thrust.assumptions, *_assumptions(design)),
         )

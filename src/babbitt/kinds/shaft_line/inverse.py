@@ -30,7 +30,7 @@ RELATIVE = 1e-6
 NO_FILM: Excess = (1e6, "")
 """Stands for a bearing without a film."""
 SHOWN_LENGTH, SHOWN_FORCE = 1e-7, 100.0
-"""Steps in which amplitudes are told, m and N: what is found is rounded down, so that all limits are kept."""
+"""Steps in which amplitudes are given, m and N: what is found is rounded down, so that all limits are kept."""
 SHORTER = 50
 """Steps by which what is found is lowered at most, until it keeps them."""
 

@@ -54,14 +54,14 @@ def _checked(design: ThrustDesign) -> Solution:
     start = perf_counter()
     try:
         state = bearing_state(design)
-    except (NoPadFilmError, WorkBoundError) as failure:
+    except (NoPadFilmError, WorkBoundError) as error:
         failed = Result(
             design.name,
             design.kind,
             METHOD,
-            failure.outcome,
+            Outcome.of(error.failure),
             {},
-            message=failure.said,
+            failure=error.failure,
             warnings=design.warnings,
             assumptions=(*design.lubricant.assumptions, *design.assumptions, *_assumptions(design)),
         )
@@ -74,8 +74,8 @@ def _checked(design: ThrustDesign) -> Solution:
             values |= of_turning
             if least_load < LEAST_SHARE <= values["smallest_pad_load"] / state.share.mean_load:
                 of_runout.append(Notice("W201", "turning", {"share": least_load}))
-        except (NoPadFilmError, WorkBoundError) as failure:
-            of_runout.append(Notice("W209", values={"reason": failure.said}))
+        except (NoPadFilmError, WorkBoundError) as error:
+            of_runout.append(Notice("W209", values={"reason": error.failure}))
     values["wall_time"] = perf_counter() - start
     least, thinnest = "minimum_film_thickness", values["minimum_film_thickness"]
     if any(one.amplitude > 0.0 for one in design.runouts):

@@ -301,7 +301,7 @@ def _hollow(
     speed: float,
     duty: PrescribedThrust | PrescribedFilm,
 ) -> ConcavePadError | None:
-    """What hollow pads carry at most, at the temperature of the thinnest film on which they balance."""
+    """What concave pads carry at most, at the temperature of the thinnest film on which they balance."""
     if not isinstance(films, TabulatedFilms) or not isinstance(duty, PrescribedThrust):
         return None
     thinnest, _ = films.thinnest

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from babbitt.core.notices import Notice
 from babbitt.core.result import Outcome
 from babbitt.design.heat_balance import NoFilmError
 
@@ -26,71 +27,56 @@ class NoPadFilmError(NoFilmError):
 
     Attributes
     ----------
-    outcome : Outcome
-    said : str
+    failure : Notice
         Why, and what to try.
     """
 
-    outcome = Outcome.NOT_CONVERGED
-    said = ""
-
-    def __init__(self) -> None:
-        super().__init__(self.outcome)
+    def __init__(self, failure: Notice) -> None:
+        super().__init__(Outcome.of(failure))
+        self.failure = failure
 
     def __str__(self) -> str:
-        return self.said
+        return self.failure.message
 
 
 class ThermalRunawayError(NoPadFilmError):
     """No balance up to the highest temperature."""
 
-    outcome = Outcome.THERMAL_RUNAWAY
-    said = (
-        "friction outruns the oil up to 300 °C; less thrust, cooler or thinner oil, less of it carried over, or a "
-        "straighter housing where one leans"
-    )
+    def __init__(self) -> None:
+        super().__init__(Notice("S002", "pads"))
 
 
 class OpenHeatBalanceError(NoPadFilmError):
     """The search for the temperature of the pads ended without it."""
 
-    said = "the temperature at which oil carries the friction heat away was not found; less thrust, or a given one"
+    def __init__(self) -> None:
+        super().__init__(Notice("S004", "heat_balance"))
 
 
 class UnsettledPadError(NoPadFilmError):
     """Film, temperatures and tilt of a pad went on to change each other."""
 
-    said = (
-        "film, temperatures and tilt of a pad did not come to rest; less thrust or a straighter housing; thermal: "
-        "global may have an answer"
-    )
+    def __init__(self) -> None:
+        super().__init__(Notice("S004", "pad"))
 
 
 class UnsettledFeedError(NoPadFilmError):
     """Pads that take in the hot oil of their neighbour went on to change each other."""
 
-    said = (
-        "films and temperatures of pads that take in the hot oil of the pad before did not come to rest; less "
-        "thrust, or a straighter housing"
-    )
+    def __init__(self) -> None:
+        super().__init__(Notice("S004", "fed_pads"))
 
 
 class OverloadedPadsError(NoPadFilmError):
     """The pads carry less than the thrust, however thin their films."""
 
-    outcome = Outcome.OVERLOADED
-
     def __init__(self, thrust: float, carried: float, stepped: bool = False) -> None:
-        bound = "in front of a deep step the pressure has a bound; a shallower step, " if stepped else ""
-        self.said = (
-            f"the pads carry at most {carried / 1e3:.4g} kN of {thrust / 1e3:.4g} kN: {bound}less thrust, more "
-            "viscous oil, more speed, or larger pads"
-        )
-        super().__init__()
+        variant = "stepped_pads" if stepped else "pads"
+        super().__init__(Notice("S001", variant, {"carried": carried, "thrust": thrust}))
 
 
 class ConcavePadError(NoPadFilmError):
-    """A hollow pad has no balance on a film so thin.
+    """A concave pad has no balance on a film so thin.
 
     Attributes
     ----------
@@ -100,32 +86,19 @@ class ConcavePadError(NoPadFilmError):
         Largest load that it carries, N.
     """
 
-    outcome = Outcome.OVERLOADED
-
     def __init__(self, crown: float, most: float, thrust: float = 0.0, number: int = 0) -> None:
         self.crown, self.most = crown, most
-        carried = f"a pad carries at most {most / 1e3:.3g} kN"
+        carried = Notice("S001", "of_pad", {"most": most})
         if number:
-            carried = f"the pads carry at most {number * most / 1e3:.3g} kN of {thrust / 1e3:.4g} kN"
-        self.said = (
-            f"{carried}: the pads are hollow (crown {crown * 1e6:g} µm), and on a thinner film no tilt balances a "
-            "hollow pad on its pivot; plane or crowned pads, or less thrust, more viscous oil, or more speed"
-        )
-        super().__init__()
+            carried = Notice("S001", "of_pads", {"most": number * most, "thrust": thrust})
+        super().__init__(Notice("S001", "concave_pads", {"carried": carried, "crown": crown}))
 
 
 class PadsTouchError(NoPadFilmError):
     """Tilt and heights bring a pad on a rigid ring through the mean film that is given."""
 
-    outcome = Outcome.OUTSIDE_CLEARANCE
-
     def __init__(self, film: float, nearer: float, pad: int) -> None:
-        self.said = (
-            f"tilt and heights bring pad {pad} {nearer * 1e6:.1f} µm nearer to the collar than the mean film of "
-            f"{film * 1e6:.1f} µm: it stands in the collar; a thicker film, a ring that gives way, or the "
-            "thrust in place of the film"
-        )
-        super().__init__()
+        super().__init__(Notice("S006", "pads", {"pad": pad, "nearer": nearer, "film": film}))
 
 
 class TiltedPadsTouchError(NoPadFilmError):
@@ -137,33 +110,20 @@ class TiltedPadsTouchError(NoPadFilmError):
         From 1.
     """
 
-    outcome = Outcome.OVERLOADED
-
     def __init__(self, pad: int, carried: float) -> None:
         self.pad = pad
-        self.said = (
-            f"the face of pad {pad} leans with the housing and touches the collar while the pads carry "
-            f"{carried / 1e3:.4g} kN; a straighter housing, less thrust, a ring that gives way, or pads on point "
-            "pivots"
-        )
-        super().__init__()
+        super().__init__(Notice("S001", "tilted_pads", {"pad": pad, "carried": carried}))
 
 
 class TiltedPadsTouchAtFilmError(NoPadFilmError):
     """Faces that are held at a slope touch the collar at the mean film that is given."""
 
-    outcome = Outcome.OUTSIDE_CLEARANCE
-
     def __init__(self, pad: int, film: float) -> None:
-        self.said = (
-            f"the face of pad {pad} leans with the housing and touches the collar at the mean film of "
-            f"{film * 1e6:.1f} µm; less tilt of the housing, a thicker film, or pads on point pivots"
-        )
-        super().__init__()
+        super().__init__(Notice("S006", "tilted_pads", {"pad": pad, "film": film}))
 
 
 class TiltedPadError(NoPadFilmError):
-    """A pad whose face is held at a slope does not come to rest.
+    """A pad whose face is held at a slope finds no equilibrium.
 
     Attributes
     ----------
@@ -175,30 +135,19 @@ class TiltedPadError(NoPadFilmError):
 
     def __init__(self, pad: int | None = None, thinnest: float | None = None) -> None:
         self.pad, self.thinnest = pad, thinnest
-        self.said = (
-            f"{_unbalanced(pad, thinnest)}, and the thrust asks for less film; a straighter housing, less thrust, "
-            "a ring that gives way, or pads on point pivots"
-        )
-        super().__init__()
+        super().__init__(Notice("S004", "under_thrust", {"which": _unbalanced(pad, thinnest)}))
 
 
 class TiltedPadAtFilmError(NoPadFilmError):
-    """A pad whose face is held at a slope does not come to rest at the mean film that is given."""
+    """A pad whose face is held at a slope finds no equilibrium at the mean film that is given."""
 
     def __init__(self, pad: int | None, film: float, thinnest: float | None = None) -> None:
-        self.said = (
-            f"{_unbalanced(pad, thinnest)}, at a mean film of {film * 1e6:.1f} µm; less tilt of the housing, a "
-            "thicker film, or pads on point pivots"
-        )
-        super().__init__()
+        super().__init__(Notice("S004", "at_film", {"which": _unbalanced(pad, thinnest), "film": film}))
 
 
-def _unbalanced(pad: int | None, thinnest: float | None) -> str:
+def _unbalanced(pad: int | None, thinnest: float | None) -> Notice:
     if pad is None:
-        return "the pads do not come to rest with faces that lean with the housing"
+        return Notice("S004", "all_pads")
     if thinnest is None:
-        return f"pad {pad} does not come to rest with a face that leans with the housing"
-    return (
-        f"the face of pad {pad} leans with the housing, and where the film at its pivot is thinner than "
-        f"{thinnest * 1e6:.1f} µm the pad falls over: no tilt balances it"
-    )
+        return Notice("S004", "one_pad", {"pad": pad})
+    return Notice("S004", "thin_pad", {"pad": pad, "thinnest": thinnest})

@@ -23,7 +23,7 @@ ARC_INTERVALS = 128
 """On the outer arc of a plane pad: a minimum between them lies less than 1e-4 of the fall of the film over the pad
 lower."""
 ROWS = 65
-"""Radii at which the gap of a pad with a face or a crown is sampled, besides the edge of the face."""
+"""Radii at which the gap of a pad with a face or a crown is sampled, in addition to the edge of the face."""
 
 
 @lru_cache(maxsize=32)

@@ -53,7 +53,7 @@ class ThrustPad:
         What is taken off the pad.
     crown : float
         Height of the crown, m: how much farther the middle of every edge lies from the runner than the middle of
-        the pad, by parabolas along and across. A sphere where the pad is as long as wide. Negative: hollow.
+        the pad, by parabolas along and across. A sphere where the pad is as long as wide. Negative: concave.
     turbulence : FilmTurbulence or None
         None: laminar.
     """

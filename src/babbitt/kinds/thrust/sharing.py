@@ -199,7 +199,7 @@ def share_at_film(films: LoadCurve, bearing: ThrustBearing, film: float) -> Shar
     PadsTouchError
         If tilt and heights bring a pad on a rigid ring nearer than the mean film.
     TiltedPadsTouchAtFilmError, TiltedPadAtFilmError
-        If faces that lean touch the collar, or a pad does not come to rest.
+        If faces that lean touch the collar, or a pad does not converge.
     """
     stands = attitude_at_rest(bearing)
     away, c = stands.departures, bearing.ring_stiffness

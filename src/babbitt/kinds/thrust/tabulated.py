@@ -23,7 +23,7 @@ Array = NDArray[np.float64]
 
 SAME = 1e-9
 NARROW = 1e-5
-"""Of the film: how well that on which a hollow pad carries most is known."""
+"""Of the film: how well that on which a concave pad carries most is known."""
 MOST_STEPS, EXACT = 40, 1e-10
 """Of the search for a height, and the change of the load, over it, that ends it."""
 LEAST_TABLE = 4
@@ -118,7 +118,7 @@ class TabulatedFilms:
 
     @cached_property
     def thinnest(self) -> tuple[float, float]:
-        """Film on which a hollow pad carries most, m, and its load, N; on thinner ones less, or none balances."""
+        """Film on which a concave pad carries most, m, and its load, N; on thinner ones less, or none balances."""
         from scipy.optimize import minimize_scalar
 
         slopes, at = self.slopes[0], self.heights[0]

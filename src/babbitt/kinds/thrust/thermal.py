@@ -149,7 +149,7 @@ def warm_pad(
     ThermalRunawayError
         If the film has no temperature below the highest for which the oil has data, at most 300 °C.
     UnsettledPadError
-        If no tilt balances the pad, or its film does not settle.
+        If no tilt balances the pad, or its film does not converge.
     """
     if not (np.isfinite(height) and height > 0.0):
         raise InputError("E201", f"film at the pivot is {height:g} m; it must be positive.")

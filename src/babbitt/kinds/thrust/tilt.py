@@ -93,7 +93,7 @@ def settled(
     TiltedPadsTouchError
         If faces touch the collar before the pads carry the thrust.
     TiltedPadError
-        If a pad does not balance, or the heights do not settle.
+        If a pad does not balance, or the heights do not converge.
     """
     touching = nearest = _nearest(films.pad, standing)
     heights = np.maximum(first, nearest + np.maximum(KEPT * first, ROOM))

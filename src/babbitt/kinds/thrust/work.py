@@ -10,7 +10,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 
-from babbitt.core.result import Outcome
+from babbitt.core.notices import Notice
+from babbitt.core.picklable_error import PicklableError
 
 __all__ = ["COLD_FILM", "MOST_WORK", "WorkBoundError", "bounded_work", "spend"]
 
@@ -24,21 +25,18 @@ COLD_FILM = 7.0
 _left: ContextVar[list[float] | None] = ContextVar("work left", default=None)
 
 
-class WorkBoundError(Exception):
+class WorkBoundError(PicklableError):
     """The work that is allowed is used up; it tells nothing about the bearing.
 
     Attributes
     ----------
-    outcome : Outcome
-    said : str
+    failure : Notice
         What to try.
     """
 
-    outcome = Outcome.WORK_BOUND
-    said = (
-        "films of a pad were solved again and again without an end; less thrust or a straighter housing, "
-        "`thermal: global`, `radial_temperature: mean`, fewer waves of the runout or fewer points of a sweep"
-    )
+    def __init__(self) -> None:
+        self.failure = Notice("S009", "pads")
+        super().__init__(self.failure.message)
 
 
 @contextmanager

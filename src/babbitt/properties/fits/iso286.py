@@ -105,7 +105,7 @@ def standard_tolerance(grade: int, nominal: float) -> float:
     except KeyError:
         raise InputError(
             "E005",
-            f"tolerance grade IT{grade} is not on board; allowed are IT{GRADES[0]} to IT{GRADES[-1]}",
+            f"tolerance grade IT{grade} is not included; allowed are IT{GRADES[0]} to IT{GRADES[-1]}",
         ) from None
     return steps.at(nominal, f"IT{grade}")
 
@@ -155,7 +155,7 @@ def tolerance_limits(tolerance_class: str, nominal: float) -> Deviations:
 
 
 def _parse(tolerance_class: str) -> tuple[str, int]:
-    """Letter and grade of a class that is on board."""
+    """Letter and grade of a class that is included."""
     match = _CLASS.fullmatch(tolerance_class)
     if match:
         letter, grade = match[1], int(match[2])
@@ -164,7 +164,7 @@ def _parse(tolerance_class: str) -> tuple[str, int]:
             return letter, grade
     raise InputError(
         "E005",
-        f"tolerance class {tolerance_class!r} is not on board; allowed are holes {' '.join(HOLE_LETTERS)} "
+        f"tolerance class {tolerance_class!r} is not included; allowed are holes {' '.join(HOLE_LETTERS)} "
         f"and shafts {' '.join(SHAFT_LETTERS)} with grades {GRADES[0]} to {GRADES[-1]} (j: 5 to 8), "
         "such as H7 or e8; or give explicit deviations",
     )

@@ -1,4 +1,4 @@
-"""The lubricants on board, read from ``catalogue.toml``, and the search by name."""
+"""The lubricants of the catalogue, read from ``catalogue.toml``, and the search by name."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def lubricant(name: str) -> Lubricant:
     Raises
     ------
     InputError
-        E005 when it is not on board; the message names the nearest.
+        E005 when it is not in the catalogue; the message names the nearest.
 
     Examples
     --------
@@ -69,7 +69,7 @@ def lubricant(name: str) -> Lubricant:
 
 @functools.cache
 def catalogue() -> tuple[Lubricant, ...]:
-    """All lubricants: those on board in the order of the catalogue file, then those of the user's own catalogue.
+    """All lubricants: those that ship in the order of the catalogue file, then those of the user's own catalogue.
 
     Warns
     -----
@@ -84,7 +84,7 @@ def catalogue() -> tuple[Lubricant, ...]:
 
 
 def _own_lubricant(own: OwnTables | None, entry: Table, origin: str) -> Lubricant:
-    """A lubricant of the user's catalogue, which may take families and laws of that on board."""
+    """A lubricant of the user's catalogue, which may take families and laws of that which ships."""
     board, tables = _file(), own.tables if own is not None else {}
     refuse_unknown_fields(entry, ("name", "aliases", "family", *FIELDS))
     families = board["families"] | part_of_entry("families", lambda: dict(tables.get("families", {})))
@@ -123,9 +123,9 @@ def _key(name: str) -> str:
 
 def _not_on_board(name: str) -> str:
     near = nearest_names(_key(name), _index())
-    hint = f"The nearest is '{_index()[near[0]].name}'." if near else "Nothing on board is named like it."
+    hint = f"The nearest is '{_index()[near[0]].name}'." if near else "No name in the catalogue is near it."
     return (
-        f"No lubricant named {name!r} is on board. {hint} `babbitt list lubricants` shows all; "
+        f"No lubricant named {name!r} is in the catalogue. {hint} `babbitt list lubricants` shows all; "
         "own oils are given by two viscosities or by nu40 and viscosity index."
     )
 
@@ -143,7 +143,7 @@ def _with_family(families: Table, entry: Table) -> Table:
 
 
 def _lubricant(entry: Table, shared: Table) -> Lubricant:
-    """A lubricant of its whole table; what is wrong with it is told by its field."""
+    """A lubricant of its whole table; what is wrong with it is reported by its field."""
     lowest, highest = part_of_entry("temperature_range", partial(_range, entry))
     viscosity, computed = part_of_entry("viscosity", lambda: _viscosity(entry["viscosity"], (lowest, highest)))
     laws = {field: part_of_entry(field, partial(_law_in, entry, field, shared)) for field in _PROPERTIES}

@@ -24,7 +24,7 @@ _AT_100 = 100.0 + ZERO_CELSIUS
 
 @dataclass(frozen=True)
 class OilProperties:
-    """What is known of an oil besides its viscosity; everything is optional.
+    """What is known of an oil in addition to its viscosity; everything is optional.
 
     Parameters
     ----------

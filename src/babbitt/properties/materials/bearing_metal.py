@@ -71,7 +71,7 @@ class BearingMetal:
     limiting_temperature : SourcedValue or None
         Limit, in K.
     published_outlet_limit : SourcedValue or None
-        Limit of the oil outlet temperature that a published calculation with this metal took, in K. Told, not
+        Limit of the oil outlet temperature that a published calculation with this metal took, in K. Given, not
         held: the limits by experience are lower.
     thermal_expansion : SourcedValue or None
         Coefficient of linear expansion of the metal in 1/K. A lining follows its back: for the clearance of a

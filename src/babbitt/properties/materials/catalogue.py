@@ -1,4 +1,4 @@
-"""The materials on board, read once from ``catalogue.toml``."""
+"""The materials of the catalogue, read once from ``catalogue.toml``."""
 
 from __future__ import annotations
 
@@ -40,12 +40,12 @@ STRUCTURE = ("name", "aliases", "kind", "source", *NUMBERS)
 
 
 def bearing_metals() -> tuple[BearingMetal, ...]:
-    """All bearing metals on board, in the order of the catalogue."""
+    """All bearing metals, in the order of the catalogue."""
     return _read()[0]
 
 
 def structural_materials() -> tuple[StructuralMaterial, ...]:
-    """All materials of shafts, shells and housings on board, in the order of the catalogue."""
+    """All materials of shafts, shells and housings, in the order of the catalogue."""
     return _read()[1]
 
 

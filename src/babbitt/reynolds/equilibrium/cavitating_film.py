@@ -213,7 +213,7 @@ def assemble(
     film: JournalFilm, scales: Scales, bearing: Bearing, axial: Axial, grid: Grid, at: Array, moving: Array,
     result: Array, status: int, steps: int, gap: float, turn: float, begun: float,
 ) -> FilmSolution:  # fmt: skip
-    """Integrals of the settled film, everything in SI and in the fixed frame."""
+    """Integrals of the converged film, everything in SI and in the fixed frame."""
     count, n, m = grid.step.shape[0], grid.step.shape[1], len(axial.size)
     pressure, void = np.zeros((count, n + 1, m + 1)), np.zeros((count, n + 1, m + 1))
     totals = np.zeros((count, TOTALS))

@@ -2,7 +2,7 @@
 
 Between supplies under pressure, or with a load that points at the edge of a groove, the force of the film along
 the load's direction first falls with growing eccentricity and rises only close to contact. A search that starts
-in the middle can then leave the film although one carries the load: before an overload is told, the places where
+in the middle can then leave the film although one carries the load: before an overload is stated, the places where
 the film reaches the load on this side are tried.
 """
 
@@ -38,7 +38,7 @@ MOST_STARTS = 3
 """Depths from which an equilibrium is sought."""
 
 PLACES = 1440
-"""Angles around the bore at which contact is looked for, besides the edges of the lands."""
+"""Angles around the bore at which contact is looked for, in addition to the edges of the lands."""
 
 
 def from_loaded_side(

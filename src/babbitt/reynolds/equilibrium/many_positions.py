@@ -29,7 +29,7 @@ __all__ = ["FilmPositions", "PositionCoefficients", "PositionForces"]
 Array = NDArray[np.float64]
 
 MOST_FILMS = 200
-"""Films at one position until its wet set has settled."""
+"""Films at one position until its active set has converged."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -36,7 +36,7 @@ CLOSENESS = 1e-3
 NUDGES = (1.0, 0.995, 1.005)
 """Factors on a fill at which a film is sought where one fill gives none."""
 STEP = 1e-4
-"""Relative step for derivatives: smaller ones meet the noise of the settled film."""
+"""Relative step for derivatives: smaller ones meet the noise of the converged film."""
 ROUGHLY = 1e-4
 """Closeness in the logarithm of a fill that is only the place to start from."""
 MOST_FILMS = 150

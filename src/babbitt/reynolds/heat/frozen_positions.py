@@ -17,7 +17,7 @@ __all__ = ["FrozenPositions"]
 Array = NDArray[np.float64]
 
 ROUNDS = 200
-"""Films at one position until its wet set has settled."""
+"""Films at one position until its active set has converged."""
 
 
 class FrozenPositions:
@@ -70,7 +70,7 @@ class FrozenPositions:
 
 
 def _settled(sample: SurfaceState, wet: NDArray[np.bool_], at: Array, rate: Array) -> bool:
-    """Let the wet set settle from that at rest, else from a full film; whether it did."""
+    """Let the active set settle from that at rest, else from a full film; whether it did."""
     for start in (wet, np.ones_like(wet)):
         sample.work.wet[:] = start
         for _ in range(ROUNDS):

@@ -1,4 +1,4 @@
-"""Films with their own temperatures that the ordinary search loses: other ways to the same place of rest.
+"""Films with their own temperatures that the ordinary search loses: other ways to the same equilibrium position.
 
 The place that is found meets the same tolerances; only the way there is another one, and a slower one.
 """
@@ -96,7 +96,7 @@ def _is_thrown_about(found: ThermalEquilibrium) -> bool:
 
 
 def stabilised(found: ThermalEquilibrium, resolution: Resolution, settled: float) -> ThermalEquilibrium:
-    """Let a film that passes threw about come to rest after all, on the same lines."""
+    """Let a film that passes threw about converge after all, on the same lines."""
     if found.load is None or not _is_thrown_about(found):
         return found
     return accelerated_equilibrium(found.warm, found.load, found.position, resolution.tolerance, settled)
@@ -111,7 +111,7 @@ def _ring_at(
 def accelerated_equilibrium(
     warm: ThermalFilmState, load: Array | None, at: Array, tolerance: float, settled: float
 ) -> ThermalEquilibrium:
-    """Let film, temperature and journal (where there is a load) come to rest by passes that remember each other.
+    """Let film, temperature and journal (where there is a load) converge by passes that remember each other.
 
     A pass is a map of temperatures, walls and journal. Anderson's combination of the last ones also calms waves
     that run through the film from pass to pass, as where hot oil flows back before the inlet.

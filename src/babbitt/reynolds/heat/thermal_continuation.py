@@ -1,4 +1,4 @@
-"""Films that differ little, one after the other: each is sought where the last one came to rest.
+"""Films that differ little, one after the other: each is sought where the last one converged.
 
 As where clearance, supply pressure or bore settle with the temperatures: every film is close to the last one, and
 stands on the same lines, so that it changes as smoothly as what it is asked for. On lines drawn anew it would jump
@@ -35,7 +35,7 @@ class ThermalTrail:
     Attributes
     ----------
     last : ThermalEquilibrium or None
-        Where the last film that was found came to rest.
+        Where the last film that was found converged.
     """
 
     last: ThermalEquilibrium | None = None

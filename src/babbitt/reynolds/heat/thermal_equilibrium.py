@@ -67,7 +67,7 @@ THICK = 0.3
 USUAL_PLACE, USUAL_ATTITUDE = 0.6, math.radians(45.0)
 """Of the journal: relative eccentricity, and angle ahead of the load."""
 USUAL_ROUNDS = 1
-"""Updates of the wet set there before the film tells how warm it gets."""
+"""Updates of the active set there before the film tells how warm it gets."""
 
 
 @dataclass(frozen=True, eq=False)

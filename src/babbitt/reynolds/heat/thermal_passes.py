@@ -51,7 +51,7 @@ MAX_STALLED_PASSES = 4
 MAX_CONTACT_PASSES = 12
 """Passes in a row with a gap that counts as none, after which the film is given up."""
 ACTIVE_SET_ROUNDS, ROUNDS = 8, 8
-"""Pass from which on the wet set is let settle at every position, and in how many rounds."""
+"""Pass from which on the active set is let settle at every position, and in how many rounds."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -108,14 +108,14 @@ def fresh_ring(
 
 
 def continued(warm: ThermalFilmState, before: ThermalFilmState) -> ThermalFilmState:
-    """Take over wet set and temperatures of a ring with the same columns."""
+    """Take over active set and temperatures of a ring with the same columns."""
     warm.sample.start_from(before.sample)
     warm.start_from(before)
     return warm
 
 
 def rest(warm: ThermalFilmState, load: Array, at: Array, tolerance: float, settled: float) -> ThermalEquilibrium:
-    """Let film, temperature and journal come to rest on one ring."""
+    """Let film, temperature and journal converge on one ring."""
     found = damped_newton(_Carrying(warm, load, tolerance, settled), at, MOST_PASSES, CONTACT)
     known = None if found.status == NO_FILM else load
     return ThermalEquilibrium(warm, found.at, found.status, found.steps, found.room, known)

@@ -28,7 +28,7 @@ class HeatSplit:
     Attributes
     ----------
     dissipation : float
-        Born in the film: friction power on the journal and what the supply pumps in.
+        Generated in the film: friction power on the journal and what the supply pumps in.
     oil : float
         Carried off by the oil, over the sides and back into supplies.
     bush, journal : float

@@ -109,7 +109,7 @@ def solve_batch(
     workers : int, optional
         Threads; by default as many as there are cores. The answer does not depend on it.
     progress : callable, optional
-        Told how many bearings are done, and how many there are.
+        Called with how many bearings are done, and how many there are.
 
     Returns
     -------

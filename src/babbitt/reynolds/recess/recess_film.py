@@ -83,7 +83,7 @@ class RecessSurface:
 
 @dataclass(frozen=True, eq=False)
 class RecessResponse:
-    """The film at one position and recess pressures, with its derivatives at the standing wet set.
+    """The film at one position and recess pressures, with its derivatives at the standing active set.
 
     Attributes
     ----------
@@ -151,7 +151,7 @@ class RecessFilm:
         return float(smallest_surface_gap(self.of.surface, at / self.of.scales.motion)) * self.of.scales.gap
 
     def evaluate(self, at: Array, pressures: Array) -> RecessResponse:
-        """Film at a position (m, rad) and recess pressures (gauge Pa); the wet set then moves one step on."""
+        """Film at a position (m, rad) and recess pressures (gauge Pa); the active set then moves one step on."""
         of, scales = self.of, self.of.scales
         held = of.surface.held_pressure
         inside = of.recess >= 0

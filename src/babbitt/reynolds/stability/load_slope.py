@@ -248,7 +248,7 @@ class _NearbyFilms:
         return _Displaced(sample.force.copy(), found.state.reshape(shape))
 
     def _settle(self, at: Array, rate: Array) -> None:
-        """Rounds of the wet set."""
+        """Rounds of the active set."""
         for _ in range(ROUNDS):
             if self._sample.evaluate(at, rate) == 0:
                 return

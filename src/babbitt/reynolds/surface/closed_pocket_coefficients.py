@@ -5,7 +5,7 @@ flows q(a, a', p) keep vanishing, q_p dp = -q_a da - q_a' da'. With K = -F_a and
 
     K_closed = K + F_p q_p^-1 q_a,    C_closed = C + F_p q_p^-1 q_a',
 
-at the wet set of the film. Oil is incompressible, pockets are full.
+at the active set of the film. Oil is incompressible, pockets are full.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ STEP = 1e-5
 
 
 def closed_coefficients(settled: SurfaceEquilibrium) -> tuple[Array, Array]:
-    """Stiffness and damping, dimensionless, of a settled film whose pockets may be closed.
+    """Stiffness and damping, dimensionless, of a converged film whose pockets may be closed.
 
     Parameters
     ----------

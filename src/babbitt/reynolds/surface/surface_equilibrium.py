@@ -126,7 +126,7 @@ class SurfaceState:
         return float(smallest_surface_gap(self.ring.surface, at))
 
     def start_from(self, coarse: SurfaceState) -> None:
-        """Take over the wet set of a sample on the same axial mesh; on other lines: wet if a line beside it is."""
+        """Take over the active set of a sample on the same axial mesh; on others: full if a line beside it is."""
         lines = self.work.wet.shape[0]
         old = coarse.ring.theta
         if np.array_equal(old, self.ring.theta):
@@ -219,7 +219,7 @@ class _Carrying:
         return (0.6 if self.patient else 0.25) * room
 
     def look(self, at: Array, step: int) -> int | None:
-        """Rounds of the wet set, and the force that is left."""
+        """Rounds of the active set, and the force that is left."""
         sample = self.sample
         if self.patient:
             sample.work.wet[:] = True
@@ -341,9 +341,9 @@ def beginning(film: JournalFilm, load: Array) -> Array:
 
 
 APPROACH = (0.6, 0.8, 0.9, 0.96, 0.99, 1.0)
-"""Shares of a position over which the journal goes there where the wet set finds no rest at once."""
+"""Shares of a position over which the journal goes there where the active set finds no rest at once."""
 WET_ROUNDS = 60
-"""Rounds of the wet set at one place."""
+"""Rounds of the active set at one place."""
 CALM = 1e-4
 """Change of the force over the last half of the rounds, relative, up to which nodes that change sides for ever are
 let be: what an equilibrium with such nodes may miss of its load (`rest`)."""
@@ -390,7 +390,7 @@ def ring_from(
 
 
 def _wet_set(sample: SurfaceState, at: Array, rate: Array) -> tuple[bool, int]:
-    """Rounds of the wet set at one place: whether it rests or hardly changes the force, and how many they were."""
+    """Rounds of the active set at one place: whether it hardly changes the force any more, and how many."""
     forces = []
     for number in range(1, WET_ROUNDS + 1):
         if sample.evaluate(at, rate) == 0:

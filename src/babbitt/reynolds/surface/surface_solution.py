@@ -1,4 +1,4 @@
-"""From a settled ring to a solution in SI: pressures, supply flows, friction."""
+"""From a converged ring to a solution in SI: pressures, supply flows, friction."""
 
 from __future__ import annotations
 

@@ -205,7 +205,7 @@ def shape_of_motions(angle: Array, motions: int) -> Array:
 def gaps(film: JournalFilm, theta: Array, mesh: AxialMesh, angles: tuple[Array, Array]) -> tuple[Array, Array]:
     """Gap of the centred journal at both Gauss points of every interval and axial point, in clearances.
 
-    Grooves are not told apart.
+    Grooves are not distinguished.
     """
     z = mesh.points * (0.5 * film.width)
     deeper = step_depths(film, theta, mesh)

@@ -152,7 +152,7 @@ CASE = ValidationCase(
         source=(
             "Closed form of the Couette flow with dissipation between walls of given temperatures, as in "
             "textbooks of heat transfer. The bearing is compared with Babbitt's own finest grid; no measured "
-            "bearing of which everything is published is on board."
+            "bearing of which everything is published is included."
         ),
         assumptions=(
             "Couette: one viscosity of 20 mPa s, D = 100 mm, gap 50 µm, 300 rad/s. Bearing: two lands of 176°, "

@@ -1,6 +1,6 @@
 """The characteristics of a bearing arc by solving Reynolds' equation: the definition behind the tables.
 
-A circular arc of given span carries a load through its centre; the journal settles at the attitude angle at
+A circular arc of given span carries a load through its centre; its journal stands at the attitude angle at
 which the film force points back along the load. Four numbers describe the film: load, direction, side flow
 and largest pressure.
 """
@@ -94,7 +94,7 @@ def solve_arc(
     ValueError
         If an argument is outside its range.
     ArithmeticError
-        If the ruptured region or the attitude angle does not settle.
+        If the ruptured region or the attitude angle does not converge.
 
     Examples
     --------
@@ -181,7 +181,7 @@ def _wet_at_first(cells: tuple[int, int]) -> Wet:
 
 
 def _refined(wet: Wet) -> Wet:
-    """Carry the wet set to the grid with twice the cells."""
+    """Carry the active set to the grid with twice the cells."""
     inner = np.minimum(np.arange(2 * len(wet) + 1) // 2, len(wet) - 1)
     refined: Wet = wet[np.ix_(inner, np.arange(2 * wet.shape[1]) // 2)]
     return refined

@@ -124,7 +124,7 @@ def ruptured_pressure(balance: FilmBalance, wet: Wet) -> tuple[Array, Wet]:
     Raises
     ------
     ArithmeticError
-        If the wet set still changes after 200 steps.
+        If the active set still changes after 200 steps.
     """
     for _ in range(_MOST_STEPS):
         pressure = _pressure_of_wet_nodes(balance, wet)

@@ -103,7 +103,7 @@ class HydrostaticFile(FilmChoices, CaseFile):
             says = "none of lubricant, oil.viscosity is given"
             yield Issue((), says, "exactly one of lubricant, oil.viscosity", code="E003", lacks=("lubricant",))
         if viscous and named:
-            yield Issue(("lubricant",), "given besides oil.viscosity", "one of the two", "remove one")
+            yield Issue(("lubricant",), "given together with oil.viscosity", "one of the two", "remove one")
         if named and not is_given(self.supply, "temperature"):
             yield Issue(
                 ("supply", "temperature"), "the lubricant has no temperature", "supply.temperature",

@@ -52,7 +52,7 @@ class RecessOil(Part):
 
     depth: Annotated[float, si("m", "10 um", "100 mm")] = Field(description="Depth of the recesses.")
     line_volume: Annotated[float, si("m3", "0 mL", "100 L")] = Field(
-        0.0, description="Oil between one restrictor and its recess, besides the recess itself."
+        0.0, description="Oil between one restrictor and its recess, without the recess itself."
     )
     bulk_modulus: Annotated[float, si("Pa", "1 MPa", "10 GPa")] = Field(
         1.4e9, description="Bulk modulus of the oil with its air."
@@ -84,7 +84,7 @@ class RecessRow(Part):
         if self.angles and len(self.angles) != self.number:
             yield Issue(("angles",), f"{len(self.angles)} angles for {self.number} recesses", "one for each")
         if self.angles and is_given(self, "first"):
-            yield Issue(("first",), "given besides angles", "first, or angles", "remove one")
+            yield Issue(("first",), "given together with angles", "first, or angles", "remove one")
 
     @property
     def middles(self) -> tuple[float, ...]:

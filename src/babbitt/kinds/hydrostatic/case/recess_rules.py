@@ -1,4 +1,4 @@
-"""What must fit in bearings with recesses, told by the names and units of the file."""
+"""What must fit in bearings with recesses, reported by the names and units of the file."""
 
 from __future__ import annotations
 

@@ -103,7 +103,7 @@ def _points_change_a_supply(bearing: JournalBearing, supply: Supply | None, path
         given = [name for name in SUPPLY_OF_A_POINT if getattr(point, name) is not None]
         if given:
             says = "an operating point changes the supply, and there is none: oil is not fed"
-            allowed = "supply besides it, `supply: {}` where every operating point gives temperature and pressure"
+            allowed = "supply in addition, `supply: {}` where every operating point gives temperature and pressure"
             yield Issue((*path, "operating_points", index, given[0]), says, allowed)
 
 
@@ -140,7 +140,7 @@ def _clearance_limits(bearing: JournalBearing, machine: SharedInputs | None, pat
     cases = bearing.clearance_cases or getattr(machine, "clearance_cases", "mean")
     if cases == "all" and not bearing.clearance.has_limits:
         says = "clearance_cases: all needs the limits of the clearance"
-        yield Issue((*path, "clearance"), says, "minimum and maximum besides mean", code="E003")
+        yield Issue((*path, "clearance"), says, "minimum and maximum in addition to mean", code="E003")
 
 
 def _too_hot(bearing: JournalBearing, machine: SharedInputs | None, path: Path) -> Iterator[Issue]:

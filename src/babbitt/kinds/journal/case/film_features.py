@@ -328,7 +328,7 @@ def issues_of_hollows(
         for other_path, other in hollows[:index]:
             if _overlap(hollow, other, diameter):
                 says = f"it touches or overlaps {other_path[0]}[{other_path[1]}]"
-                yield Issue((*path, "angle"), says, "hollows with land between them, at least 1 deg for grooves")
+                yield Issue((*path, "angle"), says, "supplies with land between them, at least 1 deg for grooves")
                 break
     covered = sum(groove.extent for _, groove in grooves)
     if covered > TURN - math.radians(10.0):

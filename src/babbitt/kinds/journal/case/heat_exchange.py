@@ -92,7 +92,7 @@ class LongFilmChoices(MethodChoices):
 
 
 class HeatExchangeInput(LongFilmChoices):
-    """Where heat goes besides the oil, and how the published calculation is repeated."""
+    """Where heat goes other than into the oil, and how the published calculation is repeated."""
 
     example: ClassVar[str] = "{bush: {outer_diameter: 100 mm, conductivity: 45 W/(m K)}}"
 
@@ -111,10 +111,10 @@ class HeatExchangeInput(LongFilmChoices):
     def _surroundings_are_known(self) -> Iterator[Issue]:
         if self.shaft_conductance > 0.0 and self.ambient is None:
             says = "heat leaves along the shaft to surroundings that are not given"
-            yield Issue(("shaft_conductance",), says, "ambient with a temperature besides it")
+            yield Issue(("shaft_conductance",), says, "ambient with a temperature")
         if self.ambient is not None and self.ambient.coefficient > 0.0 and self.bush is None:
             says = "the outside of the bush gives off heat, and no bush is given"
-            yield Issue(("ambient", "coefficient"), says, "bush besides it")
+            yield Issue(("ambient", "coefficient"), says, "bush with it")
 
     def exchange(self) -> HeatExchange:
         """Give the heat exchange of the calculation."""

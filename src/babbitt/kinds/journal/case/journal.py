@@ -151,7 +151,7 @@ class JournalBearing(LoadAndSpeed, SharedInputs, FilmChoices, Iso7902Choices):
     effective_temperature: Annotated[float, si("K", "-30 degC", "290 degC")] | None = Field(
         None,
         description="Effective temperature of the film, in place of a heat balance: no outlet temperature and no "
-        "heat to the oil is then told.",
+        "heat to the oil is then given.",
     )
     operating_points: tuple[OperatingPoint, ...] = Field(
         (), max_length=200, description="Operating points, each with what differs from the bearing."
@@ -166,7 +166,7 @@ class JournalBearing(LoadAndSpeed, SharedInputs, FilmChoices, Iso7902Choices):
     )
     walls: WallsInput | None = Field(
         None,
-        description="Bush, housing and journal of a full thermal film. What is not given is assumed and told.",
+        description="Bush, housing and journal of a full thermal film. What is not given is assumed and listed.",
     )
     dynamic_load: DynamicLoadInput | None = Field(
         None,

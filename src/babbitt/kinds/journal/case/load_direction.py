@@ -25,7 +25,7 @@ JOINT_TOLERANCE = math.radians(5.0)
 def load_points_between_its_pockets(bearing: JournalBearing) -> Iterator[Issue]:
     """Complain about a load angle that puts uneven pockets elsewhere than at a level or upright joint.
 
-    Uneven pockets say already where the load points between them; a load angle besides says it again.
+    Uneven pockets say already where the load points between them; a load angle in addition says it again.
     """
     if not is_given(bearing, "load_angle") or bearing.load_angle == DOWNWARD:
         return

@@ -83,7 +83,7 @@ class FilmChoices(MethodChoices):
     )
     equilibria: Literal["auto", "all", "first"] = Field(
         "auto",
-        description="Whether the film method looks for further places where the journal can rest: always, never, "
+        description="Whether the film method looks for further equilibrium positions: always, never, "
         "or in lobed bores and between grooves whose pressure rivals that of the wedge.",
     )
     tilt_coefficients: bool = Field(

@@ -73,7 +73,7 @@ def issues_of_loads(bearing: JournalBearing) -> Iterator[Issue]:
 
 
 def _thick_film(bearing: JournalBearing) -> Iterator[Issue]:
-    """The long film has a bound of c/R, the relative clearance; what no clearance can be is told before."""
+    """The long film has a bound of c/R, the relative clearance; what no clearance can be is refused before."""
     try:
         widest = bearing.clearance.at_20_degrees(bearing.diameter).relative(bearing.diameter).maximum
     except InputError:

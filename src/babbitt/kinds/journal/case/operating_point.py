@@ -30,7 +30,7 @@ class LoadAndSpeed(Part):
     )
     attitude_angle: Annotated[float, si("rad", "-180 deg", "180 deg")] | None = Field(
         None,
-        description="Besides the eccentricity ratio, for the film method: from the load angle to the journal "
+        description="With the eccentricity ratio, for the film method: from the load angle to the journal "
         "centre in the sense of rotation. The direction of the load is then found, too.",
     )
     position: PositionInput | None = Field(
@@ -49,7 +49,7 @@ class LoadAndSpeed(Part):
     def _attitude_needs_eccentricity(self) -> Iterator[Issue]:
         if self.attitude_angle is not None and self.eccentricity_ratio is None:
             says = "an attitude angle prescribes the position only together with eccentricity_ratio"
-            yield Issue(("attitude_angle",), says, "eccentricity_ratio besides it")
+            yield Issue(("attitude_angle",), says, "eccentricity_ratio with it")
 
 
 class OperatingPoint(LoadAndSpeed):

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from babbitt.kinds.journal.case.journal import JournalBearing
 
 LEAST_WIDTH_RATIO, LARGEST_TABULATED_RATIO = 0.1, 1.5
-"""Range of B/D for which the characteristics are on board."""
+"""Range of B/D for which characteristics are included."""
 
 LARGEST_WIDTH_RATIO = 10.0
 """B/D. Assumption: a longer plain bearing is a slip of unit; of the methods only the standard ends before."""
@@ -34,7 +34,7 @@ def standard_knows_the_bearing(bearing: JournalBearing) -> Iterator[Issue]:
 
 
 def width_is_in_the_tables(bearing: JournalBearing) -> Iterator[Issue]:
-    """Complain about a bearing wider than those whose characteristics are on board."""
+    """Complain about a bearing wider than those whose characteristics are included."""
     width = bearing.actual_width
     if width is not None and LARGEST_TABULATED_RATIO < width / bearing.diameter <= LARGEST_WIDTH_RATIO:
         says = f"ISO 7902 has no characteristics for a bearing of B/D {width / bearing.diameter:.3g}"

@@ -14,8 +14,9 @@ from babbitt.core.solution import Solution
 from babbitt.design.bounds import certain, unjudged
 from babbitt.design.checks import checks_not_made, clearance_check, limit_checks
 from babbitt.design.conditions import PrescribedLoad, contact_film
-from babbitt.design.failure import failure
+from babbitt.design.failure import failure_of
 from babbitt.design.feeding import Arrival
+from babbitt.design.heat_balance import Equilibrium
 from babbitt.design.warnings import (
     PLAIN_BEARING_UP_TO,
     warnings_about_film,
@@ -79,10 +80,10 @@ NO_CALM_FILM = "no film was found at this position without the supply pressure; 
 """Why the flows by film pressure and by supply pressure are missing."""
 
 DRAWN_IN_FROM = 0.02
-"""Oil that the sides draw in, over what leaves, from which it is told."""
+"""Oil that the sides draw in, over what leaves, from which it is reported."""
 
 OIL_INVENTED_FROM = 0.05
-"""Mass balance error above which a film without mass conservation is doubted."""
+"""Mass balance error above which a film without mass conservation is questioned."""
 
 
 def film_check(case: FilmCase, watch: ProgressCallback = no_progress) -> Result:
@@ -103,7 +104,7 @@ def film_solution(case: FilmCase, watch: ProgressCallback = no_progress) -> Solu
     -------
     Solution
         Its result has a status in every case; the values of an unsolved case describe the last film reached. Its
-        state is the `FilmState` at the place of rest, or None where no film was found.
+        state is the `FilmState` at the equilibrium position, or None where no film was found.
 
     Notes
     -----
@@ -116,10 +117,8 @@ def film_solution(case: FilmCase, watch: ProgressCallback = no_progress) -> Solu
     case, found, beyond = film_within_ducts(case)
     if beyond is not None:
         case = replace(case, warnings=(*case.warnings, *_warnings_about_ducts(asked, case, beyond)))
-    outcome, message = found.outcome, ""
-    if not outcome.solved:
-        message = failure(case, found) if case.heat is None else thermal_failure(case, found)
-        message += _about_flow_all_around(case, outcome)
+    outcome = found.outcome
+    failed = None if outcome.solved else _failure(case, found)
     values: dict[str, float] = {}
     checks: tuple[Check, ...] = ()
     warnings = case.warnings
@@ -178,7 +177,7 @@ def film_solution(case: FilmCase, watch: ProgressCallback = no_progress) -> Solu
             orbit = orbit_of(case, state, watch)
             if orbit is not None:
                 outcome = orbit.outcome
-                message = "" if outcome.solved else orbit_failure(case, orbit)
+                failed = None if outcome.solved else orbit_failure(case, orbit)
                 values |= orbit_values(case, orbit)
                 arrays["orbit"] = orbit_rows(orbit)
                 checks = (*checks, *orbit_checks(checks, values))
@@ -196,27 +195,23 @@ def film_solution(case: FilmCase, watch: ProgressCallback = no_progress) -> Solu
         warnings,
         not_made,
         (*case.lubricant.assumptions, *case.assumptions, *film_assumptions(case)),
-        message,
+        "",
         settings,
         arrays,
         {name: NO_CALM_FILM for name in ("side_flow", "supply_flow") if math.isnan(values.get(name, 0.0))}
         | ({"critical_mass": no_mass.message} if no_mass else {})
         | _tilt_missing(case, outcome, arrays)
         | missing_without_load(case, found.film),
+        failed,
     )
     return Solution(asked, result, solved)
 
 
-def _about_flow_all_around(case: FilmCase, outcome: Outcome) -> str:
-    """Why no film is found where a given flow feeds grooves around the whole bore."""
-    supply = case.oil_supply
-    if outcome is not Outcome.OVERLOADED or supply is None or supply.flow is None or not fed_all_around(case):
-        return ""
-    return (
-        " A groove around the whole bore presses oil into the film and shears none into it; a given flow that it "
-        "does not take returns at ambient pressure, where it takes none. Give the supply a pressure in place of "
-        "the flow."
-    )
+def _failure(case: FilmCase, found: Equilibrium[FilmState]) -> Notice:
+    """Why there is no film, and what of a given flow that feeds grooves around the whole bore."""
+    failed = failure_of(case, found) if case.heat is None else thermal_failure(case, found)
+    flooded = case.oil_supply is not None and case.oil_supply.flow is not None and fed_all_around(case)
+    return Notice("S001", "all_around", {"failed": failed}) if flooded and failed.code == "S001" else failed
 
 
 def _warnings_about_ducts(asked: FilmCase, case: FilmCase, beyond: Arrival) -> Iterator[Notice]:
@@ -240,7 +235,7 @@ def _supply_of_ducts(asked: FilmCase, beyond: Arrival | None) -> dict[str, float
 
 
 def _tilt_missing(case: FilmCase, outcome: Outcome, arrays: Mapping[str, Matrix]) -> dict[str, str]:
-    """Why coefficients of tilt that were asked for are not told."""
+    """Why coefficients of tilt that were asked for are not given."""
     if not case.tilt_coefficients or not outcome.solved or "tilt_stiffness" in arrays:
         return {}
     why = "the film of the leaning journal did not converge; another accuracy may"

@@ -36,7 +36,7 @@ FIRST_STEP, LONGEST_STEP = 0.02, 0.5
 """Of a pressure, over the highest pressure of the film: the step that tells the first derivative, and any step."""
 TRUSTED, TAMED = 2e-4, 5.0
 """Of a step, over the highest pressure of the film, from which it tells derivatives (films closer together differ
-by how closely their temperatures have settled), and the factor by which that of a pocket may change at once."""
+by how closely their temperatures have converged), and the factor by which that of a pocket may change at once."""
 CALM = 300.0
 """Net flows over those that count as none, below which steps are shortened while the flows do not shrink."""
 PATIENT, NEARLY = 15, 9e-7

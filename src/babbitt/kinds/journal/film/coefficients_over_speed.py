@@ -60,7 +60,7 @@ class SpeedRun:
             raise InputError(
                 "E003",
                 f"{self.case.name}: no stiffness with following temperatures at {rpm:.0f} rpm, as a displaced "
-                "film did not settle; leave this speed out or choose temperature_coefficients: frozen",
+                "film did not converge; leave this speed out or choose temperature_coefficients: frozen",
             )
         states = [one.film for one in self.found if one.film is not None]
         table = coefficient_table(

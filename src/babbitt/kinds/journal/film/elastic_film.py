@@ -1,4 +1,4 @@
-"""The film in a bore that gives way or is distorted by heat: film and displacement settle beside each other.
+"""The film in a bore that gives way or is distorted by heat: film and displacement are solved together.
 
 The displacement is a fixed point: the film is solved with it, and its pressure (and temperature) gives the
 displacement again. A soft bore answers by more than it was moved, so plain repetition swings; the steps are
@@ -56,7 +56,7 @@ class ElasticFilm(Generic[SolutionT]):
     Attributes
     ----------
     outcome : Outcome
-        Read this first: of the film, or not converged where the displacement did not settle beside it.
+        Read this first: of the film, or not converged where the displacement did not converge beside it.
     solution : FilmSolution or ThermalFilm
         The last film. Its coefficients hold for a bore that does not follow the motion (frozen displacement).
     bore : BoreGrid

@@ -1,4 +1,4 @@
-"""Every place where a journal can rest under its load: a film can have more than one.
+"""Every place where a journal can be in equilibrium under its load: a film can have more than one.
 
 Over the room that the bore leaves the journal, the force of film and load together is a field in the plane. Its
 zeros are the equilibria. Around each cell of a mesh the direction of the field turns by a whole number of turns,

@@ -1,7 +1,7 @@
 """The film at one assumed temperature: clearance, viscosity, position, friction and flow.
 
 Everything the heat balance needs is a function of the effective temperature; `film_at_temperature` is that
-function, and `operating_film` is the film where it settles.
+function, and `operating_film` is the film where it is in equilibrium.
 """
 
 from __future__ import annotations

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from babbitt.core.notices import Notice, explanations
+from babbitt.core.notices import Notice
 from babbitt.core.progress import ProgressCallback, no_progress
 from babbitt.core.result import Check, Matrix, Outcome
 from babbitt.design.conditions import PrescribedLoad, sliding_speed
@@ -34,7 +34,7 @@ __all__ = [
 ]
 
 GRID_TOLD_FROM = 0.05
-"""Share of the load that a finer grid does not confirm, from which the orbit is doubted."""
+"""Share of the load that a finer grid does not confirm, from which the orbit is questioned."""
 
 
 HELD_ON_ORBIT = ("minimum_film_thickness", "maximum_pressure", "specific_load", "pressure_speed_product")
@@ -116,20 +116,14 @@ def orbit_assumptions(case: FilmCase) -> Iterator[str]:
         yield "The journal of the orbit has no mass: the film balances the load at every instant."
 
 
-MASSLESS_REMEDY = "A bore with preload, or another load."
-"""What to try where an orbit of a journal without mass does not close: no mass can be made smaller."""
-TABLE_REMEDY = "A steady load besides, more oil, or less load."
-"""What to try where a load by table squeezes the film out: it has no ratio of the speeds."""
-
-
-def orbit_failure(case: FilmCase, orbit: Orbit) -> str:
+def orbit_failure(case: FilmCase, orbit: Orbit) -> Notice:
     """How far an orbit came that does not close, and what to try of what the case has."""
-    remedy = explanations()[orbit.outcome.code].remedy
+    code, thinnest = orbit.outcome.code, float(orbit.film_thickness.min())
+    far = Notice(code, "cycles", {"cycles": orbit.cycles})
+    if math.isfinite(thinnest):
+        far = Notice(code, "cycles_film", {"cycles": orbit.cycles, "minimum_film_thickness": thinnest})
     if orbit.outcome is Outcome.NOT_PERIODIC and not case.moving_mass:
-        remedy = MASSLESS_REMEDY
+        return Notice("S008", "massless", {"far": far})
     if orbit.outcome is Outcome.SQUEEZED_OUT and isinstance(case.changing_load, TabulatedLoad):
-        remedy = TABLE_REMEDY
-    far = f"after {orbit.cycles} cycles"
-    if math.isfinite(float(orbit.film_thickness.min())):
-        far += f" the thinnest film was {1e6 * float(orbit.film_thickness.min()):.3g} µm"
-    return f"{far}. Try: {remedy[0].lower()}{remedy[1:]}"
+        return Notice("S007", "table", {"far": far})
+    return Notice(code, "tried", {"far": far})

@@ -29,7 +29,7 @@ SUPPLY_SHARE = 0.5
 them from 5 on."""
 
 SAME_FILM = 0.01
-"""Share by which the film elsewhere must be thinner to be told: less is the accuracy of a grid."""
+"""Share by which the film elsewhere must be thinner to be reported: less is the accuracy of a grid."""
 
 __all__ = ["warnings_about_rest", "flattered_by_equilibrium", "resting_checks", "resting_places", "resting_values"]
 
@@ -54,7 +54,7 @@ def resting_places(case: FilmCase, state: FilmState) -> RestingPlaces | None:
 
 def _each_with_its_own(case: FilmCase, state: FilmState, found: RestingPlaces) -> RestingPlaces:
     """The places of a film whose bore or supplies answer to it: sought with those of the first place, and settled
-    each with its own. What does not settle leaves the indices incomplete."""
+    each with its own. What does not converge leaves the indices incomplete."""
     from babbitt.kinds.journal.film.equilibria import RestingPlace, RestingPlaces, same_place
 
     first, *others = found.places

@@ -1,4 +1,4 @@
-"""Where the journal settles under a load: the equilibrium found first, unless the journal leaves it by itself."""
+"""Equilibrium of the journal under a load: that found first, unless the journal leaves it by itself."""
 
 from __future__ import annotations
 
@@ -66,6 +66,6 @@ def place_of(found: FilmSolution) -> Place:
 
 
 def is_saddle(found: FilmSolution) -> bool:
-    """Whether the journal always leaves a place of rest: det K < 0. A film without stiffness tells nothing."""
+    """Whether the journal always leaves an equilibrium position: det K < 0. Without stiffness nothing is known."""
     (xx, xy), (yx, yy) = found.stiffness
     return found.outcome.solved and bool(xx * yy - xy * yx < 0.0)

@@ -1,15 +1,13 @@
-"""Where a film with its own temperatures gave way: the largest load that still had a film, and words for it."""
+"""Where a film with its own temperatures gave way: the largest load that still had a film, and what it says."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
 
-from babbitt.core.notices import explanations
+from babbitt.core.notices import Notice
 from babbitt.core.result import Outcome
-from babbitt.core.units import ZERO_CELSIUS
 from babbitt.design.conditions import PrescribedLoad
-from babbitt.design.failure import STARVED, STARVED_REMEDY
 from babbitt.design.heat_balance import CEILING, Equilibrium, NoFilmError
 from babbitt.design.oil import highest_usable
 from babbitt.kinds.journal.film.isothermal import FilmState
@@ -77,10 +75,10 @@ def last_film(case: FilmCase, film_at: Callable[[FilmCase, ThermalSearch], FilmS
 
 
 def what_gave_way(case: FilmCase, outcome: Outcome, last: FilmState | None) -> Outcome:
-    """Overload where a film seems to run away, or does not come to rest, although the last one there was, is cool.
+    """Overload where a film seems to run away, or does not converge, although the last one there was, is cool.
 
     A gap that closes grows hot at its thinnest place without bound, whatever closed it: a tilted journal that
-    touches at an edge is no matter of heat. Nor does a film come to rest where the last one is as good as closed.
+    touches at an edge is no matter of heat. Nor does a film converge where the last one is as good as closed.
     A film that is thick at the last has not closed: whether the search says so is a matter of round-off.
 
     Parameters
@@ -106,46 +104,42 @@ def what_gave_way(case: FilmCase, outcome: Outcome, last: FilmState | None) -> O
     return outcome if risen > HOT * (highest_usable(case.lubricant) - fresh) else closed
 
 
-def thermal_failure(case: FilmCase, found: Equilibrium[FilmState]) -> str:
-    """Say what gave way, the last film that there was, and what to try."""
-    load = (
-        f" under {_kilonewtons(case.duty.load)} kN"
+def thermal_failure(case: FilmCase, found: Equilibrium[FilmState]) -> Notice:
+    """What gave way, the last film that there was, and what to try."""
+    outcome, code = found.outcome, found.outcome.code
+    where = (
+        Notice(code, "under_load", {"load": case.duty.load})
         if isinstance(case.duty, PrescribedLoad)
-        else " at this position"
+        else Notice(code, "at_position")
     )
-    match found.outcome:
+    match outcome:
         case Outcome.OVERLOADED:
-            far = f"no film with its own temperatures was found{load}: its thinnest place closes"
+            far = Notice("S001", "thinnest", {"where": where})
         case Outcome.THERMAL_RUNAWAY:
-            far = f"the film{load} would be hotter than {CEILING - ZERO_CELSIUS:.0f} °C somewhere"
+            far = Notice("S002", "hottest", {"where": where, "ceiling": CEILING})
         case Outcome.NO_LUBRICANT_DATA:
-            far = f"the film{load} would be hotter than the laws of {case.lubricant.name} reach"
+            far = Notice("S005", "hottest", {"where": where, "lubricant": case.lubricant.name})
         case Outcome.NO_CLEARANCE:
-            far = "the clearance is used up by thermal growth"
+            far = Notice("S003", "growth")
         case Outcome.STARVED_RECESS:
-            return f"{STARVED}. Try: {STARVED_REMEDY}"
+            return Notice("S302", "pocket")
         case Outcome.OUTSIDE_CLEARANCE:
-            far = f"{load.strip()} the journal would touch or cut the bore"
+            far = Notice("S006", "touches", {"where": where})
         case _:
-            far = f"film, temperatures and journal{load} did not come to rest together"
-    remedy = explanations()[found.outcome.code].remedy
-    adiabatic = case.heat is not None and case.heat.walls is None
-    if adiabatic and found.outcome is Outcome.THERMAL_RUNAWAY:
-        remedy = f"`thermal: full`, for walls cool a film as thin as this; {remedy[0].lower()}{remedy[1:]}"
-    return f"{far}{_last(case, found.film)}. Try: {remedy[0].lower()}{remedy[1:]}"
+            far = Notice(code, "not_together", {"where": where})
+    last = "" if found.film is None else _last(case, code, found.film)
+    if outcome is Outcome.THERMAL_RUNAWAY and case.heat is not None and case.heat.walls is None:
+        return Notice("S002", "adiabatic", {"far": far, "last": last})
+    return Notice(code, "tried_film", {"far": far, "last": last})
 
 
-def _last(case: FilmCase, state: FilmState | None) -> str:
-    if state is None or state.thermal is None:
+def _last(case: FilmCase, code: str, state: FilmState) -> Notice | str:
+    if state.thermal is None:
         return ""
-    least = state.solution.minimum_film_thickness * 1e6
-    hottest = state.thermal.maximum_temperature - ZERO_CELSIUS
-    there = f"h_min = {least:.3g} µm, hottest place {hottest:.0f} °C"
+    place = Notice(code, "last_place", {
+        "minimum_film_thickness": state.solution.minimum_film_thickness,
+        "maximum_temperature": state.thermal.maximum_temperature,
+    })  # fmt: skip
     if isinstance(case.duty, PrescribedLoad) and state.load < 0.999 * case.duty.load:
-        return f". The largest load with a film was about {_kilonewtons(state.load)} kN, with {there}"
-    return f". The last film that settled had {there}"
-
-
-def _kilonewtons(force: float) -> str:
-    """A force in kN, with three digits and no exponent."""
-    return f"{force / 1e3:.0f}" if force >= 1e5 else f"{force / 1e3:.3g}"
+        return Notice(code, "last_load", {"load": state.load, "place": place})
+    return Notice(code, "last_film", {"place": place})

@@ -50,9 +50,9 @@ __all__ = ["film_heat", "following_stiffness", "film_equilibrium", "thermal_oper
 
 MOST_ROUNDS = 25
 SAME_CLEARANCE = 1e-5
-"""Share of the clearance by which thermal growth may still change it when the film counts as settled."""
+"""Share of the clearance by which thermal growth may still change it when the film counts as converged."""
 SAME_TEMPERATURE = 0.05
-"""Change of the effective temperature in K at which the heat capacity counts as settled."""
+"""Change of the effective temperature in K at which the heat capacity counts as converged."""
 GROWING = (0.5, 0.65, 0.8, 0.9, 0.95, 1.0)
 """Shares of the load under which a film is sought, one after the other."""
 ENDED_HOT = (Outcome.THERMAL_RUNAWAY, Outcome.NO_LUBRICANT_DATA, Outcome.NOT_CONVERGED)
@@ -75,7 +75,7 @@ def thermal_operating_film(case: FilmCase) -> Equilibrium[FilmState]:
     -------
     Equilibrium
         Always with a status; the film of an unsolved one is that of the largest load that has one, if a load is
-        given, else the last one that settled.
+        given, else the last one that converged.
     """
     if case.oil_supply is None:
         raise InputError("E101", "a film with its own temperatures needs a supply: the temperature of fresh oil.")
@@ -106,7 +106,7 @@ def thermal_operating_film(case: FilmCase) -> Equilibrium[FilmState]:
 
 @dataclass
 class _Reached:
-    """Clearance and temperature (K) of the round that a search is in, and the last film that settled."""
+    """Clearance and temperature (K) of the round that a search is in, and the last film that converged."""
 
     relative_clearance: float
     temperature: float
@@ -366,7 +366,7 @@ def _temperature_of(oil: Lubricant, thermal: ThermalFilm) -> float:
 def following_stiffness(case: FilmCase, state: FilmState) -> Array | None:
     """Stiffness in N/m, shape (2, 2), while all temperatures follow the journal: central differences of the force.
 
-    None where a displaced film does not settle.
+    None where a displaced film does not converge.
     """
     import numpy as np
 

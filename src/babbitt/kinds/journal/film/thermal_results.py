@@ -35,7 +35,7 @@ __all__ = [
 ]
 
 BACK_FROM = 0.05
-"""Oil that goes back into supplies, over what leaves by the sides, from which it is told."""
+"""Oil that goes back into supplies, over what leaves by the sides, from which it is reported."""
 
 NOTHING = 1e-6
 """Oil that goes back into supplies, over what leaves by the sides, up to which it is left out."""

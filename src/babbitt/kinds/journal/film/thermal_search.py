@@ -58,7 +58,7 @@ class ThermalSearch:
 
     @property
     def settled(self) -> float:
-        """Change of temperature in a pass, K, at which a film at a given place has settled."""
+        """Change of temperature in a pass, K, at which a film at a given place has converged."""
         from babbitt.reynolds.heat.thermal_continuation import CLOSER
         from babbitt.reynolds.heat.thermal_passes import SETTLED
 

@@ -7,9 +7,8 @@ from collections.abc import Iterator
 from dataclasses import replace
 from time import perf_counter
 
-from babbitt.core.notices import Notice, explanations
+from babbitt.core.notices import Notice
 from babbitt.core.result import Check, Matrix, Outcome, Result
-from babbitt.core.units import ZERO_CELSIUS
 from babbitt.design.bounds import NO_BOUNDS, Bounds
 from babbitt.design.checks import checks_not_made, clearance_check, limit_checks
 from babbitt.design.conditions import PrescribedLoad
@@ -76,9 +75,9 @@ def segments_check(case: SegmentCase) -> Result:
         warnings,
         not_made,
         (*case.lubricant.assumptions, *case.assumptions, *_assumptions(case)),
-        "" if outcome.solved else _failure(case, outcome, capacity, state),
-        _settings(case),
-        arrays,
+        settings=_settings(case),
+        arrays=arrays,
+        failure=None if outcome.solved else _failure(case, outcome, capacity, state),
     )
 
 
@@ -243,27 +242,21 @@ def _settings(case: SegmentCase) -> dict[str, str]:
     }
 
 
-def _failure(case: SegmentCase, outcome: Outcome, capacity: float | None, state: SegmentFilmState | None) -> str:
-    far = outcome.value
+def _failure(
+    case: SegmentCase, outcome: Outcome, capacity: float | None, state: SegmentFilmState | None
+) -> Notice:
+    code, far = outcome.code, None
     if outcome is Outcome.OVERLOADED and isinstance(case.duty, PrescribedLoad) and capacity is not None:
         area = case.bearing.diameter * case.bearing.width
-        far = (
-            f"the best specific load reached was {capacity / area / 1e6:.3g} MPa, less than the "
-            f"{case.duty.load / area / 1e6:.3g} MPa asked for"
-        )
+        far = Notice("S001", "specific_load", {"reached": capacity / area, "asked": case.duty.load / area})
     elif state is not None:
         warm, bent = state.residuals
-        far = (
-            f"after {state.iterations} iterations temperatures still changed by {warm:.3g} K, the wall by "
-            f"{bent * 1e6:.3g} µm"
-        )
+        far = Notice(code, "walls_change", {"iterations": state.iterations, "change": warm, "wall": bent})
     elif outcome is Outcome.NO_LUBRICANT_DATA:
-        supplied = case.oil_supply.temperature - ZERO_CELSIUS
-        reached = f"leaves the temperatures that the laws of {case.lubricant.name} reach"
-        far = f"the film, supplied at {supplied:.0f} °C, {reached}"
+        far = Notice("S005", "supplied", {
+            "supplied": case.oil_supply.temperature, "lubricant": case.lubricant.name,
+        })  # fmt: skip
     elif outcome is Outcome.NOT_CONVERGED:
-        far = "the film has no point of rupture, or no oil flows through it"
-        if case.groove is not None and case.groove.at_place_in_bush:
-            far += ", or its groove lies across the widest gap, where the film begins"
-    remedy = explanations()[outcome.code].remedy
-    return f"{far}. Try: {remedy[0].lower()}{remedy[1:]}"
+        in_bush = case.groove is not None and case.groove.at_place_in_bush
+        far = Notice("S004", "no_rupture_in_bush" if in_bush else "no_rupture")
+    return Notice(code, "tried", {"far": far or outcome.value})

@@ -102,7 +102,7 @@ class SegmentFilm:
     profile : tuple of (float, float)
         Angles (rad, rising, within one turn) and film thickness (m) in place of an eccentric rigid film.
     cells : int
-        Intervals around the film, besides the exact edges of the groove.
+        Intervals around the film, in addition to the exact edges of the groove.
     """
 
     diameter: float

@@ -157,7 +157,7 @@ def film_under_load(film: SegmentFilm, load: float) -> SegmentFilmState:
 
 
 def _rising(film: SegmentFilm) -> Iterator[SegmentFilmState]:
-    """Films of growing eccentricity, each begun from the one before, up to the last one that settles."""
+    """Films of growing eccentricity, each begun from the one before, up to the last one that converges."""
     state: SegmentFilmState | None = None
     for eccentricity in (*SCAN, *(BEYOND_CONTACT if film.compliance else ())):
         try:

@@ -1,7 +1,7 @@
 """The grooved bearing beside the ungrooved one: at the same gap, and under the same load.
 
 A bearing cut into two segments has two mean temperatures in place of one, which by itself makes it colder. What a
-groove does is therefore told against the ungrooved film cut at the same angle, besides the ungrooved film itself.
+groove does is therefore compared with the ungrooved film cut at the same angle, besides the ungrooved film itself.
 """
 
 from __future__ import annotations

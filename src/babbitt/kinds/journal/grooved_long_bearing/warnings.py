@@ -18,10 +18,10 @@ POWER_LAW_RANGE = (293.15, 393.15)
 """K, 20 to 120 °C: where the source uses the power law of viscosity."""
 
 THICK_FROM = 0.005
-"""c/R above which the theory of thin films is doubted."""
+"""c/R above which the theory of thin films is questioned."""
 
 ROUGHNESS_FACTOR = 3.0
-"""Least film over the combined rms roughness σ = sqrt(Rq_B² + Rq_J²) that is not doubted: above about 3 σ surfaces
+"""Least film over the combined rms roughness σ = sqrt(Rq_B² + Rq_J²) without a warning: above about 3 σ surfaces
 are apart (B. J. Hamrock, Fundamentals of Fluid Film Lubrication, 1994)."""
 
 RMS_OVER_MEAN = 1.25

@@ -8,7 +8,7 @@ from time import perf_counter
 
 import numpy as np
 
-from babbitt.core.notices import Notice, explanations
+from babbitt.core.notices import Notice
 from babbitt.core.result import Check, Matrix, Outcome, Result
 from babbitt.design.bounds import NO_BOUNDS
 from babbitt.design.checks import checks_not_made, clearance_check, limit_checks
@@ -32,7 +32,7 @@ ATMOSPHERE = 101325.0
 """Pa; standard atmosphere, to which the published relative load is referred."""
 
 THICK_FROM = 0.005
-"""c/R above which the theory of thin films is doubted."""
+"""c/R above which the theory of thin films is questioned."""
 
 LAMINAR_UP_TO = 1500.0
 """Local Reynolds number ρ u h/η above which the laminar law is invalid."""
@@ -78,9 +78,9 @@ def long_film_check(case: LongFilmCase) -> Result:
         warnings,
         not_made,
         (*case.lubricant.assumptions, *case.assumptions, *_assumptions(case)),
-        "" if outcome.solved else _failure(case, outcome, capacity, state),
-        _settings(case),
-        arrays,
+        settings=_settings(case),
+        arrays=arrays,
+        failure=None if outcome.solved else _failure(case, outcome, capacity, state),
     )
 
 
@@ -244,20 +244,14 @@ def _settings(case: LongFilmCase) -> dict[str, str]:
     }
 
 
-def _failure(case: LongFilmCase, outcome: Outcome, capacity: float | None, state: LongFilmState | None) -> str:
-    far = f"{outcome.value}"
+def _failure(case: LongFilmCase, outcome: Outcome, capacity: float | None, state: LongFilmState | None) -> Notice:
+    code, far = outcome.code, None
     if outcome is Outcome.OVERLOADED and isinstance(case.duty, PrescribedLoad) and capacity is not None:
-        far = (
-            f"the largest load reached was {capacity / 1e3:.4g} kN, less than the load of "
-            f"{case.duty.load / 1e3:.4g} kN"
-        )
+        far = Notice("S001", "largest_load", {"reached": capacity, "load": case.duty.load})
     elif state is not None:
-        angle = math.degrees(state.pressure.rupture_angle)
-        far = (
-            f"after {state.iterations} iterations the temperature still changed by {state.residual:.3g} K; the "
-            f"film then broke at {angle:.1f}°"
-        )
+        far = Notice(code, "film_breaks", {
+            "iterations": state.iterations, "change": state.residual, "angle": state.pressure.rupture_angle,
+        })  # fmt: skip
     elif outcome is Outcome.NOT_CONVERGED and not case.discretisation.conserves_flow:
-        far = f"the local flow of {case.discretisation.value} is not positive in every sector: no heat balance"
-    remedy = explanations()[outcome.code].remedy
-    return f"{far}. Try: {remedy[0].lower()}{remedy[1:]}"
+        far = Notice("S004", "local_flow", {"discretisation": case.discretisation.value})
+    return Notice(code, "tried", {"far": far or outcome.value})

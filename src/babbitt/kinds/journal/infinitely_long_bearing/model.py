@@ -115,7 +115,7 @@ class BushRing:
 
 @dataclass(frozen=True)
 class HeatExchange:
-    """Where heat goes besides the oil.
+    """Where heat goes other than into the oil.
 
     `bush` None is an adiabatic bush. `shaft_conductance` in W/K leads from the journal to the ambient, whose
     temperature in K must be known where anything leads there.

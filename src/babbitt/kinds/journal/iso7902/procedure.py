@@ -10,7 +10,7 @@ from time import perf_counter
 from babbitt.core.result import Result
 from babbitt.core.units import ZERO_CELSIUS
 from babbitt.design.conditions import contact_film
-from babbitt.design.failure import failure
+from babbitt.design.failure import failure_of
 from babbitt.design.heat_balance import Equilibrium, at_prescribed_temperature, find_equilibrium
 from babbitt.design.numbers import minimum_film_thickness
 from babbitt.design.screening import recommended_relative_clearance
@@ -102,8 +102,8 @@ def _result(case: DesignCase, found: Equilibrium[Film], start: float) -> Result:
             {"wall_time": perf_counter() - start},
             warnings=case.warnings,
             assumptions=(*case.lubricant.assumptions, *case.assumptions),
-            message=failure(case, found),
             settings=_settings(case),
+            failure=failure_of(case, found),
         )
     change = _transition(case, found.film)
     values = _values(case, found.film, change)
@@ -138,8 +138,8 @@ def _result(case: DesignCase, found: Equilibrium[Film], start: float) -> Result:
         warnings,
         not_checked if found.outcome.solved else (),
         (*case.lubricant.assumptions, *case.assumptions, *assumptions_about_capacity(case, found.film)),
-        "" if found.outcome.solved else failure(case, found),
-        _settings(case),
+        settings=_settings(case),
+        failure=None if found.outcome.solved else failure_of(case, found),
     )
 
 

@@ -21,7 +21,7 @@ from functools import partial
 
 from babbitt.core.notices import Notice
 from babbitt.core.result import Bound, Check
-from babbitt.design.failure import failure
+from babbitt.design.failure import failure_of
 from babbitt.design.heat_balance import Equilibrium, find_equilibrium
 from babbitt.kinds.journal.iso7902.film import Film, curves_of, starved_film_at
 from babbitt.kinds.journal.iso7902.model import DesignCase
@@ -184,7 +184,7 @@ def warnings_about_capacity(
     if not starved.outcome.solved:
         # Where Q₃ is delivered, C117 is no miss that would decide.
         yield Notice("W123" if lacks_oil(film) else "W185", "no_equilibrium", {
-            "lack": lack, "outcome": starved.outcome.value, "reason": failure(case, starved),
+            "lack": lack, "outcome": starved.outcome.value, "reason": failure_of(case, starved),
         })  # fmt: skip
         return
     reached = Notice(code, "reached", {

@@ -62,13 +62,13 @@ Assumption: of 400 random bearings that kept it (``benchmarks/whirl_screening.py
 whirls under its load as a mass; one of another 194 does, which kept it by 0.3 % (docs/theory/screening.md)."""
 
 PRESSURE_OF_LOAD, SHARE_OF_LOAD = 0.5, 0.1
-"""Supply pressure over specific load, and force of a pocket over the load, from which they are told (assumptions).
+"""Supply pressure over specific load, and force of a pocket over the load, from which W192 warns (assumptions).
 
 ISO 7902-1 presupposes a feed pressure that is negligible beside those of the film. Films with a pocket of 20 deg
 opposite the load are 5 % thinner at half the specific load, with one of 60 deg at a tenth of the load."""
 
 TOLD_HEATING = 1.0
-"""K by which throttling warms the oil, from which it is told."""
+"""K by which throttling warms the oil, from which it is reported."""
 
 NOTABLE_SHARE = 0.05
 """Share of the film thickness by which a span wider than the arc that is left may flatter it (an assumption)."""

@@ -75,7 +75,7 @@ def _loaded_width(sheet: JournalSheet) -> str:
 
 
 def _arguments(sheet: JournalSheet) -> tuple[str, str]:
-    """What the characteristics are read for besides load or position."""
+    """What the characteristics are read for in addition to load or position."""
     return "half_bearing_width_ratio" if is_parted(sheet) else "width_ratio", "angular_span"
 
 

@@ -132,7 +132,7 @@ def _temperatures(case: FilmCase, state: FilmState) -> Iterator[Painted]:
     )
     yield (
         "heat-split",
-        "Where the heat goes that is born in the film.",
+        "Where the heat generated in the film goes.",
         film_temperature.split(thermal),
         False,
     )

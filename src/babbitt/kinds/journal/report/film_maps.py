@@ -37,7 +37,7 @@ AROUND = "θ in °, counter-clockwise from $+x$"
 """Label of the angle."""
 
 WIDEST_LEVEL = 4.0
-"""Gaps are told apart up to this many radial clearances over the smallest."""
+"""Gaps are distinguished up to this many radial clearances over the smallest."""
 
 SURFACE_LINES = 91
 """Across the pressure surface."""

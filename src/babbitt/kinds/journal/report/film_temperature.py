@@ -237,7 +237,7 @@ def along(case: FilmCase, thermal: ThermalFilm, field: FilmField) -> Figure:
 
 
 def split(thermal: ThermalFilm) -> Figure:
-    """Where the heat goes, as shares of what is born in the film."""
+    """Where the heat goes, as shares of what is generated in the film."""
     figure, ((panel,),) = Sheet(81.0, 34.0, left=16.0).panels()
     heat = thermal.heat
     least = NOTHING * heat.dissipation

@@ -49,7 +49,7 @@ OWN_RESULTS = (
     "ungrooved_outlet_at_load",
     "cut_outlet_at_load",
 )
-"""Results of these methods besides those that every film has."""
+"""Results of these methods in addition to those that every film has."""
 
 DISCRETISATION = {
     Discretisation.CONSISTENT: "divergence form; the same flow passes every section",

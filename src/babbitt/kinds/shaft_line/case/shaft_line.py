@@ -97,7 +97,7 @@ class ThrustRipple(Part):
     @rule
     def _one_order(self) -> Iterator[Issue]:
         if self.blade_multiple is not None and self.order is not None:
-            yield Issue(("order",), "given besides blade_multiple", "one of the two", "remove one")
+            yield Issue(("order",), "given together with blade_multiple", "one of the two", "remove one")
 
 
 class SpeedRange(Part):
@@ -153,7 +153,7 @@ class ThrustLineCase(ThrustBearingInputs, CaseFile):
     loss_limit: Annotated[float, si("1", "0.01", "5")] | None = Field(
         None, description="Limit of dynamic over mean static pad load. None: 50 %, usual in industry."
     )
-    limits: LineLimits | None = Field(None, description="Limits of your own besides loss_limit.")
+    limits: LineLimits | None = Field(None, description="Limits of your own in addition to loss_limit.")
     speeds: SpeedRange | None = Field(None, description="Speeds of a Campbell map. None: no map.")
     nonlinear: bool = Field(
         False, description="Solve the nonlinear motion, too: takes seconds, and needs plane laminar pads."
@@ -165,7 +165,7 @@ class ThrustLineCase(ThrustBearingInputs, CaseFile):
             yield Issue(
                 ("seating",),
                 "a seating needs a ring of finite stiffness between pads and housing",
-                "ring_stiffness besides it, such as '1000 GN/m' for a stiff ring",
+                "ring_stiffness with it, such as '1000 GN/m' for a stiff ring",
             )
 
     @rule

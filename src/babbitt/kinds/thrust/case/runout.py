@@ -88,7 +88,7 @@ def given_twice(
     parts : sequence of (float, complex)
         That number and the amplitude with its phase, in SI.
     unit : str
-        In which amplitudes are told.
+        In which amplitudes are given.
     """
     first: dict[float, int] = {}
     for place, (order, amplitude) in enumerate(parts):
