@@ -121,7 +121,7 @@ def test_a_displacement_alone_is_none_of_the_bore(wavy):
     assert shown["Displacement of the gap"] == "-5 to 5"
     for refused in (lambda: bb.JournalBearing(**GIVEN, displacement=table, bore=WAVES),
                     lambda: displaced.replace(bore=WAVES)):  # fmt: skip
-        with pytest.raises(bb.CaseError, match="beside a displacement"):
+        with pytest.raises(bb.CaseError, match="given with a displacement"):
             refused()
 
 

@@ -119,7 +119,7 @@ def with_own_bore_in_words(given: Mapping[str, Any]) -> dict[str, Any]:
     Raises
     ------
     CaseError
-        For a bore without width, or beside a displacement.
+        For a bore without width, or together with a displacement.
     """
     bore = given.get("bore")
     if not isinstance(bore, Gap):
