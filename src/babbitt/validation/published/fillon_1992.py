@@ -113,10 +113,10 @@ CASE = ValidationCase(
             "by Kim, Palazzolo and Gadangi (1994)."
         ),
         assumptions=(
-            "Not known of the test, and inferred: pads of 20 mm of steel (50 W/(m K), 210 GPa, 12e-6 1/K), heat transfer of 100 "
-            "W/(m² K) at backs and edges, all hot oil carried over, housing and oil behind the pads at the 40 °C "
-            "of the supply. D 100 mm, L 70 mm, pads of 75° at 45°, 135°, 225° and 315°, machined clearance 148 "
-            "µm, assembled 78.4 µm, 10 kN downward, oil 27.7 mPa s exp(-0.0341 (t - 40 °C))."
+            "Not known of the test, and inferred: pads of 20 mm of steel (50 W/(m K), 210 GPa, 12e-6 1/K), heat "
+            "transfer of 100 W/(m² K) at backs and edges, all hot oil carried over, housing and oil behind the "
+            "pads at the 40 °C of the supply. D 100 mm, L 70 mm, pads of 75° at 45°, 135°, 225° and 315°, "
+            "clearance 148 µm machined, 78.4 µm assembled, 10 kN down, oil 27.7 mPa s exp(-0.0341 (t - 40 °C))."
         ),
         tolerances=(
             "9 K from the measurement, 6 K from the published theory. Some kelvins stand for what is not known "
