@@ -59,7 +59,8 @@ from babbitt.kinds.journal.film.transition import transition_speed
 from babbitt.kinds.journal.film.unloaded import missing_without_load
 from babbitt.kinds.journal.film.values import fills_of, film_values, rows_of, supply_pressures, tilt_values
 from babbitt.kinds.journal.film.whirl import whirl_of
-from babbitt.reynolds.model import Cavitation
+from babbitt.kinds.journal.one_temperature import checks_of_metal, warnings_about_margins
+from babbitt.reynolds.model import END_DAM, Cavitation
 from babbitt.reynolds.stability.whirl_checks import (
     warnings_about_whirl,
     whirl_checks,
@@ -287,6 +288,8 @@ def _warnings(
         yield Notice("W125")
     if whirl is not None:
         yield from warnings_about_whirl(whirl)
+    if case.heat is None:
+        yield from warnings_about_margins(checks, values, checks_of_metal(case.limits))
     solved = {"W109"} if whirl is not None else set()  # the dynamics of the film are solved for
     yield from (warning for warning in warnings_about_running(case, values, checks) if warning.code not in solved)
 
@@ -320,6 +323,12 @@ def _warnings_about_grooves(case: FilmCase, state: FilmState, values: dict[str, 
             yield Notice("W121", "drawn" if state.solution.side_inflow > 0.0 else "less", {"less": -flow})
         else:
             yield Notice("W121", "more", {"supply_flow": flow})
+    for pocket in case.bearing.hollows:
+        if pocket.width is None or pocket.flow is not None:
+            continue
+        land = 0.5 * (case.bearing.width - pocket.width) - abs(pocket.axial_position)
+        if land < END_DAM * case.bearing.width:
+            yield Notice("W121", "pocket", {"width": pocket.width, "land": land, "least": END_DAM})
     for groove in case.bearing.hollows:
         if groove.extent > ALMOST_A_TURN:  # no load could point beside it
             continue

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 
 from babbitt.core.notices import Notice
 from babbitt.core.result import Check
-from babbitt.design.bounds import FILM_CHECKS
 from babbitt.design.span import TABULATED_SPANS
 from babbitt.design.warnings import (
     RIGID_FILM_UP_TO,
@@ -31,6 +30,7 @@ from babbitt.kinds.journal.iso7902.supply import (
     Pockets,
     fitted_width,
 )
+from babbitt.kinds.journal.one_temperature import checks_of_metal, warnings_about_margins
 
 STANDARD_WIDTH_RATIOS = (0.125, 1.0)
 """Range of B/D in the tables of the standard."""
@@ -38,22 +38,6 @@ STANDARD_WIDTH_RATIOS = (0.125, 1.0)
 CURVES_FROM = 0.01
 """Eccentricity ratio at which the computed characteristics begin."""
 
-
-THINNER, HOTTER = 0.45, 15.0
-"""Margin of the film thickness, and K above the outlet, by which films with temperatures of their own may differ.
-
-Assumptions by measurement (docs/theory/procedure.md, ``benchmarks/one_temperature.py``): nineteen of twenty films
-with temperatures of their own and walls that conduct differ by less."""
-
-RISE_OF_METAL = 6.2e-3
-"""K over the root of Pa m/s: rise of the hottest bush above the inlet over sqrt(p̄ U), fast and loaded bearings.
-
-Assumption by the same measurement, at 15 to 60 m/s and 1.5 to 5 MPa: of nineteen of twenty it is less."""
-
-TURBULENT_SOONER = 2.1
-"""Reynolds number of films with temperatures of their own over that of one temperature.
-
-Assumption by the same measurement, nineteen of twenty lie below: their oil is thinner where it carries no load."""
 
 SURELY_SCREENED = 0.1
 """Margin of Orlov's screening from which a rotor of the mass that the bearing carries does not whirl.
@@ -114,48 +98,6 @@ def _of_method(case: DesignCase, values: Mapping[str, float]) -> Iterator[Notice
         yield Notice("W119", values={"eccentricity_ratio": eccentricity, "first": CURVES_FROM})
     if case.bearing_speed:
         yield Notice("W114")
-
-
-def warnings_about_margins(
-    checks: tuple[Check, ...], values: Mapping[str, float], limited: Callable[[str], bool]
-) -> Iterator[Notice]:
-    """Whether a limit is kept by less than films with temperatures of their own usually differ.
-
-    Parameters
-    ----------
-    checks : tuple of Check
-    values : Mapping[str, float]
-        Named results of the film with one temperature.
-    limited : callable
-        Whether a check, by its code, holds the hottest place of the metal against its limit.
-    """
-    near = []
-    hottest = hottest_metal(values)
-    for check in checks:
-        if check.advisory or not check.ok:
-            continue
-        if check.code in FILM_CHECKS and check.margin < THINNER:
-            near.append(Notice("W191", "film", {"margin": check.margin, "check": check.code}))
-        if limited(check.code) and check.limit < max(check.value + HOTTER, hottest):
-            margin = check.limit - check.value
-            near.append(Notice("W191", "temperature", {"margin": margin, "check": check.code}))
-        if check.code == "C110" and check.value * TURBULENT_SOONER > check.limit:
-            factor = check.limit / check.value
-            near.append(Notice("W191", "reynolds_number", {"factor": factor, "check": check.code}))
-    if near:
-        yield Notice("W191", "kept", {"kept": tuple(near)})
-
-
-def hottest_metal(values: Mapping[str, float]) -> float:
-    """Temperature in K that the bush of a fast and loaded bearing may reach, by `RISE_OF_METAL`; 0 without inlet.
-
-    >>> hottest_metal({"supply_temperature": 313.15, "specific_load": 4e6, "surface_speed": 25.0})
-    375.15
-    """
-    if "supply_temperature" not in values:
-        return 0.0
-    rise = RISE_OF_METAL * math.sqrt(values["specific_load"] * abs(values["surface_speed"]))
-    return values["supply_temperature"] + rise
 
 
 def warnings_about_feed_pressure(case: DesignCase, values: Mapping[str, float]) -> Iterator[Notice]:
@@ -251,8 +193,7 @@ def _of_running(
     case: DesignCase, values: Mapping[str, float], checks: tuple[Check, ...], change: Transition | None
 ) -> Iterator[Notice]:
     yield from warnings_about_running(case, values, checks)
-    own = case.limits.temperature is not None
-    yield from warnings_about_margins(checks, values, lambda code: code == "C108" or (own and code == "C104"))
+    yield from warnings_about_margins(checks, values, checks_of_metal(case.limits))
     screening = next((check for check in checks if check.code == "C112"), None)
     if case.rotor_mass is not None and screening is not None and screening.margin < SURELY_SCREENED:
         yield Notice("W194", "kept" if screening.ok else "missed", {
