@@ -1,14 +1,16 @@
 """Films of pads with their own temperatures, through the kind."""
 
 import math
+import re
 
 import numpy as np
 import pytest
-from pad_journals import CONDUCTING, FILLON_OIL, HEATED, STEEL, pad_case, result_of, solution_of
+from pad_journals import CONDUCTING, FILLON_OIL, HEATED, OIL, STEEL, pad_case, result_of, solution_of
 
 from babbitt.case import case_from_dict
 from babbitt.core.result import Outcome
 from babbitt.kinds.tilting_pad_journal.check import heat_checks
+from babbitt.kinds.tilting_pad_journal.thermal_film import thermal_films
 from babbitt.solving import solve
 
 FILLON = {"lubricant": FILLON_OIL, "accuracy": "engineering"}
@@ -137,6 +139,9 @@ def test_a_cold_housing_closes_the_clearance_and_the_share_with_a_film_is_told()
     assert 0.0 <= share < 1.0
     assert "W406" in codes(result)
     assert f"up to {share:.0%} of it" in result.message
+    (placed,) = solve(case_from_dict(pad_case(narrow, **cold))).solutions
+    ended = thermal_films(placed.problem).film.solution
+    assert result.values["eccentricity_ratio"] == pytest.approx(math.hypot(*ended.position) / 50e-6, rel=1e-12)
     warm = dict(HEATED["E"], walls=CONDUCTING | {"housing": {"temperature": "70 degC"}})
     assert result_of(narrow, **warm).outcome.solved
 
@@ -159,6 +164,27 @@ def test_unloaded_pads_are_told_of_with_their_temperatures():
     rows = result.arrays
     assert rows["pad_load"][0][:2] == (0.0, 0.0)
     assert min(rows["pad_maximum_temperature"][0]) > result.values["supply_temperature"]
+
+
+def test_the_preload_that_would_load_a_pad_is_one_of_the_case():
+    """Growth takes as much from machined as from assembled clearance: m c_p stays, and so does m_min c_p."""
+    grown = dict(HEATED["E"], deformation=["growth"], materials={"pads": {"thermal_expansion": "12e-6 1/K"}})
+    found = solution_of({"pads.preload": 0.1}, **grown)
+    place, told = found.state.films.solution.position, [one for one in found.result.warnings if one.code == "W401"]
+    assert [one.values["pad"] for one in told] == [1, 2]
+    assert min(found.result.arrays["pad_growth"][0]) > 5e-6
+    for one, angle in zip(told, (45.0, 135.0), strict=True):
+        turn = math.radians(angle)
+        needed = -(place[0] * math.cos(turn) + place[1] * math.sin(turn)) / 148e-6
+        assert one.values["needed"] == pytest.approx(needed, rel=1e-9)
+        assert one.values["preload"] == pytest.approx(0.1, rel=1e-9)
+
+
+def test_films_that_run_away_tell_how_hot_they_are():
+    result = result_of(**HEATED["A"], lubricant=OIL | {"dynamic_viscosity": "60 mPa s"}, speed="38000 rpm")
+    assert result.outcome is Outcome.THERMAL_RUNAWAY
+    (hot,) = re.search(r"as hot as ([\d.]+) °C", result.message).groups()
+    assert float(hot) > 300.0
 
 
 def test_heat_that_is_missed_is_told():
