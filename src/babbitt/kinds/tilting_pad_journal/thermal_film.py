@@ -44,7 +44,9 @@ def thermal_films(case: PadCase) -> Equilibrium[PadFilms]:
         outcome = outcome_of(case, found)
         before, temperature = temperature, mean_temperature(found)
         if outcome in TOO_HOT:
-            return Equilibrium(outcome, None, rounds, found.maximum_temperature)
+            is_runaway = outcome is Outcome.THERMAL_RUNAWAY
+            reached = found.maximum_temperature if is_runaway else highest_usable(case.lubricant)
+            return Equilibrium(outcome, None, rounds, reached)
         if not math.isfinite(temperature):
             return Equilibrium(outcome, None, rounds, before)
         if not outcome.solved or abs(temperature - before) <= SAME_TEMPERATURE:
