@@ -134,7 +134,7 @@ def why(case: PadCase, found: Equilibrium[PadFilms]) -> str:
         )
     if found.outcome is Outcome.THERMAL_RUNAWAY and case.thermal.is_resolved:
         return (
-            f"the films are as hot as {found.last_temperature - ZERO_CELSIUS:.1f} °C, more than any oil stands. "
+            f"the films are hotter than {found.last_temperature - ZERO_CELSIUS:.0f} °C. "
             "Try: more or cooler oil, less carry-over, a thinner oil, a larger clearance, less speed"
         )
     if found.outcome is Outcome.OVERLOADED:

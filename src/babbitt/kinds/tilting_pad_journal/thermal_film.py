@@ -44,9 +44,7 @@ def thermal_films(case: PadCase) -> Equilibrium[PadFilms]:
         outcome = outcome_of(case, found)
         before, temperature = temperature, mean_temperature(found)
         if outcome in TOO_HOT:
-            is_runaway = outcome is Outcome.THERMAL_RUNAWAY
-            reached = found.maximum_temperature if is_runaway else highest_usable(case.lubricant)
-            return Equilibrium(outcome, None, rounds, reached)
+            return Equilibrium(outcome, None, rounds, highest_usable(case.lubricant))
         if not math.isfinite(temperature):
             return Equilibrium(outcome, None, rounds, before)
         if not outcome.solved or abs(temperature - before) <= SAME_TEMPERATURE:
