@@ -4,10 +4,11 @@ import math
 
 import numpy as np
 import pytest
-from pad_journals import CONDUCTING, FILLON_OIL, HEATED, STEEL, pad_case, result_of, solution_of
+from pad_journals import CONDUCTING, FILLON_OIL, HEATED, OIL, STEEL, pad_case, result_of, solution_of
 
 from babbitt.case import case_from_dict
 from babbitt.core.result import Outcome
+from babbitt.kinds.tilting_pad_journal import thermal_film
 from babbitt.kinds.tilting_pad_journal.check import heat_checks
 from babbitt.solving import solve
 
@@ -137,6 +138,9 @@ def test_a_cold_housing_closes_the_clearance_and_the_share_with_a_film_is_told()
     assert 0.0 <= share < 1.0
     assert "W406" in codes(result)
     assert f"up to {share:.0%} of it" in result.message
+    (placed,) = solve(case_from_dict(pad_case(narrow, **cold))).solutions
+    ended = thermal_film.thermal_films(placed.problem).film.solution
+    assert result.values["eccentricity_ratio"] == pytest.approx(math.hypot(*ended.position) / 50e-6, rel=1e-12)
     warm = dict(HEATED["E"], walls=CONDUCTING | {"housing": {"temperature": "70 degC"}})
     assert result_of(narrow, **warm).outcome.solved
 
@@ -161,6 +165,41 @@ def test_unloaded_pads_are_told_of_with_their_temperatures():
     assert min(rows["pad_maximum_temperature"][0]) > result.values["supply_temperature"]
 
 
+def test_the_preload_that_would_load_a_pad_is_one_of_the_case():
+    """Growth takes as much from machined as from assembled clearance: m c_p stays, and so does m_min c_p."""
+    grown = dict(HEATED["E"], deformation=["growth"], materials={"pads": {"thermal_expansion": "12e-6 1/K"}})
+    found = solution_of({"pads.preload": 0.1}, **grown)
+    place, told = found.state.films.solution.position, [one for one in found.result.warnings if one.code == "W401"]
+    assert [one.values["pad"] for one in told] == [1, 2]
+    assert min(found.result.arrays["pad_growth"][0]) > 5e-6
+    for one, angle in zip(told, (45.0, 135.0), strict=True):
+        turn = math.radians(angle)
+        needed = -(place[0] * math.cos(turn) + place[1] * math.sin(turn)) / 148e-6
+        assert one.values["needed"] == pytest.approx(needed, rel=1e-9)
+        assert one.values["preload"] == pytest.approx(0.1, rel=1e-9)
+
+
+RUN_AWAY = {
+    "fast": ({}, {"lubricant": OIL | {"dynamic_viscosity": "60 mPa s"}, "speed": "38000 rpm"}),
+    "no fresh oil": ({"load": None, "pads.preload": 0.0}, {"position": {"x": "0 um", "y": "0 um"}}),
+}
+
+
+@pytest.mark.parametrize(("changes", "fields"), RUN_AWAY.values(), ids=RUN_AWAY)
+def test_films_that_run_away_tell_how_hot_they_are(changes, fields):
+    result = result_of(changes, **HEATED["A"], **fields)
+    assert result.outcome is Outcome.THERMAL_RUNAWAY
+    assert "hotter than 300 °C" in result.message
+    assert "supply pressure" not in result.message  # which brings no oil to pads
+
+
+def test_films_hotter_than_the_data_tell_how_far_these_reach(monkeypatch):
+    monkeypatch.setattr(thermal_film, "highest_usable", lambda _: 333.15)
+    result = result_of(**HEATED["B"])
+    assert result.outcome is Outcome.NO_LUBRICANT_DATA
+    assert "were followed to 60.0 °C" in result.message
+
+
 def test_heat_that_is_missed_is_told():
     found = solution_of(**HEATED["C"])
     for error, kept in ((9e-4, True), (-1.1e-3, False)):
@@ -178,12 +217,29 @@ def test_probes_have_an_alarm_and_a_trip():
     assert check["C405"].value == check["C404"].value == pytest.approx(hot + 273.15)
 
 
+OFFSET = {"pads.pivot": {"kind": "rigid", "fraction": 0.55}, "pads.preload": 0.1}
+
+
 def test_folds_are_those_of_the_bearing_that_runs():
+    """w = g (1 - cos phi) widens c_p and e by g: a fold at e/c_p = f moves to (f (c_p + g) - g)/c_p."""
+    found = solution_of(OFFSET, **HEATED["E"])
+    (round_fold, *_) = (one.fold for one in solution_of(OFFSET, thermal="isothermal").state.margins)
+    heated = found.state.films.thermal.temperatures
+    for one, heat, pad in zip(found.state.margins, heated, found.state.films.solution.bearing.pads, strict=True):
+        ends = np.array([-0.55, 0.45]) * math.radians(75.0)
+        widening = float(np.mean(heat.deflection[[0, -1]] / (1.0 - np.cos(ends))))
+        clearance = 148e-6 - heat.growth
+        assert pad.clearance == pytest.approx(clearance, rel=1e-12)
+        expected = (round_fold * (clearance + widening) - widening) / clearance
+        assert one.fold == pytest.approx(expected, rel=0.01)
+    assert min(one.fold for one in found.state.margins) < round_fold - 0.05
+
+
+def test_folds_of_films_that_hardly_warm_are_those_of_one_temperature():
     """Offset pads of films that hardly warm unload where those of one temperature do."""
-    offset = {"pads.pivot": {"kind": "rigid", "fraction": 0.55}, "pads.preload": 0.1}
     slow = {"speed": "50 rpm", "load": "300 N"}
-    resolved = solution_of(offset, **slow, **HEATED["A"]).state.margins
-    plain = solution_of(offset, **slow, thermal="isothermal").state.margins
+    resolved = solution_of(OFFSET, **slow, **HEATED["A"]).state.margins
+    plain = solution_of(OFFSET, **slow, thermal="isothermal").state.margins
     for one, other in zip(resolved, plain, strict=True):
         assert one.fold == pytest.approx(other.fold, rel=0.02)
         assert one.margin == pytest.approx(other.margin, abs=0.02)

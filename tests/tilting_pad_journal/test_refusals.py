@@ -235,6 +235,16 @@ REFUSED = {
         "walls.journal.shaft_conductance",
         "remove one",
     ),
+    "surroundings of a shaft that conducts no heat": (
+        {"thermal": "full", "walls": {"journal": {"ambient_temperature": "20 degC"}}},
+        "walls.journal.ambient_temperature",
+        "shaft_conductance",
+    ),
+    "surroundings of a journal of a given temperature": (
+        {"thermal": "full", "walls": {"journal": {"temperature": "50 degC", "ambient_temperature": "20 degC"}}},
+        "walls.journal.ambient_temperature",
+        "leave it out",
+    ),
     "alarm of films of one temperature": (
         {"limits": {"probe_alarm": "90 degC"}},
         "limits.probe_alarm",

@@ -20,7 +20,13 @@ from babbitt.kinds.tilting_pad_journal.model import PadCase, Thermal
 from babbitt.kinds.tilting_pad_journal.state import PadFilms
 from babbitt.kinds.tilting_pad_journal.thermal_assumptions import thermal_assumptions
 from babbitt.kinds.tilting_pad_journal.thermal_values import thermal_rows, thermal_values
-from babbitt.kinds.tilting_pad_journal.values import dynamic_rows, dynamic_values, film_values, pad_rows
+from babbitt.kinds.tilting_pad_journal.values import (
+    dynamic_rows,
+    dynamic_values,
+    eccentricity_ratio,
+    film_values,
+    pad_rows,
+)
 from babbitt.kinds.tilting_pad_journal.warnings import warnings_of_solution
 
 __all__ = ["LEAST_DECREMENT", "PadSolutionState", "pad_solution", "refuse_starvation"]
@@ -97,7 +103,7 @@ def unsolved(case: PadCase, found: Equilibrium[PadFilms], time: float) -> Result
     if found.film is not None:
         solution = found.film.solution
         last |= {
-            "eccentricity_ratio": solution.eccentricity_ratio,
+            "eccentricity_ratio": eccentricity_ratio(case, solution),
             "minimum_film_thickness": solution.minimum_film_thickness,
             "effective_temperature": found.film.temperature,
         }
@@ -125,6 +131,11 @@ def why(case: PadCase, found: Equilibrium[PadFilms]) -> str:
             f"growth of pads and journal closes the clearance: a film was found with up to {share:.0%} of it. "
             "Try: the temperature that the housing really has (walls.housing.temperature), more clearance, more "
             "or cooler oil"
+        )
+    if found.outcome is Outcome.THERMAL_RUNAWAY and case.thermal.is_resolved:
+        return (
+            f"the films are hotter than {found.last_temperature - ZERO_CELSIUS:.0f} °C. "
+            "Try: more or cooler oil, less carry-over, a thinner oil, a larger clearance, less speed"
         )
     if found.outcome is Outcome.OVERLOADED:
         return (

@@ -43,7 +43,9 @@ def thermal_films(case: PadCase) -> Equilibrium[PadFilms]:
             return Equilibrium(failure.outcome, None, rounds, temperature, failure)
         outcome = outcome_of(case, found)
         before, temperature = temperature, mean_temperature(found)
-        if not math.isfinite(temperature) or outcome in TOO_HOT:
+        if outcome in TOO_HOT:
+            return Equilibrium(outcome, None, rounds, highest_usable(case.lubricant))
+        if not math.isfinite(temperature):
             return Equilibrium(outcome, None, rounds, before)
         if not outcome.solved or abs(temperature - before) <= SAME_TEMPERATURE:
             return Equilibrium(outcome, films_of(case, found, temperature), rounds, temperature)

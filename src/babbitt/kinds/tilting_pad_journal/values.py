@@ -16,7 +16,7 @@ from babbitt.kinds.tilting_pad_journal.state import PadFilms
 from babbitt.reynolds.tilting_pads.model import TiltingPad
 from babbitt.reynolds.tilting_pads.solution import PadState, PadStatus, TiltingPadSolution
 
-__all__ = ["dynamic_rows", "dynamic_values", "film_values", "pad_rows", "place_values"]
+__all__ = ["dynamic_rows", "dynamic_values", "eccentricity_ratio", "film_values", "pad_rows", "place_values"]
 
 AXES = ("xx", "xy", "yx", "yy")
 
@@ -102,11 +102,16 @@ def american_number(case: PadCase, films: PadFilms) -> float:
     return films.viscosity * turns * bearing.width * bearing.diameter * ratio / films.load
 
 
+def eccentricity_ratio(case: PadCase, solution: TiltingPadSolution) -> float:
+    """Eccentricity over the assembled clearance as given, whatever growth leaves of it."""
+    return math.hypot(*flat(plain(solution.position))) / case.bearing.assembled_clearance
+
+
 def place_values(case: PadCase, solution: TiltingPadSolution) -> dict[str, float]:
     """Place of the journal: eccentricity over the assembled clearance, and its angles."""
     x, y = flat(plain(solution.position))
     load_angle = math.atan2(-float(solution.force[1]), -float(solution.force[0]))
-    ratio = math.hypot(x, y) / case.bearing.assembled_clearance
+    ratio = eccentricity_ratio(case, solution)
     shift = math.remainder(case.sense * (math.atan2(y, x) - load_angle), 2.0 * math.pi)
     return {
         "journal_x": x,

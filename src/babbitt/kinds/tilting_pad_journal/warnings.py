@@ -36,7 +36,7 @@ def warnings_of_solution(
     values: Mapping[str, float],
 ) -> Iterator[Notice]:  # fmt: skip
     """Warnings about a solved bearing."""
-    yield from about_unloaded_pads(films, margins)
+    yield from about_unloaded_pads(case, films, margins)
     if dynamics.fit is not None and dynamics.fit.error > LARGEST_FIT_ERROR:
         ratios = dynamics.fit.whirl_ratios
         yield Notice("W403", values={
@@ -68,10 +68,10 @@ def about_heat_balance(films: PadFilms, values: Mapping[str, float]) -> Iterator
             yield one
 
 
-def about_unloaded_pads(films: PadFilms, margins: tuple[PadMargin, ...]) -> Iterator[Notice]:
+def about_unloaded_pads(case: PadCase, films: PadFilms, margins: tuple[PadMargin, ...]) -> Iterator[Notice]:
     """Pads that carry nothing, and pads that nearly do so."""
     for one in margins:
-        pad = films.solution.bearing.pads[one.number - 1]
+        pad = case.bearing.pads[one.number - 1]  # preload is given of pads that have not grown
         if not one.loaded:
             if one.fold == 0.0:
                 needed = loading_preload(pad, films.solution)

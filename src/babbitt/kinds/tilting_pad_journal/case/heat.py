@@ -132,6 +132,10 @@ def idle(case: TiltingPadJournalCase) -> Iterator[Issue]:
         if case.walls.housing.temperature is not None:
             says = "the temperature of the housing counts for growth alone"
             yield Issue(("walls", "housing", "temperature"), says, "deformation: [growth], or leave it out")
+    journal = case.walls.journal
+    if journal.ambient_temperature is not None and not journal.shaft_conductance:
+        says = "the surroundings of a shaft that conducts no heat make no difference"
+        yield Issue(("walls", "journal", "ambient_temperature"), says, "shaft_conductance, or leave it out")
     material = case.materials.pads
     if material is None:
         return

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from babbitt.kinds.tilting_pad_journal.model import PadCase
+from babbitt.kinds.tilting_pad_journal.values import eccentricity_ratio
 from babbitt.report.drawing import GREY, INK, Array, Sheet, arrow
 from babbitt.reynolds.tilting_pads.pad_lands import pad_positions, tilted_land
 from babbitt.reynolds.tilting_pads.solution import PadStatus, TiltingPadSolution
@@ -107,7 +108,7 @@ def _journal(panel: Axes, case: PadCase, solution: TiltingPadSolution, enlarged:
     panel.add_patch(Circle((x, y), 1.0, facecolor="white", edgecolor=INK, linewidth=0.9, zorder=4))
     panel.plot([0.0], [0.0], "+", color=GREY, markersize=6, markeredgewidth=0.8, zorder=6)
     panel.plot([x], [y], "o", color=INK, markersize=3, zorder=6)
-    ratio = math.hypot(*solution.position) / case.bearing.assembled_clearance
+    ratio = eccentricity_ratio(case, solution)
     panel.annotate(
         f"$ε$ = {ratio:.3f}", (x, y), xytext=(0, 10), textcoords="offset points", fontsize=7,
         ha="center", va="bottom", zorder=7,
