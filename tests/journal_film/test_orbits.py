@@ -272,13 +272,13 @@ def test_a_march_is_bounded_in_films(monkeypatch):
 
 
 def test_a_march_that_loses_its_film_keeps_its_last_cycle(monkeypatch):
-    films, coefficients = itertools.count(), FilmPositions.coefficients
+    films, forces = itertools.count(), FilmPositions.forces
 
     def lost_for_a_while(*given):
-        found = coefficients(*given)
+        found = forces(*given)
         return replace(found, settled=np.array([False])) if next(films) == 600 else found
 
-    monkeypatch.setattr(FilmPositions, "coefficients", lost_for_a_while)
+    monkeypatch.setattr(FilmPositions, "forces", lost_for_a_while)
     found = find_orbit(GROOVED, MIXED, STEADY, mass=2000.0)
     assert found.outcome is Outcome.NOT_CONVERGED
     assert found.cycles >= 1

@@ -43,6 +43,9 @@ __all__ = ["cavitating_film_at", "equilibrium_from"]
 
 Array = NDArray[np.float64]
 
+SLIGHT = 0.05
+"""By which the void of single nodes next to streamers may lie outside 0 to 1 (1 in 600 random films: 0.025)."""
+
 
 def equilibrium_from(
     film: JournalFilm, load: tuple[float, float], resolution: Resolution, max_steps: int,
@@ -238,7 +241,7 @@ def assemble(
         angles=scales.sense[1] * (grid.theta + turn),
         axial_positions=even_axial_operator(m).nodes * (0.5 * film.width),
         pressure=pressure * scales.pressure + film.cavitation_pressure,
-        void=np.clip(void, 0.0, 1.0),  # single nodes beside streamers may lie some per cent outside
+        void=_without_slight_excess(void),
         supply_flow=supply_flows(film, totals) * scales.flow,
         inflow=totals[:, INFLOW] * scales.flow,
         outflow=totals[:, OUTFLOW] * scales.flow,
@@ -252,6 +255,12 @@ def assemble(
         iterations=steps,
         wall_time=time.perf_counter() - begun,
     )
+
+
+def _without_slight_excess(void: Array) -> Array:
+    """Void within 0 to 1 where it lies outside by `SLIGHT` or less; a gross fault stays to be seen."""
+    bounded = np.clip(void, 0.0, 1.0)
+    return np.where(np.abs(void - bounded) <= SLIGHT, bounded, void)
 
 
 def supply_flows(film: JournalFilm, totals: Array) -> Array:

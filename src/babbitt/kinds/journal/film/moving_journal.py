@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.kinds.journal.film.changing_load import ChangingLoad
-from babbitt.reynolds.equilibrium.many_positions import FilmPositions
+from babbitt.reynolds.equilibrium.many_positions import FilmPositions, PositionForces
 from babbitt.reynolds.equilibrium.position import film_at_position
 from babbitt.reynolds.model import JournalFilm, Resolution
 from babbitt.reynolds.solution import FilmSolution
@@ -65,15 +65,20 @@ class MovingJournal:
 
     def film_at(self, place: Array, velocity: Array) -> FilmForce | None:
         """Film at a place and velocity; None where the journal touches the bore."""
+        found = self._positions.coefficients(self._row(place, velocity))
+        return FilmForce(found.force[0], found.stiffness[0], found.damping[0]) if _inside(found) else None
+
+    def force_at(self, place: Array, velocity: Array) -> Array | None:
+        """Force of the film, N, without the film that its coefficients cost; None where the journal touches."""
+        found = self._positions.forces(self._row(place, velocity))
+        return np.asarray(found.force[0]) if _inside(found) else None
+
+    def _row(self, place: Array, velocity: Array) -> Array:
+        """Place (m) and velocity (m/s) of one more film, shape (1, 4)."""
         self.films += 1
         if self.films > 3 * MOST_FILMS:
             raise NoMotionError
-        found = self._positions.coefficients(np.concatenate(self.in_metres(place, velocity))[None, :])
-        if found.outside[0]:
-            return None
-        if not found.settled[0]:
-            raise NoMotionError
-        return FilmForce(found.force[0], found.stiffness[0], found.damping[0])
+        return np.concatenate(self.in_metres(place, velocity))[None, :]
 
     def in_metres(self, place: Array, velocity: Array) -> tuple[Array, Array]:
         """Place (m) and velocity (m/s)."""
@@ -106,6 +111,15 @@ class MovingJournal:
                 self._last_velocity = velocity
                 return velocity, film
         raise NoMotionError
+
+
+def _inside(found: PositionForces) -> bool:
+    """Whether a film stands at the only position asked for; False where the journal touches the bore."""
+    if found.outside[0]:
+        return False
+    if not found.settled[0]:
+        raise NoMotionError
+    return True
 
 
 class MasslessJournal(MovingJournal):
@@ -153,10 +167,10 @@ class HeavyJournal(MovingJournal):
 
     def slope(self, turned: float, state: Array) -> Array:
         """Change of the state over the angle turned."""
-        film = self.film_at(state[:2], state[2:])
-        if film is None:
+        force = self.force_at(state[:2], state[2:])
+        if force is None:
             return np.concatenate((-state[:2] / math.hypot(*state[:2]), np.zeros(2)))
-        push = film.force + self.load(turned)
+        push = force + self.load(turned)
         return np.concatenate((state[2:], push / (self.mass * self.c * self.rate**2)))
 
     def jacobian(self, turned: float, state: Array) -> Array:
