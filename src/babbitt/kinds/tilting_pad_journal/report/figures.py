@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from babbitt.core.solution import Solution
-from babbitt.kinds.tilting_pad_journal.check import PadSolutionState
+from babbitt.kinds.tilting_pad_journal.check import PadSolutionState, least_decrement
 from babbitt.kinds.tilting_pad_journal.model import PadCase
 from babbitt.report.drawing import Drawing, rendered, style
 
@@ -36,7 +36,7 @@ def pad_figures(solution: Solution, image_format: str = "svg") -> tuple[Drawing,
 
 
 def _painted(case: PadCase, state: PadSolutionState) -> Iterator[Painted]:
-    from babbitt.kinds.tilting_pad_journal.report import maps, plots, seen_along, temperatures
+    from babbitt.kinds.tilting_pad_journal.report import maps, plots, seen_along, stability, temperatures
 
     films, dynamics = state.films.solution, state.dynamics
     enlarged = seen_along.FILM * 0.5 * case.bearing.diameter / case.bearing.pad_clearance
@@ -84,5 +84,14 @@ def _painted(case: PadCase, state: PadSolutionState) -> Iterator[Painted]:
             "(dark) that of the case; filled: the case, with log decrements. Right of the dashed line motions "
             "grow.",
             plots.root_locus(case, dynamics),
+            False,
+        )
+    if state.cross_coupling is not None:
+        yield (
+            "cross-coupling",
+            "Log decrement over the destabilising cross-coupling of the whole rotor, by the motions of rotor and "
+            "pads together and by synchronously reduced coefficients; filled: with that anticipated; line: the "
+            "least that is asked up to it. Below zero a motion grows.",
+            stability.decrement_over_cross_coupling(state.cross_coupling, least_decrement(case)[0]),
             False,
         )
