@@ -65,7 +65,7 @@ SIDES = {
     "C406": ("tilting_pad_journal", {"anticipated_cross_coupling": "4 MN/m"},
              {"anticipated_cross_coupling": "400 MN/m"}),
     "C407": ("tilting_pad_journal", {"anticipated_cross_coupling": "4 MN/m"},
-             {"anticipated_cross_coupling": "400 MN/m"}),
+             {"anticipated_cross_coupling": "800 MN/m"}),
     "C402": ("tilting_pad_journal", {}, {"load": "60 kN"}),
     "C404": ("tilting_pad_journal", HEATED | {"limits": {"probe_alarm": "90 degC"}},
              HEATED | {"limits": {"probe_alarm": "50 degC"}}),

@@ -90,11 +90,11 @@ def cross_coupling_of(case: PadCase, full: PadCoefficients) -> CrossCoupling | N
         return None
     chain = chain_of(case, full)
     reduced = chain_of(case, reduced_coefficients(full, 1.0))
-    margins = [margin_of(one, mass, anticipated) for one in (chain, reduced)]
-    known = [one.critical for one in margins if math.isfinite(one.critical)]
+    full_margin, synchronous = (margin_of(one, mass, anticipated) for one in (chain, reduced))
+    known = [one.critical for one in (full_margin, synchronous) if math.isfinite(one.critical)]
     crosses = np.linspace(0.0, BEYOND * max(2.0 * anticipated, *known), POINTS).tolist()
     curves = (decrements_over(one, mass, crosses) for one in (chain, reduced))
-    return CrossCoupling(anticipated, *margins, tuple(zip(crosses, *curves, strict=True)))
+    return CrossCoupling(anticipated, full_margin, synchronous, tuple(zip(crosses, *curves, strict=True)))
 
 
 def margin_of(chain: PadCoefficients, mass: float, anticipated: float) -> CrossCouplingMargin:

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 
 from babbitt.core.notices import Notice
 from babbitt.core.result import Bound, Check, Matrix
-from babbitt.kinds.tilting_pad_journal.cross_coupling import CrossCoupling
+from babbitt.kinds.tilting_pad_journal.cross_coupling import SOUGHT, CrossCoupling
 from babbitt.kinds.tilting_pad_journal.dynamics import PadDynamics
 from babbitt.kinds.tilting_pad_journal.model import PadCase
 from babbitt.kinds.tilting_pad_journal.state import PadFilms
@@ -79,7 +79,7 @@ def about_synchronous_verdict(values: Mapping[str, float], least: float) -> Iter
     }
     if len(verdicts) > 1:
         yield Notice("W414", values={
-            "ratio": values.get("synchronous_cross_coupling_ratio", math.inf),
+            "ratio": values.get("synchronous_cross_coupling_ratio", SOUGHT[1]),
             "decrement": values["synchronous_log_decrement_anticipated"],
         })  # fmt: skip
 
