@@ -8,6 +8,7 @@ from pad_journals import OIL, pad_case, result_of, solution_of
 
 from babbitt.case import case_from_dict
 from babbitt.core.result import Verdict
+from babbitt.kinds.tilting_pad_journal.cross_coupling import decrements_over_speed
 from babbitt.reynolds.tilting_pads.dynamics import condensed_at
 from babbitt.solving import solve
 
@@ -71,6 +72,15 @@ def test_the_curve_ends_at_the_values(rigid):
         at = np.interp(8e6, crosses, values)
         assert at == pytest.approx(result.values[f"{kind}log_decrement_anticipated"], rel=1e-2)
     assert np.all(np.diff(full) < 0.0)
+
+
+def test_decrements_over_speed_are_those_of_every_speed(rigid):
+    for speed, row in zip((4000.0, 6000.0), decrements_over_speed(rigid.problem, [
+        n * math.pi / 30.0 for n in (4000.0, 6000.0)
+    ]), strict=True):  # fmt: skip
+        v = result_of(**ROTOR | {"speed": f"{speed} rpm"}).values
+        ends = ("log_decrement", "log_decrement_anticipated")
+        assert row == pytest.approx([v[kind + end] for kind in ("", "synchronous_") for end in ends], rel=1e-6)
 
 
 def test_either_sense_of_rotation_is_driven_forward(rigid):

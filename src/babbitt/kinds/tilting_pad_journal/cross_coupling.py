@@ -9,16 +9,24 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from babbitt.kinds.tilting_pad_journal.dynamics import bounded_decrement, chain_of, decisive
+from babbitt.kinds.tilting_pad_journal.dynamics import bounded_decrement, chain_of, decisive, with_pedestal
+from babbitt.kinds.tilting_pad_journal.film import operating_films
 from babbitt.kinds.tilting_pad_journal.model import PadCase
-from babbitt.reynolds.tilting_pads.dynamics import PadCoefficients, reduced_coefficients
+from babbitt.reynolds.tilting_pads.dynamics import PadCoefficients, full_coefficients, reduced_coefficients
 from babbitt.reynolds.tilting_pads.rotor import rotor_modes, threshold_cross_coupling, with_cross_coupling
 
-__all__ = ["BEARINGS", "CrossCoupling", "CrossCouplingMargin", "cross_coupling_of", "decrements_over"]
+__all__ = [
+    "BEARINGS",
+    "CrossCoupling",
+    "CrossCouplingMargin",
+    "cross_coupling_of",
+    "decrements_over",
+    "decrements_over_speed",
+]
 
 BEARINGS = 2
 """That share the cross-coupling of the rotor."""
@@ -29,7 +37,7 @@ SOUGHT = 1e-3, 1e3
 BEYOND = 1.25
 """Times what is asked and what is borne: where the curve of the decrement ends."""
 
-POINTS = 16
+POINTS = 24
 """Of that curve."""
 
 
@@ -111,3 +119,26 @@ def decrements_over(chain: PadCoefficients, mass: float, crosses: Sequence[float
         bounded_decrement(decisive(rotor_modes(with_cross_coupling(chain, cross / BEARINGS), mass)))
         for cross in crosses
     ]
+
+
+def decrements_over_speed(case: PadCase, speeds: Sequence[float]) -> list[tuple[float, float, float, float]]:
+    """Log decrements at several speeds in rad/s, each at the equilibrium of its films.
+
+    Without cross-coupling and with that anticipated by rotor and pads together, then both by synchronously reduced
+    coefficients; nan at speeds without equilibrium.
+    """
+    assert case.rotor_mass is not None
+    assert case.anticipated_cross_coupling is not None
+    rows = []
+    for speed in speeds:
+        found = operating_films(replace(case, journal_speed=case.sense * speed))
+        if found.film is None or not found.outcome.solved:
+            rows.append((math.nan,) * 4)
+            continue
+        solution = found.film.solution
+        full = with_pedestal(case, full_coefficients(solution), solution)
+        crosses = 0.0, case.anticipated_cross_coupling
+        chains = chain_of(case, full), chain_of(case, reduced_coefficients(full, 1.0))
+        (a, b), (c, d) = (decrements_over(one, case.rotor_mass, crosses) for one in chains)
+        rows.append((a, b, c, d))
+    return rows

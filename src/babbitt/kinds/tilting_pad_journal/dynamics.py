@@ -32,6 +32,7 @@ __all__ = [
     "motions_of_the_rotor",
     "on_shaft",
     "swinging",
+    "with_pedestal",
 ]
 
 LARGEST_FIT_ERROR = 0.05
@@ -115,9 +116,8 @@ class PadDynamics:
 
 def dynamics_of(case: PadCase, solution: TiltingPadSolution) -> PadDynamics:
     """Dynamics of the pads at a solved place."""
-    full = pads = full_coefficients(solution)
-    if case.pedestal is not None:
-        full = on_pedestal(pads, solution.bearing, case.pedestal)
+    pads = full_coefficients(solution)
+    full = with_pedestal(case, pads, solution)
     positive = [ratio for ratio in case.whirl_ratios if ratio > 0.0]
     fit = fit_virtual_mass(full, positive) if len(positive) >= FEWEST_RATIOS else None
     motions = None
@@ -135,6 +135,11 @@ def dynamics_of(case: PadCase, solution: TiltingPadSolution) -> PadDynamics:
         fit,
         motions,
     )
+
+
+def with_pedestal(case: PadCase, pads: PadCoefficients, solution: TiltingPadSolution) -> PadCoefficients:
+    """Journal and pads, in a housing that moves where the case has a pedestal."""
+    return pads if case.pedestal is None else on_pedestal(pads, solution.bearing, case.pedestal)
 
 
 def chain_of(case: PadCase, coefficients: PadCoefficients) -> PadCoefficients:

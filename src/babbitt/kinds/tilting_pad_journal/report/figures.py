@@ -89,9 +89,10 @@ def _painted(case: PadCase, state: PadSolutionState) -> Iterator[Painted]:
     if state.cross_coupling is not None:
         yield (
             "cross-coupling",
-            "Log decrement over the destabilising cross-coupling of the whole rotor, by the motions of rotor and "
-            "pads together and by synchronously reduced coefficients; filled: with that anticipated; line: the "
-            "least that is asked up to it. Below zero a motion grows.",
-            stability.decrement_over_cross_coupling(state.cross_coupling, least_decrement(case)[0]),
-            False,
+            "Left: log decrement over the destabilising cross-coupling of the whole rotor, by the motions of "
+            "rotor and pads together and by synchronously reduced coefficients; filled: with that anticipated; "
+            "line: the least that is asked up to it. Right: over the speed, with that anticipated (black) and "
+            "without (grey). Below zero a motion grows.",
+            stability.log_decrements(case, state.cross_coupling, least_decrement(case)[0]),
+            True,
         )

@@ -1,37 +1,65 @@
-"""The log decrement over the cross-coupling of a rotor: figure and table."""
+"""The log decrement over the cross-coupling of a rotor and over its speed: figure and table."""
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from babbitt.core.result import Result
-from babbitt.kinds.tilting_pad_journal.cross_coupling import CrossCoupling
+from babbitt.kinds.tilting_pad_journal.cross_coupling import CrossCoupling, decrements_over_speed
+from babbitt.kinds.tilting_pad_journal.model import PadCase
 from babbitt.report.drawing import GREY, INK, Sheet, mark
 from babbitt.report.plain_tables import plain_table
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-__all__ = ["decrement_over_cross_coupling", "stability_table"]
+__all__ = ["log_decrements", "stability_table"]
 
 
-def decrement_over_cross_coupling(found: CrossCoupling, least: float) -> Figure:
-    """Log decrement over the cross-coupling of the rotor by both kinds of coefficients.
+SPEEDS = np.linspace(0.5, 1.25, 10)
+"""Speeds over that of the case along the right panel."""
+
+DASHED = (0, (5, 2))
+
+
+def log_decrements(case: PadCase, found: CrossCoupling, least: float) -> Figure:
+    """Log decrement over the cross-coupling of the rotor, and over its speed, by both kinds of coefficients.
 
     Parameters
     ----------
+    case : PadCase
     found : CrossCoupling
     least : float
         Log decrement that is asked with the anticipated cross-coupling.
     """
-    figure, ((panel,),) = Sheet(81.0, 60.0, left=13.0).panels()
+    figure, ((left, right),) = Sheet(166.0, 60.0, 1, 2, across=17.0).panels()
+    _over_cross_coupling(left, found, least)
+    speeds = SPEEDS * abs(case.journal_speed)
+    full, driven, synchronous, reduced = np.array(decrements_over_speed(case, speeds.tolist())).T
+    turns = speeds * 30.0 / math.pi
+    for values, colour, stroke in (
+        (full, GREY, "-"), (synchronous, GREY, DASHED), (driven, INK, "-"), (reduced, INK, DASHED),
+    ):  # fmt: skip
+        right.plot(turns, values, color=colour, linestyle=stroke)
+    right.axhline(least, color=GREY, linewidth=0.7, linestyle=":")
+    mark(right, abs(case.journal_speed) * 30.0 / math.pi, found.full.anticipated_decrement)
+    right.set(xlabel="$n$ in 1/min", ylabel="log decrement $δ$")
+    right.set_ylim(bottom=min(0.0, right.get_ylim()[0]))
+    return figure
+
+
+def _over_cross_coupling(panel: Axes, found: CrossCoupling, least: float) -> None:
     crosses, full, synchronous = np.array(found.curve).T
     panel.plot(1e-6 * crosses, full, color=INK, label="full")
-    panel.plot(1e-6 * crosses, synchronous, color=INK, linestyle=(0, (5, 2)), label="synchronous")
+    panel.plot(1e-6 * crosses, synchronous, color=INK, linestyle=DASHED, label="synchronous")
     panel.axhline(0.0, color=GREY, linewidth=0.7)
     anticipated = 1e-6 * found.anticipated
+    low, high = panel.get_ylim()
+    panel.set_ylim(low, high + 0.16 * (high - low))
     for share, name in ((1.0, "$Q_\\mathrm{A}$"), (2.0, "$2Q_\\mathrm{A}$")):
         panel.axvline(share * anticipated, color=GREY, linewidth=0.7, linestyle=":")
         panel.annotate(name, (share * anticipated, 1.0), xycoords=("data", "axes fraction"), xytext=(2, -8),
@@ -41,7 +69,6 @@ def decrement_over_cross_coupling(found: CrossCoupling, least: float) -> Figure:
     panel.set_xlim(0.0, 1e-6 * float(crosses[-1]))
     panel.set(xlabel="$Q$ in MN/m", ylabel="log decrement $δ$")
     panel.legend(frameon=False, fontsize=7, loc="lower left", handlelength=1.8)
-    return figure
 
 
 def stability_table(result: Result) -> dict[str, Any]:
