@@ -188,6 +188,7 @@ if TYPE_CHECKING:
         PadJournalWalls,
         PadOilSupply,
         PadOperatingPoint,
+        PadPedestal,
         PadStructure,
         PivotPoint,
         PointPivot,
@@ -247,7 +248,7 @@ _NAMES = {
     ),
     "babbitt.api.tilting_pad_parts": (
         "ConductingPads FlexurePivot JournalPads LinePivot OnePad PadHousing PadJournalLimits "
-        "PadJournalMaterials PadJournalWalls PadOilSupply PadOperatingPoint PadStructure PivotPoint "
+        "PadJournalMaterials PadJournalWalls PadOilSupply PadOperatingPoint PadPedestal PadStructure PivotPoint "
         "PointPivot RigidPivot RockerPivot SpringPivot TablePivot"
     ),
     "babbitt.case": "CaseError template",
@@ -340,6 +341,7 @@ __all__ = [
     "PadMaterials",
     "PadOilSupply",
     "PadOperatingPoint",
+    "PadPedestal",
     "PadStructure",
     "Pads",
     "ParabolicCrowning",

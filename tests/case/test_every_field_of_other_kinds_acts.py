@@ -201,6 +201,8 @@ OF_PADS = {
     "whirl_ratios": [0.3, 0.5, 1.0],
     "rotor_mass": "3 t",
     "shaft_stiffness": "100 MN/m",
+    "anticipated_cross_coupling": "9 MN/m",
+    "pedestal": {"stiffness_x": "1 GN/m", "stiffness_y": "2 GN/m"},
     "accuracy": "engineering",
     "limits": {"minimum_film_thickness": "35 um"},
     "limits.minimum_film_thickness": "35 um",
@@ -209,6 +211,15 @@ OF_PADS = {
     "limits.transition_film_thickness": "35 um",
     "limits.log_decrement": 5.0,
     "assumptions": ["The pads are new."],
+}
+OF_PEDESTALS = {
+    "pedestal.stiffness_x": "3 GN/m",
+    "pedestal.stiffness_y": "3 GN/m",
+    "pedestal.damping_x": "200 kN s/m",
+    "pedestal.damping_y": "200 kN s/m",
+    "pedestal.mass": "300 kg",
+    "anticipated_cross_coupling": "9 MN/m",
+    "pads.mass": "3 kg",
 }
 OF_HEATED_PADS = {
     "walls.pads": {},
@@ -421,6 +432,9 @@ TESTED = {
     "odd grooves": (changed(HEEL, "groove", HEEL["groove"] | {"land_width": "4 mm", "accept_misfit": True}),
                     {"groove.accept_misfit": False}),
     "tilting pads": (PADS, OF_PADS | {f"pads.each.0.{name}": value for name, value in OF_EACH.items()}),
+    "pads on a pedestal": (
+        ALIKE | {"pedestal": {"stiffness_x": "1 GN/m", "stiffness_y": "2 GN/m"}}, OF_PEDESTALS,
+    ),
     "heated pads": (HEATED, OF_HEATED_PADS),
     "heated pads of the catalogue": (
         HEATED | {"materials": {one: {"name": "C45"} for one in ("pads", "journal", "housing")}}, NAMED_METALS,

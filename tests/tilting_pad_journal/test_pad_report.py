@@ -23,6 +23,16 @@ CASES = {
         {"pads.pivot": {"kind": "flexure", "rotational_stiffness": "2 kN m/rad"}},
         {"rotor_mass": "1 t"},
     ),
+    "driven on a pedestal": (
+        {},
+        {
+            "rotor_mass": "1 t",
+            "shaft_stiffness": "150 MN/m",
+            "anticipated_cross_coupling": "4 MN/m",
+            "pedestal": {"stiffness_x": "600 MN/m", "stiffness_y": "1 GN/m", "mass": "300 kg"},
+            "load_angle": "-70 deg",
+        },
+    ),
     "much oil": ({"supply.flow": "40 L/min"}, {}),
     "adiabatic": ({}, HEATED["A"]),
     "grown and bent": ({"supply.flow": "40 L/min"}, HEATED["E"] | {"rotor_mass": "1 t"}),

@@ -265,6 +265,26 @@ REFUSED = {
     ),
     "ratios that fall": ({"whirl_ratios": [0.5, 0.2]}, "whirl_ratios[1]", "0.2 is not above 0.5"),
     "a shaft without rotor": ({"shaft_stiffness": "200 MN/m"}, "shaft_stiffness", "rotor_mass"),
+    "cross-coupling without rotor": (
+        {"anticipated_cross_coupling": "4 MN/m"},
+        "anticipated_cross_coupling",
+        "rotor_mass",
+    ),
+    "cross-coupling that damps": (
+        {"rotor_mass": "1 t", "anticipated_cross_coupling": "-4 MN/m"},
+        "anticipated_cross_coupling",
+        "1 N/m",
+    ),
+    "a pedestal that does not hold": (
+        {"pedestal": {"stiffness_x": "0 N/m", "stiffness_y": "1 GN/m"}},
+        "pedestal.stiffness_x",
+        "1 kN/m",
+    ),
+    "a pedestal that holds along x alone": (
+        {"pedestal": {"stiffness_x": "1 GN/m"}},
+        "pedestal.stiffness_y",
+        "missing",
+    ),
     "limits that are not there": ({"clearance_cases": "all"}, "pads.clearance", "limits of a clearance"),
     "faster than a bullet": ({"speed": "90000 rpm"}, "speed", "up to 200 m/s"),
     "points of one name": (

@@ -216,6 +216,8 @@ class TiltingPadBearing(Case, TiltingPadJournalCase):
         whirl_ratios: Iterable[Quantity] | None = ...,
         rotor_mass: Quantity | None = ...,
         shaft_stiffness: Quantity | None = ...,
+        anticipated_cross_coupling: Quantity | None = ...,
+        pedestal: Mapping[str, Any] | Part | None = ...,
         limits: Mapping[str, Any] | Part | None = ...,
         assumptions: Iterable[Any] | None = ...,
         notes: str | None = ...,

@@ -6,7 +6,7 @@ Each is the part of the case language of the same fields, with short names.
 from __future__ import annotations
 
 from babbitt.api.part import OwnPart
-from babbitt.kinds.tilting_pad_journal.case import bearing, heat, materials, pads, pivots
+from babbitt.kinds.tilting_pad_journal.case import bearing, heat, materials, pads, pedestal, pivots
 
 __all__ = [
     "ConductingPads",
@@ -20,6 +20,7 @@ __all__ = [
     "PadJournalWalls",
     "PadOilSupply",
     "PadOperatingPoint",
+    "PadPedestal",
     "PadStructure",
     "PivotPoint",
     "PointPivot",
@@ -96,6 +97,10 @@ class PadHousing(OwnPart, heat.PadHousingInput):
 
 class PadJournalLimits(OwnPart, bearing.PadJournalLimits):
     """Limits in place of those by experience."""
+
+
+class PadPedestal(OwnPart, pedestal.PedestalInput):
+    """Pedestal and housing that give way under the bearing."""
 
 
 class PadOperatingPoint(OwnPart, bearing.PadOperatingPoint):

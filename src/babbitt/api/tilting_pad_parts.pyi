@@ -6,7 +6,7 @@ from typing import Any, ClassVar, Literal, SupportsFloat, SupportsIndex, TypeAli
 
 from babbitt.api.part import OwnPart
 from babbitt.case.part import Part
-from babbitt.kinds.tilting_pad_journal.case import bearing, heat, materials, pads, pivots
+from babbitt.kinds.tilting_pad_journal.case import bearing, heat, materials, pads, pedestal, pivots
 
 Quantity: TypeAlias = str | SupportsFloat
 
@@ -212,6 +212,17 @@ class PadJournalLimits(OwnPart, bearing.PadJournalLimits):
         log_decrement: Quantity | None = ...,
         probe_alarm: Quantity | None = ...,
         probe_trip: Quantity | None = ...,
+    ) -> None: ...
+
+class PadPedestal(OwnPart, pedestal.PedestalInput):
+    def __init__(
+        self,
+        *,
+        stiffness_x: Quantity | None = ...,
+        stiffness_y: Quantity | None = ...,
+        damping_x: Quantity | None = ...,
+        damping_y: Quantity | None = ...,
+        mass: Quantity | None = ...,
     ) -> None: ...
 
 class PadOperatingPoint(OwnPart, bearing.PadOperatingPoint):

@@ -10,13 +10,20 @@ from test_pad_tables import supported
 
 from babbitt.core.notices import InputError
 from babbitt.reynolds.model import Resolution
-from babbitt.reynolds.tilting_pads.dynamics import PadCoefficients, full_coefficients
+from babbitt.reynolds.tilting_pads.dynamics import (
+    PadCoefficients,
+    full_coefficients,
+    impedance,
+    reduced_coefficients,
+)
 from babbitt.reynolds.tilting_pads.pivots import SpringPivot
 from babbitt.reynolds.tilting_pads.rotor import (
     critical_mass_of_condensed,
     rotor_modes,
+    threshold_cross_coupling,
     threshold_inertia,
     threshold_mass,
+    with_cross_coupling,
     with_inertia,
 )
 from babbitt.reynolds.tilting_pads.solve import solve_tilting_pads
@@ -165,3 +172,56 @@ def test_impossible_masses_are_refused():
         rotor_modes(LIGHT, -1.0)
     with pytest.raises(InputError, match="threshold"):
         threshold_mass(LIGHT, 2.0, 1.0)
+
+
+@pytest.mark.parametrize("sense", [1.0, -1.0])
+@pytest.mark.parametrize("cross", [0.0, 0.4, 1.9, 2.5])
+def test_cross_coupling_on_an_isotropic_bearing(sense, cross):
+    """Whirl z = x + j y in circles, forward and backward: m lambda^2 + c lambda + k - j q = 0."""
+    mass, k, c = 3.0, 4.0, 1.5
+    driven = with_cross_coupling(replace(pendulum(k * np.eye(2), c * np.eye(2)), sense=sense), cross)
+    found = rotor_modes(driven, mass)
+    assert len(found) == 2
+    for mode, side in zip(found, (1.0, -1.0), strict=True):
+        root = np.sqrt(complex(c * c - 4.0 * mass * (k - 1j * cross)))
+        exact = max(((-c + root) / (2.0 * mass), (-c - root) / (2.0 * mass)), key=lambda one: one.imag * side)
+        assert (mode.growth, mode.frequency) == pytest.approx((exact.real, abs(exact.imag)), rel=1e-9)
+        assert mode.log_decrement == pytest.approx(-2.0 * math.pi * exact.real / abs(exact.imag), rel=1e-9)
+        if cross > 0.0:
+            assert mode.whirl == pytest.approx(side)
+    assert found[0].stable == (cross < c * math.sqrt(k / mass))
+
+
+def test_the_cross_coupling_that_a_rotor_bears_is_its_frequency_times_the_damping():
+    mass, k, c = 3.0, 4.0, 1.5
+    found = threshold_cross_coupling(pendulum(k * np.eye(2), c * np.eye(2)), mass, 1e-3, 1e3)
+    assert found.value == pytest.approx(c * math.sqrt(k / mass), rel=1e-8)
+    assert found.frequency == pytest.approx(math.sqrt(k / mass), rel=1e-8)
+
+
+def test_unequal_stiffness_bears_more_cross_coupling():
+    """Characteristic polynomial m^2 s^4 + 2 m c s^3 + (m(k1 + k2) + c^2) s^2 + c(k1 + k2) s + k1 k2 + q^2."""
+    mass, c, k1, k2 = 2.0, 0.7, 3.0, 5.0
+    found = threshold_cross_coupling(pendulum(np.diag([k1, k2]), c * np.eye(2)), mass, 1e-3, 1e3)
+    square = 0.5 * (k1 + k2) / mass  # from the odd powers
+    q2 = (mass * (k1 + k2) + c * c) * square - mass**2 * square**2 - k1 * k2
+    assert found.value == pytest.approx(math.sqrt(q2), rel=1e-8)
+    assert found.frequency == pytest.approx(math.sqrt(square), rel=1e-8)
+
+
+def test_reduced_coefficients_are_exact_at_their_own_frequency():
+    for ratio in (0.5, 1.0):
+        reduced = reduced_coefficients(HEAVY, ratio)
+        assert reduced.labels == ("x", "y")
+        frequency = ratio * HEAVY.speed
+        assert impedance(reduced, frequency) == pytest.approx(impedance(HEAVY, frequency), rel=1e-12)
+
+
+def test_full_and_reduced_agree_on_a_rotor_that_whirls_at_the_reduced_frequency():
+    """At its threshold a motion neither grows nor decays, so that coefficients of its frequency are exact."""
+    full = threshold_cross_coupling(HEAVY, 100.0, 1e-3, 1e3)
+    reduced = reduced_coefficients(HEAVY, full.frequency / HEAVY.speed)
+    found = threshold_cross_coupling(reduced, 100.0, 1e-3, 1e3)
+    assert (found.value, found.frequency) == pytest.approx((full.value, full.frequency), rel=1e-6)
+    synchronous = threshold_cross_coupling(reduced_coefficients(HEAVY, 1.0), 100.0, 1e-3, 1e3)
+    assert abs(synchronous.value / full.value - 1.0) > 0.01

@@ -96,6 +96,58 @@ TILTING_PADS: tuple[Quantity, ...] = (
     quantity(
         "whirl_frequency_backward", "f_b", "rad/s", "Hz", 4, "Frequency of the more backward motion of the rotor"
     ),
+    quantity(
+        "anticipated_cross_coupling",
+        "Q_A",
+        "N/m",
+        "MN/m",
+        4,
+        "Destabilising cross-coupling anticipated of the rotor",
+    ),
+    quantity(
+        "critical_cross_coupling", "Q_0", "N/m", "MN/m", 4, "Cross-coupling of the rotor from which a motion grows"
+    ),
+    quantity("cross_coupling_ratio", "Q_0/Q_A", "1", "", 3, "The same over that anticipated"),
+    quantity("log_decrement_anticipated", "δ_A", "1", "", 3, "Log decrement with the anticipated cross-coupling"),
+    quantity(
+        "synchronous_log_decrement", "δ_log,s", "1", "", 3, "Log decrement by synchronously reduced coefficients"
+    ),
+    quantity(
+        "synchronous_log_decrement_anticipated",
+        "δ_A,s",
+        "1",
+        "",
+        3,
+        "Log decrement with the anticipated cross-coupling, by synchronously reduced coefficients",
+    ),
+    quantity(
+        "synchronous_critical_cross_coupling",
+        "Q_0,s",
+        "N/m",
+        "MN/m",
+        4,
+        "Cross-coupling from which a motion grows, by synchronously reduced coefficients",
+    ),
+    quantity(
+        "synchronous_cross_coupling_ratio",
+        "Q_0,s/Q_A",
+        "1",
+        "",
+        3,
+        "The same over that anticipated, by synchronously reduced coefficients",
+    ),
+    quantity(
+        "decrement_over_cross_coupling",
+        "δ(Q)",
+        "SI",
+        "",
+        4,
+        "Cross-coupling N/m, log decrement, the same by synchronously reduced coefficients",
+    ),
+    quantity("pedestal_x", "x_P", "m", "um", 4, "Way of the housing on its pedestal, to the right"),
+    quantity("pedestal_y", "y_P", "m", "um", 4, "Way of the housing on its pedestal, upward"),
+    quantity("bearing_stiffness", "K_B", "N/m", "MN/m", 4, "Synchronous stiffness without the pedestal"),
+    quantity("bearing_damping", "C_B", "N s/m", "kNs/m", 4, "Synchronous damping without the pedestal"),
     quantity("threshold_mass", "m_th", "kg", "t", 4, "Mass of the rotor above which a motion grows"),
     quantity("threshold_frequency", "f_th", "rad/s", "Hz", 4, "Frequency of the motion that begins to grow"),
 )

@@ -13,8 +13,18 @@ from babbitt.core.units import ZERO_CELSIUS
 from babbitt.design.checks import checks_not_made, limit_checks
 from babbitt.design.failure import failure
 from babbitt.design.heat_balance import Equilibrium
+from babbitt.kinds.tilting_pad_journal.cross_coupling import SOUGHT, CrossCoupling, cross_coupling_of
 from babbitt.kinds.tilting_pad_journal.dynamics import PadDynamics, dynamics_of
 from babbitt.kinds.tilting_pad_journal.film import operating_films
+from babbitt.kinds.tilting_pad_journal.level_one import (
+    about_synchronous_verdict,
+    cross_coupling_checks,
+    cross_coupling_not_checked,
+    cross_coupling_rows,
+    cross_coupling_values,
+    pedestal_rows,
+    pedestal_values,
+)
 from babbitt.kinds.tilting_pad_journal.margins import PadMargin, pad_margins
 from babbitt.kinds.tilting_pad_journal.model import PadCase, Thermal
 from babbitt.kinds.tilting_pad_journal.state import PadFilms
@@ -29,7 +39,7 @@ from babbitt.kinds.tilting_pad_journal.values import (
 )
 from babbitt.kinds.tilting_pad_journal.warnings import warnings_of_solution
 
-__all__ = ["LEAST_DECREMENT", "PadSolutionState", "pad_solution", "refuse_starvation"]
+__all__ = ["LEAST_DECREMENT", "PadSolutionState", "least_decrement", "pad_solution", "refuse_starvation"]
 
 METHOD = "film"
 
@@ -50,10 +60,16 @@ class PadSolutionState:
     films : PadFilms
     dynamics : PadDynamics
     margins : tuple of PadMargin
+    cross_coupling : CrossCoupling or None
+        None where the case anticipates none.
     """
 
-    def __init__(self, films: PadFilms, dynamics: PadDynamics, margins: tuple[PadMargin, ...]) -> None:
+    def __init__(
+        self, films: PadFilms, dynamics: PadDynamics, margins: tuple[PadMargin, ...],
+        cross_coupling: CrossCoupling | None = None,
+    ) -> None:  # fmt: skip
         self.films, self.dynamics, self.margins = films, dynamics, margins
+        self.cross_coupling = cross_coupling
 
 
 def pad_solution(case: PadCase) -> Solution:
@@ -77,7 +93,9 @@ def pad_solution(case: PadCase) -> Solution:
     refuse_starved(case, films)
     margins = pad_margins(case, films.solution)
     dynamics = dynamics_of(case, films.solution)
+    driven = cross_coupling_of(case, dynamics.full)
     values = film_values(case, films, margins) | thermal_values(case, films) | dynamic_values(case, dynamics)
+    values |= pedestal_values(case, films) | cross_coupling_values(driven)
     values |= {"iterations": float(found.evaluations), "wall_time": perf_counter() - begun}
     result = Result(
         case.name,
@@ -85,15 +103,32 @@ def pad_solution(case: PadCase) -> Solution:
         METHOD,
         Outcome.CONVERGED,
         {name: float(value) for name, value in values.items() if math.isfinite(value)},
-        checks=(*checks_of(case, values), *stability_checks(case, values), *heat_checks(case, values)),
-        warnings=(*case.warnings, *warnings_of_solution(case, films, dynamics, margins, values)),
-        not_checked=(*checks_not_made(case, values), *stability_not_checked(case, values)),
+        checks=(
+            *checks_of(case, values),
+            *stability_checks(case, values),
+            *heat_checks(case, values),
+            *cross_coupling_checks(case, values, *least_decrement(case)),
+        ),
+        warnings=(
+            *case.warnings,
+            *warnings_of_solution(case, films, dynamics, margins, values),
+            *about_synchronous_verdict(values, least_decrement(case)[0]),
+        ),
+        not_checked=(
+            *checks_not_made(case, values),
+            *stability_not_checked(case, values),
+            *cross_coupling_not_checked(case, values),
+        ),
         assumptions=(*case.lubricant.assumptions, *case.assumptions, *assumptions_of(case)),
         settings=settings_of(case, dynamics),
-        arrays=pad_rows(case, films.solution) | thermal_rows(case, films) | dynamic_rows(case, dynamics),
+        arrays=pad_rows(case, films.solution)
+        | thermal_rows(case, films)
+        | dynamic_rows(case, dynamics)
+        | cross_coupling_rows(driven)
+        | pedestal_rows(case, dynamics),
         missing=missing_of(case, values),
     )
-    return Solution(case, result, PadSolutionState(films, dynamics, margins))
+    return Solution(case, result, PadSolutionState(films, dynamics, margins, driven))
 
 
 def unsolved(case: PadCase, found: Equilibrium[PadFilms], time: float) -> Result:
@@ -190,12 +225,17 @@ def checks_of(case: PadCase, values: Mapping[str, float]) -> Iterator[Check]:
 def stability_checks(case: PadCase, values: Mapping[str, float]) -> Iterator[Check]:
     """Log decrement of the rotor, and what every pad is short of being unloaded."""
     if "log_decrement" in values:
-        own = case.least_log_decrement
-        limit, source = (LEAST_DECREMENT, DECREMENT_SOURCE) if own is None else (own, USER)
+        limit, source = least_decrement(case)
         yield Check("C401", "log_decrement", values["log_decrement"], limit, Bound.AT_LEAST, source)
     if "least_pad_margin" in values:
         source = "eccentricity ratio at the pivot, at which a pad unloads"
         yield Check("C402", "least_pad_margin", values["least_pad_margin"], 0.0, Bound.AT_LEAST, source, True)
+
+
+def least_decrement(case: PadCase) -> tuple[float, str]:
+    """Least log decrement, and where it comes from."""
+    own = case.least_log_decrement
+    return (LEAST_DECREMENT, DECREMENT_SOURCE) if own is None else (own, USER)
 
 
 def heat_checks(case: PadCase, values: Mapping[str, float]) -> Iterator[Check]:
@@ -259,6 +299,10 @@ def missing_of(case: PadCase, values: Mapping[str, float]) -> dict[str, str]:
     missing = {}
     if case.rotor_mass is not None and "threshold_mass" not in values:
         missing["threshold_mass"] = "no mass up to a thousand times that of the rotor is unstable"
+    if case.anticipated_cross_coupling is not None and "critical_cross_coupling" not in values:
+        missing["critical_cross_coupling"] = (
+            f"no cross-coupling up to {SOUGHT[1]:g} times that anticipated is unstable"
+        )
     if "fit_error" not in values:
         missing["fit_error"] = "stiffness, damping and virtual mass are fitted over three whirl ratios or more"
     return missing

@@ -1,8 +1,9 @@
-"""Coefficients over the whirl ratio, and free motions of a rotor among its pads."""
+"""Coefficients over the whirl ratio, and free motions of a rotor among its pads, on its shaft and pedestal."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -16,10 +17,23 @@ from babbitt.reynolds.tilting_pads.dynamics import (
     fit_virtual_mass,
     full_coefficients,
 )
+from babbitt.reynolds.tilting_pads.pedestal import on_pedestal
 from babbitt.reynolds.tilting_pads.rotor import Mode, Threshold, rotor_modes, threshold_mass
 from babbitt.reynolds.tilting_pads.solution import TiltingPadSolution
 
-__all__ = ["LARGEST_FIT_ERROR", "PadDynamics", "RotorMotions", "dynamics_of", "on_shaft", "swinging"]
+__all__ = [
+    "LARGEST_FIT_ERROR",
+    "PadDynamics",
+    "RotorMotions",
+    "bounded_decrement",
+    "chain_of",
+    "decisive",
+    "dynamics_of",
+    "motions_of_the_rotor",
+    "on_shaft",
+    "swinging",
+    "with_pedestal",
+]
 
 LARGEST_FIT_ERROR = 0.05
 """Relative misfit above which stiffness, damping and mass do not stand for the range of frequencies."""
@@ -52,14 +66,12 @@ class RotorMotions:
     @property
     def of_the_rotor(self) -> tuple[Mode, ...]:
         """The two motions that swing in which the rotor has the largest shares, the more forward one first."""
-        own = sorted(swinging(self), key=lambda mode: -mode.share)[:2]
-        return tuple(sorted(own, key=lambda mode: -mode.whirl))
+        return motions_of_the_rotor(self.modes)
 
     @property
     def decisive(self) -> Mode:
         """The motion that decides: one that grows, of rotor or pads, else that of the rotor that lasts longer."""
-        growing = [mode for mode in self.modes if not mode.stable]
-        return min(growing or self.of_the_rotor or self.modes, key=bounded_decrement)
+        return decisive(self.modes)
 
     @property
     def log_decrement(self) -> float:
@@ -69,7 +81,7 @@ class RotorMotions:
     @property
     def pad_decrement(self) -> float:
         """The least of all motions but the two of the rotor; infinite where no other swings."""
-        others = (mode for mode in swinging(self) if mode not in self.of_the_rotor)
+        others = (mode for mode in swinging(self.modes) if mode not in self.of_the_rotor)
         return min((bounded_decrement(mode) for mode in others), default=math.inf)
 
 
@@ -79,8 +91,10 @@ class PadDynamics:
 
     Attributes
     ----------
+    bearing : CondensedCoefficients
+        Synchronous, of the bearing in a housing at rest.
     full : PadCoefficients
-        Of journal and pads.
+        Of journal and pads, and of the housing on its pedestal. All that follows comes from them.
     static, synchronous : CondensedCoefficients
         At rest, and at the frequency of the rotation.
     over_whirl : tuple of CondensedCoefficients
@@ -91,6 +105,7 @@ class PadDynamics:
         None without the mass of a rotor.
     """
 
+    bearing: CondensedCoefficients
     full: PadCoefficients
     static: CondensedCoefficients
     synchronous: CondensedCoefficients
@@ -101,16 +116,18 @@ class PadDynamics:
 
 def dynamics_of(case: PadCase, solution: TiltingPadSolution) -> PadDynamics:
     """Dynamics of the pads at a solved place."""
-    full = full_coefficients(solution)
+    pads = full_coefficients(solution)
+    full = with_pedestal(case, pads, solution)
     positive = [ratio for ratio in case.whirl_ratios if ratio > 0.0]
     fit = fit_virtual_mass(full, positive) if len(positive) >= FEWEST_RATIOS else None
     motions = None
     if case.rotor_mass is not None:
         mass = case.rotor_mass
-        chain = full if case.shaft_stiffness is None else on_shaft(full, case.shaft_stiffness)
+        chain = chain_of(case, full)
         modes = rotor_modes(chain, mass)
         motions = RotorMotions(modes, threshold_mass(chain, LIGHTER * mass, HEAVIER * mass))
     return PadDynamics(
+        condensed_at(pads, 1.0),
         full,
         condensed_at(full, 0.0),
         condensed_at(full, 1.0),
@@ -118,6 +135,16 @@ def dynamics_of(case: PadCase, solution: TiltingPadSolution) -> PadDynamics:
         fit,
         motions,
     )
+
+
+def with_pedestal(case: PadCase, pads: PadCoefficients, solution: TiltingPadSolution) -> PadCoefficients:
+    """Journal and pads, in a housing that moves where the case has a pedestal."""
+    return pads if case.pedestal is None else on_pedestal(pads, solution.bearing, case.pedestal)
+
+
+def chain_of(case: PadCase, coefficients: PadCoefficients) -> PadCoefficients:
+    """What carries the mass of the rotor: the bearing, behind the shaft where that gives way."""
+    return coefficients if case.shaft_stiffness is None else on_shaft(coefficients, case.shaft_stiffness)
 
 
 def on_shaft(pads: PadCoefficients, stiffness: float) -> PadCoefficients:
@@ -140,6 +167,18 @@ def bounded_decrement(mode: Mode) -> float:
     return math.copysign(NO_SWING, found) if math.isinf(found) else found
 
 
-def swinging(motions: RotorMotions) -> tuple[Mode, ...]:
+def swinging(modes: Iterable[Mode]) -> tuple[Mode, ...]:
     """The motions that swing."""
-    return tuple(mode for mode in motions.modes if mode.frequency > 0.0)
+    return tuple(mode for mode in modes if mode.frequency > 0.0)
+
+
+def motions_of_the_rotor(modes: Iterable[Mode]) -> tuple[Mode, ...]:
+    """The two motions that swing in which the rotor has the largest shares, the more forward one first."""
+    own = sorted(swinging(modes), key=lambda mode: -mode.share)[:2]
+    return tuple(sorted(own, key=lambda mode: -mode.whirl))
+
+
+def decisive(modes: tuple[Mode, ...]) -> Mode:
+    """The motion that decides: one that grows, of rotor or pads, else that of the rotor that lasts longer."""
+    growing = [mode for mode in modes if not mode.stable]
+    return min(growing or motions_of_the_rotor(modes) or modes, key=bounded_decrement)

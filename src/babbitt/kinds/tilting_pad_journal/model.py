@@ -22,6 +22,7 @@ from babbitt.reynolds.heat.heat_model import JournalHeat
 from babbitt.reynolds.model import DRAFT, ENGINEERING, Resolution
 from babbitt.reynolds.tilting_pads.model import TiltingPad, TiltingPadBearing
 from babbitt.reynolds.tilting_pads.pad_heat import THERMAL_PADS, PadBending, PadGrowth, PadWalls
+from babbitt.reynolds.tilting_pads.pedestal import Pedestal
 
 __all__ = ["Accuracy", "Feed", "HeatChoices", "PadBearing", "PadCase", "Thermal", "WHIRL_RATIOS"]
 
@@ -164,8 +165,9 @@ class PadCase:
     counts for films with their own temperatures, whose bores at 75 % of a pad `probe_alarm` and `probe_trip` (K)
     limit.
     `rotor_mass` (kg) is the part of a rotor that this bearing carries, `shaft_stiffness` (N/m) that of the shaft
-    between that mass and the journal; None is rigid. Coefficients are given at the `whirl_ratios`, frequencies
-    over the speed.
+    between that mass and the journal; None is rigid. `anticipated_cross_coupling` (N/m) drives the whole rotor, on
+    two such bearings, forward; the housing stands on the `pedestal`, None: a rigid one. Coefficients are given at
+    the `whirl_ratios`, frequencies over the speed.
     """
 
     name: str
@@ -183,6 +185,8 @@ class PadCase:
     whirl_ratios: tuple[float, ...] = WHIRL_RATIOS
     rotor_mass: float | None = None
     shaft_stiffness: float | None = None
+    anticipated_cross_coupling: float | None = None
+    pedestal: Pedestal | None = None
     limits: Limits = field(default_factory=Limits)
     least_log_decrement: float | None = None
     probe_alarm: float | None = None

@@ -238,7 +238,7 @@ def dynamic_rows(case: PadCase, dynamics: PadDynamics) -> dict[str, Matrix]:
     if dynamics.motions is not None:
         named["rotor_modes"] = tuple(
             (mode.growth, mode.frequency, bounded_decrement(mode), mode.whirl, mode.share)
-            for mode in swinging(dynamics.motions)
+            for mode in swinging(dynamics.motions.modes)
         )
     return named
 

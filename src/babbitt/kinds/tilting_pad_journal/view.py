@@ -24,6 +24,9 @@ if TYPE_CHECKING:
 __all__ = ["FILM"]
 
 LUND = "J. W. Lund, Spring and damping coefficients for the tilting-pad journal bearing, Trans. ASLE 7 (1964) 342"
+API_617 = (
+    "API Standard 617, Axial and Centrifugal Compressors and Expander-compressors, stability analysis, level I"
+)
 HERTZ = "K. L. Johnson, Contact Mechanics, Cambridge University Press (1985)"
 
 KEY_RESULTS = (
@@ -72,6 +75,15 @@ KEY_RESULTS = (
     "whirl_frequency_backward",
     "threshold_mass",
     "threshold_frequency",
+    "critical_cross_coupling",
+    "cross_coupling_ratio",
+    "log_decrement_anticipated",
+    "synchronous_log_decrement",
+    "synchronous_critical_cross_coupling",
+    "synchronous_cross_coupling_ratio",
+    "synchronous_log_decrement_anticipated",
+    "pedestal_x",
+    "pedestal_y",
 )
 """Results at the head of a report."""
 
@@ -87,6 +99,8 @@ SWEEP = (
     "damping_xx",
     "damping_yy",
     "log_decrement",
+    "log_decrement_anticipated",
+    "cross_coupling_ratio",
     "loaded_pads",
 )
 """Results of a sweep, what matters most first."""
@@ -132,6 +146,8 @@ def _citations(problem: PadCase) -> Iterable[str]:
 
     yield REYNOLDS
     yield LUND
+    if problem.anticipated_cross_coupling is not None:
+        yield API_617
     if any(isinstance(pad.pivot, HertzContact) for pad in problem.bearing.pads):
         yield HERTZ
 

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -31,6 +31,7 @@ __all__ = [
     "fit_virtual_mass",
     "full_coefficients",
     "impedance",
+    "reduced_coefficients",
 ]
 
 Array = NDArray[np.float64]
@@ -229,6 +230,22 @@ def condensed_at(coefficients: PadCoefficients, whirl_ratio: float) -> Condensed
     stiffness = k[:2, :2] + k[:2, pads] @ follow
     damping = c[:2, :2] + c[:2, pads] @ follow + back @ c[pads, :2] + back @ c[pads, pads] @ follow
     return CondensedCoefficients(0.0, stiffness, damping)
+
+
+def reduced_coefficients(coefficients: PadCoefficients, whirl_ratio: float) -> PadCoefficients:
+    """The journal alone, with the stiffness and damping of one whirl ratio at every frequency.
+
+    What is told of stability by these is an approximation: `rotor` says why.
+    """
+    condensed = condensed_at(coefficients, whirl_ratio)
+    return replace(
+        coefficients,
+        labels=JOURNAL,
+        mass=np.zeros((2, 2)),
+        stiffness=condensed.stiffness,
+        damping=condensed.damping,
+        levers=np.ones(2),
+    )
 
 
 def fit_virtual_mass(coefficients: PadCoefficients, whirl_ratios: ArrayLike) -> KCMFit:

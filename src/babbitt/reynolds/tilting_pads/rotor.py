@@ -24,8 +24,10 @@ __all__ = [
     "Threshold",
     "critical_mass_of_condensed",
     "rotor_modes",
+    "threshold_cross_coupling",
     "threshold_inertia",
     "threshold_mass",
+    "with_cross_coupling",
     "with_inertia",
 ]
 
@@ -92,8 +94,8 @@ class Threshold:
     Attributes
     ----------
     value : float
-        kg, or kg m2 of every pad; infinite where none begins up to the highest value tried, 0 where one does at
-        the least.
+        kg, or kg m2 of every pad, or N/m; infinite where none begins up to the highest value tried, 0 where one
+        does at the least.
     frequency : float
         Of the motion that begins, rad/s; nan where none does.
     """
@@ -168,6 +170,14 @@ def with_inertia(coefficients: PadCoefficients, inertia: float) -> PadCoefficien
     return replace(coefficients, mass=mass)
 
 
+def with_cross_coupling(coefficients: PadCoefficients, cross_coupling: float) -> PadCoefficients:
+    """The same with a cross-coupled stiffness on the rotor, N/m: positive drives its whirl forward."""
+    stiffness = coefficients.stiffness.copy()
+    stiffness[0, 1] += coefficients.sense * cross_coupling
+    stiffness[1, 0] -= coefficients.sense * cross_coupling
+    return replace(coefficients, stiffness=stiffness)
+
+
 def threshold_mass(coefficients: PadCoefficients, least: float, most: float) -> Threshold:
     """Mass of the rotor in kg from which on a motion grows, sought from ``least`` to ``most`` on."""
     return first_unstable(lambda mass: rotor_modes(coefficients, mass), least, most)
@@ -176,6 +186,11 @@ def threshold_mass(coefficients: PadCoefficients, least: float, most: float) -> 
 def threshold_inertia(coefficients: PadCoefficients, mass: float, least: float, most: float) -> Threshold:
     """Inertia of every pad in kg m2 from which on a rotor of ``mass`` in kg and its pads flutter."""
     return first_unstable(lambda inertia: rotor_modes(with_inertia(coefficients, inertia), mass), least, most)
+
+
+def threshold_cross_coupling(coefficients: PadCoefficients, mass: float, least: float, most: float) -> Threshold:
+    """Cross-coupled stiffness in N/m from which on a motion grows of a rotor of ``mass`` in kg."""
+    return first_unstable(lambda cross: rotor_modes(with_cross_coupling(coefficients, cross), mass), least, most)
 
 
 def first_unstable(modes_at: Callable[[float], tuple[Mode, ...]], least: float, most: float) -> Threshold:

@@ -28,6 +28,7 @@ from babbitt.kinds.tilting_pad_journal.case.heat import (
 from babbitt.kinds.tilting_pad_journal.case.materials import PadJournalMaterials
 from babbitt.kinds.tilting_pad_journal.case.methods import METHOD_MAPPING, PadFilmChoices
 from babbitt.kinds.tilting_pad_journal.case.pads import JournalPads
+from babbitt.kinds.tilting_pad_journal.case.pedestal import PedestalInput
 from babbitt.kinds.tilting_pad_journal.methods import PAD_FILM
 from babbitt.kinds.tilting_pad_journal.model import WHIRL_RATIOS
 
@@ -182,6 +183,15 @@ class TiltingPadJournalCase(PadFilmChoices, CaseFile):
         description="Stiffness of the shaft between that mass and this bearing (for a shaft on two equal bearings "
         "half its stiffness in the middle). Rigid if not given.",
     )
+    anticipated_cross_coupling: Annotated[float, si("N/m", "1 N/m", "1000 GN/m")] | None = Field(
+        None,
+        description="Destabilising cross-coupled stiffness that seals and wheels are anticipated to have on the "
+        "whole rotor, which stands on two such bearings (Q_A of API 617). For the cross-coupling at which the log "
+        "decrement vanishes, and the decrement with that anticipated.",
+    )
+    pedestal: PedestalInput | None = Field(
+        None, description="What the housing stands on. Stiffness and damping are then those of both in series."
+    )
     limits: PadJournalLimits = Field(PadJournalLimits(), description="Limits in place of those by experience.")
     assumptions: tuple[Prose, ...] = Field(
         (), max_length=100, description="Assumptions to be shown in the report."
@@ -271,6 +281,12 @@ class TiltingPadJournalCase(PadFilmChoices, CaseFile):
     def _shaft_carries_a_rotor(self) -> Iterator[Issue]:
         if is_given(self, "shaft_stiffness") and not is_given(self, "rotor_mass"):
             yield Issue(("shaft_stiffness",), "no mass of a rotor is given that the shaft would carry",
+                        "rotor_mass besides it")  # fmt: skip
+
+    @rule
+    def _cross_coupling_drives_a_rotor(self) -> Iterator[Issue]:
+        if is_given(self, "anticipated_cross_coupling") and not is_given(self, "rotor_mass"):
+            yield Issue(("anticipated_cross_coupling",), "no mass of a rotor is given that it would drive",
                         "rotor_mass besides it")  # fmt: skip
 
     @rule

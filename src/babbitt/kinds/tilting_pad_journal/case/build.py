@@ -71,6 +71,8 @@ def pad_case(case: TiltingPadJournalCase, point: PadOperatingPoint | None, named
         whirl_ratios=case.whirl_ratios,
         rotor_mass=case.rotor_mass,
         shaft_stiffness=case.shaft_stiffness,
+        anticipated_cross_coupling=case.anticipated_cross_coupling,
+        pedestal=None if case.pedestal is None else case.pedestal.pedestal(),
         limits=case.limits.limits(),
         least_log_decrement=case.limits.log_decrement,
         probe_alarm=case.limits.probe_alarm,
@@ -151,6 +153,10 @@ def assumptions_of(case: TiltingPadJournalCase) -> Iterator[str]:
         yield "The films are as warm as the fresh oil."
     if "growth" not in case.deformation:
         yield "Clearances hold in operation: neither heat nor load changes them."
+    if case.anticipated_cross_coupling is not None:
+        yield "The rotor stands on two such bearings, of which each bears half of the cross-coupling."
+    if case.pedestal is not None:
+        yield "Stiffness and damping, and what follows from them, are those of bearing and pedestal in series."
     yield from heat_assumptions(case)
 
 
@@ -163,6 +169,8 @@ def warnings_of(case: TiltingPadJournalCase, speed: float) -> Iterator[Notice]:
         machined, assembled = clearances(pad, case.diameter)
         if assembled > machined:
             yield Notice("W410", "preload", {"pad": number, "preload": 1.0 - assembled / machined})
+    if case.anticipated_cross_coupling is not None and case.clearance_cases == "mean":
+        yield Notice("W413")
     before = tuple(number for number, pad in enumerate(fields, 1) if pad["pivot"].fraction < 0.5)
     if before and math.copysign(1.0, speed) == case.sense:
         yield Notice("W409", "leading", {"pads": before})
@@ -196,7 +204,9 @@ def limits_not_used(case: TiltingPadJournalCase) -> Iterator[str]:
 
 
 def masses_not_felt(case: TiltingPadJournalCase) -> Iterator[str]:
-    """Paths of masses that are given of pads whose pivots give way in no direction."""
+    """Paths of masses that are given of pads that give way in no direction, nor with their housing."""
+    if case.pedestal is not None:
+        return
     pads = pad_bearing(case, "mean", case.sense).pads
     still = [pad.is_rigid for pad in pads]
     fixed = [math.isinf(pad.tangential_stiffness) for pad in pads]

@@ -55,6 +55,8 @@ def sheet_of(case: PadCase, solution: Solution, state: PadSolutionState) -> Work
         "trailing_flow": sum(one.outflow for one in films.pads),
         "carried_share": case.feed.carry_over,
     }
+    if case.pedestal is not None:
+        known["pedestal_stiffness_x"], known["pedestal_stiffness_y"] = case.pedestal.stiffness
     return Worksheet(known)
 
 
@@ -64,6 +66,9 @@ def _place(sheet: Worksheet) -> Iterator[Line]:
     yield sheet.line("eccentric", "sqrt(journal_x**2 + journal_y**2)")
     yield sheet.line("eccentricity_ratio", "eccentric / assembled_clearance")
     yield sheet.line("specific_load", "load / (width * diameter)")
+    if "pedestal_stiffness_x" in sheet:
+        yield sheet.line("pedestal_x", "load * cos(load_angle) / pedestal_stiffness_x", "of the housing")
+        yield sheet.line("pedestal_y", "load * sin(load_angle) / pedestal_stiffness_y", "of the housing")
     turns = "angular_speed / (2 * pi)"
     if sheet["angular_speed"] < 0.0:
         turns = "abs(angular_speed) / (2 * pi)"
@@ -156,3 +161,12 @@ def _stability(sheet: Worksheet, state: PadSolutionState) -> Iterator[Section]:
         ),
         "From the matrices of journal, pads and rotor together.",
     )
+    if "critical_cross_coupling" in sheet:
+        yield Section(
+            "Cross-coupling",
+            (
+                sheet.given("critical_cross_coupling", "at which a motion begins to grow"),
+                sheet.line("cross_coupling_ratio", "critical_cross_coupling / anticipated_cross_coupling"),
+            ),
+            "Of the whole rotor, each of both bearings bears half of it.",
+        )

@@ -20,5 +20,7 @@ COLUMNS = (
     column_of("outlet_temperature", 8),
     column_of("loaded_pads", 9),
     Column("δ_log / δ_lim", "", (reading_of("log_decrement"), limit_of("log_decrement")), 2, " / "),
+    column_of("log_decrement_anticipated", 6),
+    column_of("cross_coupling_ratio", 6),
 )
 """Of bearings of tilting pads."""

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from babbitt.core.solution import Solution
-from babbitt.kinds.tilting_pad_journal.check import PadSolutionState
+from babbitt.kinds.tilting_pad_journal.check import PadSolutionState, least_decrement
 from babbitt.kinds.tilting_pad_journal.model import PadCase
 from babbitt.report.drawing import Drawing, rendered, style
 
@@ -36,7 +36,7 @@ def pad_figures(solution: Solution, image_format: str = "svg") -> tuple[Drawing,
 
 
 def _painted(case: PadCase, state: PadSolutionState) -> Iterator[Painted]:
-    from babbitt.kinds.tilting_pad_journal.report import maps, plots, seen_along, temperatures
+    from babbitt.kinds.tilting_pad_journal.report import maps, plots, seen_along, stability, temperatures
 
     films, dynamics = state.films.solution, state.dynamics
     enlarged = seen_along.FILM * 0.5 * case.bearing.diameter / case.bearing.pad_clearance
@@ -85,4 +85,14 @@ def _painted(case: PadCase, state: PadSolutionState) -> Iterator[Painted]:
             "grow.",
             plots.root_locus(case, dynamics),
             False,
+        )
+    if state.cross_coupling is not None:
+        yield (
+            "cross-coupling",
+            "Left: log decrement over the destabilising cross-coupling of the whole rotor, by the motions of "
+            "rotor and pads together and by synchronously reduced coefficients; filled: with that anticipated; "
+            "line: the least that is asked up to it. Right: over the speed, with that anticipated (black) and "
+            "without (grey). Below zero a motion grows.",
+            stability.log_decrements(case, state.cross_coupling, least_decrement(case)[0]),
+            True,
         )

@@ -10,6 +10,7 @@ from babbitt.kinds.tilting_pad_journal.case.pivots import written_pivot
 from babbitt.kinds.tilting_pad_journal.model import PadCase
 from babbitt.report.inputs import InputGroup, Row, metal_rows, named_row, oil_rows
 from babbitt.reynolds.tilting_pads.model import TiltingPad
+from babbitt.reynolds.tilting_pads.pedestal import Pedestal
 
 __all__ = ["pad_inputs"]
 
@@ -66,7 +67,18 @@ def _operation(case: PadCase) -> Iterator[Row]:
         yield named_row("rotor_mass", case.rotor_mass)
     if case.shaft_stiffness is not None:
         yield named_row("shaft_stiffness", case.shaft_stiffness)
+    if case.anticipated_cross_coupling is not None:
+        yield named_row("anticipated_cross_coupling", case.anticipated_cross_coupling)
+    if case.pedestal is not None:
+        yield from _pedestal(case.pedestal)
     yield Row("Whirl ratios", ", ".join(f"{ratio:g}" for ratio in case.whirl_ratios))
+
+
+def _pedestal(pedestal: Pedestal) -> Iterator[Row]:
+    for axis, stiffness, damping in zip("xy", pedestal.stiffness, pedestal.damping, strict=True):
+        yield Row(f"Stiffness of the pedestal along {axis}", f"{1e-6 * stiffness:.4g}", None, "MN/m")
+        yield Row(f"Damping of the pedestal along {axis}", f"{1e-3 * damping:.4g}", None, "kN s/m")
+    yield Row("Mass on the pedestal, without the pads", f"{pedestal.mass:.4g}", None, "kg")
 
 
 def _oil(case: PadCase) -> Iterator[Row]:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from babbitt.kinds.tilting_pad_journal.dynamics import PadDynamics, on_shaft
+from babbitt.kinds.tilting_pad_journal.dynamics import PadDynamics, chain_of
 from babbitt.kinds.tilting_pad_journal.margins import PadMargin
 from babbitt.kinds.tilting_pad_journal.model import PadCase
 from babbitt.report.drawing import GREY, INK, Array, Sheet, mark
@@ -116,7 +116,7 @@ def root_locus(case: PadCase, dynamics: PadDynamics) -> Figure:
     """Free motions in the plane of growth and frequency while the mass of the rotor grows tenfold both ways."""
     assert case.rotor_mass is not None
     figure, ((panel,),) = Sheet(81.0, 64.0, left=12.0).panels()
-    chain = dynamics.full if case.shaft_stiffness is None else on_shaft(dynamics.full, case.shaft_stiffness)
+    chain = chain_of(case, dynamics.full)
     bound = SLOW * chain.speed
     for place, share in enumerate(MASSES):
         shade = str(round(0.82 - 0.62 * place / (MASSES.size - 1), 3))

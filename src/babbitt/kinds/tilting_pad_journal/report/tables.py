@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
 from babbitt.core.result import Result
+from babbitt.kinds.tilting_pad_journal.report.stability import stability_table
 from babbitt.report.plain_tables import plain_table, table_by_pad
 
 __all__ = ["tables"]
@@ -70,6 +71,8 @@ def _tables(result: Result) -> Iterator[dict[str, Any]]:
     yield _coefficients(result)
     if "rotor_modes" in result.arrays:
         yield _motions(result)
+    if "decrement_over_cross_coupling" in result.arrays:
+        yield stability_table(result)
 
 
 def _coefficients(result: Result) -> dict[str, Any]:

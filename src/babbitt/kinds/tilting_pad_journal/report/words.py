@@ -58,6 +58,8 @@ PAD_WORDS = (
     local("trailing_flow", "Q_te", "m3/s", "Oil over all trailing edges", 5, PER_MINUTE),
     local("carried_share", "λ_c", "1", "Share that is carried over"),
     local("pad_warming", "ΔT", "K (abs)", "Rise of the oil along a pad", 5),
+    local("pedestal_stiffness_x", "k_Px", "N/m", "Stiffness of the pedestal along x", 5, STIFF),
+    local("pedestal_stiffness_y", "k_Py", "N/m", "Stiffness of the pedestal along y", 5, STIFF),
     local("mode_decay", "σ", "1/s", "Decay of the free motion that decides", 5),
     local("mode_frequency", "ω_d", "rad/s", "Its frequency", 5),
 )

@@ -1,0 +1,95 @@
+"""The log decrement over the cross-coupling of a rotor and over its speed: figure and table."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from babbitt.core.result import Result
+from babbitt.kinds.tilting_pad_journal.cross_coupling import CrossCoupling, decrements_over_speed
+from babbitt.kinds.tilting_pad_journal.model import PadCase
+from babbitt.report.drawing import GREY, INK, Sheet, mark
+from babbitt.report.plain_tables import plain_table
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+__all__ = ["log_decrements", "stability_table"]
+
+
+SPEEDS = np.linspace(0.5, 1.25, 10)
+"""Speeds over that of the case along the right panel."""
+
+DASHED = (0, (5, 2))
+
+
+def log_decrements(case: PadCase, found: CrossCoupling, least: float) -> Figure:
+    """Log decrement over the cross-coupling of the rotor, and over its speed, by both kinds of coefficients.
+
+    Parameters
+    ----------
+    case : PadCase
+    found : CrossCoupling
+    least : float
+        Log decrement that is asked with the anticipated cross-coupling.
+    """
+    figure, ((left, right),) = Sheet(166.0, 60.0, 1, 2, across=17.0).panels()
+    _over_cross_coupling(left, found, least)
+    speeds = SPEEDS * abs(case.journal_speed)
+    full, driven, synchronous, reduced = np.array(decrements_over_speed(case, speeds.tolist())).T
+    turns = speeds * 30.0 / math.pi
+    for values, colour, stroke in (
+        (full, GREY, "-"), (synchronous, GREY, DASHED), (driven, INK, "-"), (reduced, INK, DASHED),
+    ):  # fmt: skip
+        right.plot(turns, values, color=colour, linestyle=stroke)
+    right.axhline(least, color=GREY, linewidth=0.7, linestyle=":")
+    mark(right, abs(case.journal_speed) * 30.0 / math.pi, found.full.anticipated_decrement)
+    right.set(xlabel="$n$ in 1/min", ylabel="log decrement $δ$")
+    right.set_ylim(bottom=min(0.0, right.get_ylim()[0]))
+    return figure
+
+
+def _over_cross_coupling(panel: Axes, found: CrossCoupling, least: float) -> None:
+    crosses, full, synchronous = np.array(found.curve).T
+    panel.plot(1e-6 * crosses, full, color=INK, label="full")
+    panel.plot(1e-6 * crosses, synchronous, color=INK, linestyle=DASHED, label="synchronous")
+    panel.axhline(0.0, color=GREY, linewidth=0.7)
+    anticipated = 1e-6 * found.anticipated
+    low, high = panel.get_ylim()
+    panel.set_ylim(low, high + 0.16 * (high - low))
+    for share, name in ((1.0, "$Q_\\mathrm{A}$"), (2.0, "$2Q_\\mathrm{A}$")):
+        panel.axvline(share * anticipated, color=GREY, linewidth=0.7, linestyle=":")
+        panel.annotate(name, (share * anticipated, 1.0), xycoords=("data", "axes fraction"), xytext=(2, -8),
+                       textcoords="offset points", fontsize=7)  # fmt: skip
+    panel.plot([0.0, anticipated], [least, least], color=GREY, linewidth=0.9)
+    mark(panel, anticipated, found.full.anticipated_decrement)
+    panel.set_xlim(0.0, 1e-6 * float(crosses[-1]))
+    panel.set(xlabel="$Q$ in MN/m", ylabel="log decrement $δ$")
+    panel.legend(frameon=False, fontsize=7, loc="lower left", handlelength=1.8)
+
+
+def stability_table(result: Result) -> dict[str, Any]:
+    """What both kinds of coefficients tell."""
+    rows = []
+    for name, prefix in (("rotor and pads together", ""), ("synchronously reduced", "synchronous_")):
+        critical = result.values.get(f"{prefix}critical_cross_coupling")
+        ratio = result.values.get(f"{prefix}cross_coupling_ratio")
+        rows.append((
+            name,
+            f"{result.values[f'{prefix}log_decrement']:.3g}",
+            f"{result.values[f'{prefix}log_decrement_anticipated']:.3g}",
+            "none" if critical is None else f"{1e-6 * critical:.4g}",
+            "none" if ratio is None else f"{ratio:.3g}",
+        ))  # fmt: skip
+    anticipated = 1e-6 * result.values["anticipated_cross_coupling"]
+    return plain_table(
+        "Cross-coupling of the rotor",
+        ("Coefficients", "Log decrement", "at Q_A", "Q_0", "Q_0/Q_A"),
+        ("", "", "", "MN/m", ""),
+        rows,
+        f"Anticipated Q_A = {anticipated:.4g} MN/m of the whole rotor, on two such bearings. Judged by "
+        "the motions of rotor and pads together.",
+    )
