@@ -27,7 +27,7 @@ def test_pads_that_do_not_balance_are_refused_by_check(run, tmp_path):
     assert "sound.yaml: usable" in out
 
 
-FIT = "tolerance class 'H99' is not on board"
+FIT = "tolerance class 'H99' is not included"
 FITTED = ("screw_heel", "jacking_pocket", "hydrostatic_journal", "tilting_pad_journal", "journal")
 
 
