@@ -328,6 +328,7 @@ def test_export_without_equilibrium_ends_with_three_and_writes_nothing(run, tmp_
 )
 def test_mistakes_of_export(run, tmp_path, changed, words):
     points = "[{name: a, load: 20 kN}, {name: b, load: 10 kN}]"
+    wide = "{kind: relative, mean: 1.5 permille, minimum: 1.4 permille, maximum: 1.6 permille}"
     senses = "[{name: a, speed: 900 rpm}, {name: b, speed: -900 rpm}]"
     for name, text in (
         ("case.yaml", film_journal()),
@@ -335,7 +336,7 @@ def test_mistakes_of_export(run, tmp_path, changed, words):
         ("standard.yaml", template("journal")),
         ("two.yaml", film_journal(load=None, operating_points=points)),
         ("senses.yaml", film_journal(speed=None, operating_points=senses)),
-        ("clearances.yaml", film_journal(clearance_cases="all")),
+        ("clearances.yaml", film_journal(clearance=wide, clearance_cases="all")),
     ):
         (tmp_path / name).write_text(text)
     given = {"case": "case.yaml", "--format": "csv", "--speeds": "1000 rpm", "-o": "table.csv"} | changed
