@@ -321,16 +321,22 @@ def test_export_without_equilibrium_ends_with_three_and_writes_nothing(run, tmp_
         ({"-o": "nowhere/table.csv"}, "does not exist"),
         ({"-o": "case.csv", "case": "case.csv"}, "case file"),
         ({"case": "standard.yaml"}, "method: film"),
-        ({"case": "two.yaml"}, "--bearing: Pump [a], Pump [b]"),
+        ({"case": "two.yaml"}, "several operating points; choose with --bearing: Pump [a], Pump [b]"),
+        ({"case": "senses.yaml"}, "several operating points; choose with --bearing: Pump [a], Pump [b]"),
+        ({"case": "clearances.yaml"}, "several clearances; choose with --bearing"),
     ],
 )
 def test_mistakes_of_export(run, tmp_path, changed, words):
     points = "[{name: a, load: 20 kN}, {name: b, load: 10 kN}]"
+    wide = "{kind: relative, mean: 1.5 permille, minimum: 1.4 permille, maximum: 1.6 permille}"
+    senses = "[{name: a, speed: 900 rpm}, {name: b, speed: -900 rpm}]"
     for name, text in (
         ("case.yaml", film_journal()),
         ("case.csv", film_journal()),
         ("standard.yaml", template("journal")),
         ("two.yaml", film_journal(load=None, operating_points=points)),
+        ("senses.yaml", film_journal(speed=None, operating_points=senses)),
+        ("clearances.yaml", film_journal(clearance=wide, clearance_cases="all")),
     ):
         (tmp_path / name).write_text(text)
     given = {"case": "case.yaml", "--format": "csv", "--speeds": "1000 rpm", "-o": "table.csv"} | changed
@@ -338,6 +344,37 @@ def test_mistakes_of_export(run, tmp_path, changed, words):
     assert (status, out) == (2, "")
     assert words in err
     assert not (tmp_path / "table.csv").exists()
+
+
+def test_operating_points_that_differ_in_speed_alone_are_one_bearing(run, tmp_path):
+    points = "[{name: a, speed: 900 rpm}, {name: b, speed: 1800 rpm}]"
+    fields = {"effective_temperature": "60 degC", "load": "30 kN"}
+    (tmp_path / "case.yaml").write_text(film_journal(speed=None, operating_points=points, **fields))
+    (tmp_path / "plain.yaml").write_text(film_journal(speed="900 rpm", **fields))
+    for case, chosen in (("plain", ()), ("case", ()), ("case", ("--bearing", "Pump"))):
+        common = (f"{case}.yaml", "--format", "json", "--speeds", "1200 rpm", "-o", f"{case}.json")
+        status, _, err = run("export", *common, *chosen)
+        assert status == 0, err
+    assert (tmp_path / "case.json").read_text() == (tmp_path / "plain.json").read_text()
+    status, _, err = run(
+        "export", "case.yaml", "--format", "csv", "--speeds", "1200 rpm", "-o", "b.csv", "--bearing", "Pump [b]"
+    )
+    assert status == 0, err
+
+
+def test_export_says_which_warnings_question_a_speed(run, tmp_path):
+    fields = {"effective_temperature": "60 degC"}
+    (tmp_path / "case.yaml").write_text(film_journal(**fields))
+    status, _, err = run(
+        "export", "case.yaml", "--format", "csv", "--speeds", "3000 rpm, 25000 rpm", "-o", "table.csv"
+    )
+    assert status == 0, err
+    (table,) = read_csv(tmp_path / "table.csv")
+    assert table.warnings[0] == solve(parse_case(film_journal(**fields)))["Pump"].questioning_codes
+    assert "W101" not in table.warnings[0]
+    assert "W101" in table.warnings[1]  # not laminar
+    assert f"25000 rpm: {' '.join(table.warnings[1])}" in err
+    assert "(no verdict)" in err
 
 
 def test_the_help_of_export_names_the_endings_of_every_format(run):
@@ -348,6 +385,7 @@ def test_the_help_of_export_names_the_endings_of_every_format(run):
     assert status == 0
     for one in FORMATS.values():
         assert f"{one.name} ({' or '.join(one.suffixes)})" in words
+    assert "of tilting pads" in words
 
 
 def test_links_and_devices_stay_what_they_are(run, tmp_path):

@@ -8,7 +8,7 @@ import pytest
 from rich.console import Console
 
 from babbitt.case import load_case, parse_case
-from babbitt.core.result import Verdict
+from babbitt.core.result import Bound, Check, Verdict
 from babbitt.kinds.journal.film.model import FilmCase
 from babbitt.report import comparison_table
 from babbitt.report.comparison_page import write_comparison_page
@@ -74,6 +74,26 @@ def test_methods_stand_from_the_one_that_sees_least_with_the_one_asked_for_marke
         for name in ("film_dissipation", "heat_to_oil", "heat_film_to_bush", "heat_film_to_journal")
     )
     assert born == pytest.approx(oil + bush + journal, rel=1e-8)
+
+
+def test_the_margin_of_the_temperature_is_that_which_governs():
+    """Of oil, metal and probes alike; a rise is no temperature."""
+    (found,) = compare_methods(parse_case(OVERLOADED))
+    result = found.asked.result
+    margins = {
+        "outlet_temperature": Check("C104", "outlet_temperature", 343.15, 373.15, Bound.AT_MOST, "hand"),
+        "metal": Check("C108", "effective_temperature", 389.15, 393.15, Bound.AT_MOST, "hand"),
+        "probe": Check("C404", "probe_temperature", 381.15, 383.15, Bound.AT_MOST, "hand"),
+        "advice": Check("C404", "probe_temperature", 383.15, 383.15, Bound.AT_MOST, "hand", advisory=True),
+        "rise": Check("C104", "temperature_rise", 1.0, 1.0, Bound.AT_MOST, "hand"),
+    }
+    seen = {}
+    for left_out in ("", "probe", "metal"):
+        checks = tuple(check for name, check in margins.items() if name != left_out)
+        solution = replace(found.asked.solution, result=replace(result, checks=checks))
+        rows = comparison_table.compared_rows((), [replace(found.asked, solution=solution)])
+        seen[left_out] = {row.meaning: row.cells for row in rows}["Margin of the temperature to its limit"]
+    assert seen == {"": ("+2.0 K",), "probe": ("+4.0 K",), "metal": ("+2.0 K",)}
 
 
 def test_methods_that_disagree_are_named():

@@ -7,6 +7,7 @@ import re
 from dataclasses import replace
 
 import pytest
+from rich.cells import cell_len
 from rich.console import Console
 
 from babbitt.core.notices import Notice
@@ -33,7 +34,7 @@ def test_one_row_a_bearing_in_the_engineers_units(reverse_gear):
 @pytest.mark.parametrize("width", [60, 80, 100, 120, 140, 200])
 def test_no_line_exceeds_the_terminal_and_no_number_is_cut(reverse_gear, width):
     text = shown(reverse_gear, width)
-    assert max(len(line.rstrip()) for line in text.splitlines()) <= width
+    assert max(cell_len(line.rstrip()) for line in text.splitlines()) <= width
     assert "…" not in text
     for result in reverse_gear.results:
         film = f"{result.minimum_film_thickness * 1e6:.1f} / 16.0"
@@ -126,6 +127,18 @@ def test_a_pipe_is_wide_enough_for_every_column(reverse_gear, monkeypatch, capsy
     print_machine(reverse_gear, console())
     text = capsys.readouterr().out
     assert all(column.heading in text for column in columns_of(reverse_gear.results))
+
+
+def test_a_pipe_keeps_the_last_column_of_a_wide_table(reverse_gear, monkeypatch, capsys):
+    monkeypatch.delenv("COLUMNS", raising=False)
+    named = [replace(one, name=f"{one.name} [at its highest speed]") for one in reverse_gear.results]
+    results = tuple(lacking(one, "C105", "C106", "C107") for one in named)
+    print_machine(replace(reverse_gear, results=results))
+    text = capsys.readouterr().out
+    assert "not made" in text
+    assert "Left out" not in text
+    assert all(column.heading in text for column in columns_of(results))
+    assert "Second-stage pinion (a) [at its highest speed]" in text
 
 
 # -- what is not there ----------------------------------------------------------------------------------------

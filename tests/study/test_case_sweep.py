@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import io
 from pathlib import Path
 
 import pytest
+from rich.console import Console
 
 from babbitt.case import CaseError, parse_case, template
 from babbitt.case.variation import case_variation
@@ -180,3 +182,27 @@ def test_a_sweep_keeps_results_and_no_films(tmp_path):
     machines = sweep_case(case_variation(tmp_path / "case.yaml", "load"), values_of("8 kN, 9 kN")).machines
     assert len(machines) == 2
     assert all(one.state is None for machine in machines for one in machine.solutions)
+
+
+def test_columns_are_left_out_only_where_the_table_would_be_too_wide(film):
+    found = sweep_case(case_variation(film, "load"), values_of("20 kN, 30 kN"))
+
+    def printed(width):
+        paper = io.StringIO()
+        print_sweep(found, Console(file=paper, width=width, highlight=False))
+        return paper.getvalue()
+
+    widest = max(len(line.rstrip()) for line in printed(1000).splitlines()[1:5])
+    assert "Left out" not in printed(widest)
+    assert "Left out" in printed(widest - 4)
+
+
+def test_units_stand_as_engineers_write_them(film):
+    pytest.importorskip("matplotlib")
+    from babbitt.report.sweep_plot import sweep_figure
+
+    found = sweep_case(case_variation(film, "effective_temperature"), values_of("50 degC, 60 degC"))
+    assert sweep_figure(found).axes[2].get_xlabel() == "effective_temperature in °C"
+    paper = io.StringIO()
+    print_sweep(found, Console(file=paper, width=200, highlight=False))
+    assert "degC" not in paper.getvalue()

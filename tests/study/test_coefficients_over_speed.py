@@ -70,7 +70,7 @@ def test_the_sense_of_rotation_is_that_of_the_case():
 def test_a_speed_without_equilibrium_is_told_and_makes_no_table():
     heavy = film(load="3 MN", effective_temperature="60 degC")
     run = run_over_speed(heavy, [0.01, 300.0])
-    assert len(run.found) == 2
+    assert len(run.solutions) == 2
     assert run.unsolved[0][0] == 0.01
     with pytest.raises(InputError, match="no equilibrium at 0 rpm"):
         run.table()

@@ -7,6 +7,7 @@ from pad_journals import OIL, pad_case, result_of
 import babbitt as bb
 from babbitt.case import case_from_dict
 from babbitt.core.notices import InputError
+from babbitt.export.frame import declaration
 from babbitt.kinds.tilting_pad_journal.methods import PAD_FILM
 
 RPM = np.pi / 30.0
@@ -54,6 +55,16 @@ def test_a_clockwise_bearing_says_so():
     assert table.frame.rotation.value == "clockwise"
     ahead = run(**ISOTHERMAL).table()
     assert table.stiffness == pytest.approx(ahead.stiffness, rel=1e-9, abs=1e-3)
+
+
+def test_the_warnings_of_every_speed_ride_along():
+    (problem,) = case_from_dict(pad_case(**ISOTHERMAL)).problems()
+    fast = 40000.0 * RPM
+    table = PAD_FILM.coefficients_over_speed(problem, [1000.0 * RPM, fast]).table()
+    assert "W407" not in (table.warnings[0] if table.warnings else ())
+    assert table.warnings[1] == result_of(speed="40000 rpm", **ISOTHERMAL).questioning_codes
+    assert "W407" in table.warnings[1]
+    assert declaration(table.frame).endswith("load at -90 deg")  # not what the solver leaves of it
 
 
 def test_no_speed_and_no_equilibrium_are_told():

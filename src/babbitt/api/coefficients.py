@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from babbitt.core.notices import InputError
 from babbitt.export import CoefficientTable, Frame, Rotation
 from babbitt.export.film_table import STATIC
+from babbitt.export.frame import load_direction
 from babbitt.kinds.journal.film.coefficients_over_speed import STATIC as HEAT
 from babbitt.kinds.journal.film.coefficients_over_speed import method_of_coefficients
 from babbitt.kinds.journal.film.model import FilmCase
@@ -79,11 +80,13 @@ def coefficients_of(results: Sequence[BearingResult]) -> CoefficientTable:
         stiffness=np.array([one.arrays["stiffness"] for one in ordered]),
         damping=np.array([one.arrays["damping"] for one in ordered]),
         frame=Frame(
-            rotation=Rotation.CLOCKWISE if clockwise else Rotation.COUNTER_CLOCKWISE, load_angle=float(angles[0])
+            rotation=Rotation.CLOCKWISE if clockwise else Rotation.COUNTER_CLOCKWISE,
+            load_angle=load_direction(float(angles[0])),
         ),
         static={quantity: np.array([one.values[quantity] for one in ordered]) for quantity in carried},
         method=method_of_coefficients(first),
         temperatures=temperatures_of_coefficients(first),
+        warnings=tuple(one.solution.result.questioning_codes for one in ordered),
     )
 
 

@@ -202,14 +202,17 @@ def sweep(
 
 @app.command()
 def export(
-    file: Annotated[Path, typer.Argument(metavar="FILE", help="A case file with method: film.")],
+    file: Annotated[
+        Path, typer.Argument(metavar="FILE", help="A case file with method: film, or of tilting pads.")
+    ],
     format_name: Annotated[
         str,
         typer.Option(
             "--format",
             metavar="FORMAT",
             help="ross2 (.json or .toml), ross3 (.json or .toml), xltrc2 (.csv or .xlsx), ansys (.txt), "
-            "csv (.csv) or json (.json); the ending is that of OUT.",
+            "csv (.csv) or json (.json); the ending is that of OUT. Of tilting pads ross3, csv and "
+            "json hold coefficients over frequency, too, csv and json the matrices of journal and pads.",
         ),
     ],
     speeds: Annotated[
@@ -237,6 +240,7 @@ def export(
     from babbitt.export import export as write_table
     from babbitt.export.frame import declaration
     from babbitt.report.outputs import inputs_of
+    from babbitt.report.questioned_coefficients import warnings_lines
     from babbitt.study.speed_range import speeds_of
     from babbitt.study.table_target import chosen_problem, require_target
 
@@ -262,6 +266,8 @@ def export(
         f"temperatures: {table.temperatures}",
         file=sys.stderr,
     )
+    for line in warnings_lines(table):
+        print(line, file=sys.stderr)
     if table.over_frequency is not None and format_name not in OVER_FREQUENCY:
         print(
             f"{format_name} has no axis of frequency: the coefficients written are synchronous; ross3, csv and "

@@ -234,6 +234,11 @@ class Result:
         return math.nan if governing is None else governing.margin
 
     @property
+    def questioning_codes(self) -> tuple[str, ...]:
+        """Codes of the warnings that question the result or leave it without a verdict, each once."""
+        return tuple(dict.fromkeys(one.code for one in self.warnings if one.effect is not Effect.INFORMATION))
+
+    @property
     def lacking(self) -> tuple[Subject, ...]:
         """Of film thickness, temperature and specific load those that should have been checked and were not.
 

@@ -55,6 +55,9 @@ class CoefficientTable:
         Coefficients at every speed and at frequencies apart from it, of a bearing with motions of its own.
     systems : tuple of SystemMatrices
         M, C and K of journal and pads at every speed; empty where the bearing has no motions of its own.
+    warnings : tuple of tuple of str
+        At every speed the codes of the warnings that question its equilibrium or leave it without a verdict, such
+        as ``W407``; empty where no speed has one, or where it is not known.
 
     Raises
     ------
@@ -77,6 +80,7 @@ class CoefficientTable:
     temperatures: str = ""
     over_frequency: OverFrequency | None = None
     systems: tuple[SystemMatrices, ...] = ()
+    warnings: tuple[tuple[str, ...], ...] = ()
 
     def __post_init__(self) -> None:
         for attribute in ("name", "method", "temperatures"):
@@ -106,6 +110,14 @@ class CoefficientTable:
             raise InputError(
                 "E004", f"{self.name}: {len(self.systems)} systems are given for {speeds.size} speeds"
             )
+        if self.warnings and len(self.warnings) != speeds.size:
+            raise InputError(
+                "E004", f"{self.name}: warnings are given for {len(self.warnings)} speeds of {speeds.size}"
+            )
+        codes = tuple(tuple(one) for one in self.warnings)
+        if wrong := [code for one in codes for code in one if not (isinstance(code, str) and code.isalnum())]:
+            raise InputError("E003", f"{self.name}: warnings must be codes such as W407, not {wrong[0]!r}")
+        object.__setattr__(self, "warnings", codes if any(codes) else ())
         static = {}
         for name, values in self.static.items():
             if name not in QUANTITIES:

@@ -9,7 +9,7 @@ import numpy as np
 
 from babbitt.core.notices import InputError
 from babbitt.export.coefficients import CoefficientTable
-from babbitt.export.frame import Frame, Rotation
+from babbitt.export.frame import Frame, Rotation, load_direction
 from babbitt.reynolds.solution import FilmSolution
 
 STATIC = ("load", "eccentricity_ratio", "attitude_angle", "minimum_film_thickness", "sommerfeld_number")
@@ -51,15 +51,13 @@ def coefficient_table(name: str, solutions: Iterable[FilmSolution], method: str 
     apart = np.abs(np.remainder(angles - angles[0] + math.pi, 2.0 * math.pi) - math.pi).max()
     if len(senses) > 1 or apart > 1e-4:
         raise InputError("E004", f"{name}: rotation sense or load direction differ; make one table for each")
-    # the force meets the load to the tolerance of the solver: its direction is good to a thousandth of a degree
-    load_angle = math.radians(round(math.degrees(angles[0]), 3))
     rotation = Rotation.COUNTER_CLOCKWISE if senses == {True} else Rotation.CLOCKWISE
     return CoefficientTable(
         name=name,
         speeds=np.array([abs(film.film.angular_speed) for film in films]),
         stiffness=np.array([film.stiffness for film in films]),
         damping=np.array([film.damping for film in films]),
-        frame=Frame(rotation=rotation, load_angle=load_angle),
+        frame=Frame(rotation=rotation, load_angle=load_direction(angles[0])),
         static={quantity: np.array([getattr(film, quantity) for film in films]) for quantity in STATIC},
         method=method or f"Babbitt film, {films[0].film.cavitation.name.lower().replace('_', ' ')} cavitation",
     )

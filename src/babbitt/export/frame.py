@@ -81,6 +81,14 @@ def declaration(frame: Frame) -> str:
     return f"rotation {frame.rotation.value}, x axis at {_degrees(frame.x_axis_angle)}, load at {load}"
 
 
+def load_direction(angle: float) -> float:
+    """Direction in rad of a load that was found as the force of a film, to a thousandth of a degree.
+
+    The force meets the load to the tolerance of the solver, which is no more.
+    """
+    return math.radians(round(math.degrees(angle), 3))
+
+
 def _degrees(angle: float) -> str:
     """Degrees to ten decimals, without a tail of zeros or a minus before zero."""
     return f"{round(math.degrees(angle), 10) + 0.0:.13g} deg"

@@ -13,6 +13,16 @@ POUND_PER_INCH = 0.45359237 * 9.80665 / 0.0254
 """N/m, exact by definition of pound and inch; also what turns lb s/in into N s/m and lb s2/in into kg."""
 
 
+def rounded_rpm(speed: float) -> float:
+    """A speed in rad/s as rpm, with no more digits than bring back the same speed.
+
+    >>> 6000.0 * RPM / RPM, rounded_rpm(6000.0 * RPM)
+    (6000.000000000001, 6000.0)
+    """
+    rounded = (float(f"{speed / RPM:.{digits}g}") for digits in (12, 15))
+    return next((rpm for rpm in rounded if rpm * RPM == speed), speed / RPM)
+
+
 def number(where: str, text: object) -> float:
     """A number from a cell of a table.
 

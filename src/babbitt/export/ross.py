@@ -25,6 +25,7 @@ from babbitt.export.coefficients import NAMES, Array, CoefficientTable
 from babbitt.export.frame import Frame, declaration
 from babbitt.export.frames import for_rotor_programs
 from babbitt.export.json_file import frame_from, frame_record, static_from, static_record, temperatures_record
+from babbitt.export.questioned import warnings_from, warnings_record
 from babbitt.export.ross_file import read_blocks, write_blocks
 from babbitt.export.whirl import OverFrequency
 
@@ -150,6 +151,7 @@ def read_ross(
         method=str(origin.get("method", "")),
         temperatures=str(origin.get("temperatures", "")),
         over_frequency=over,
+        warnings=warnings_from(where, origin),
     )
 
 
@@ -210,6 +212,7 @@ def bearing_element(table: CoefficientTable, version: RossVersion, node: int) ->
         **{key: value for key, value in frame_record(table.frame).items() if value is not None},
         "method": table.method,
         **temperatures_record(table),
+        **warnings_record(table),
         "static": static_record(table),
     }
     return element

@@ -1,7 +1,8 @@
 """Tidy CSV: one row per bearing and speed, SI, the unit in every column name, the frame in columns of its own.
 
 Coefficients over frequency stand in further rows, one for each speed and frequency; rows without a frequency hold
-those of the speed itself. Matrices of journal and pads stand in one cell each, row after row, with their labels.
+those of the speed itself, and the codes of the warnings that question them. Matrices of journal and pads stand in
+one cell each, row after row, with their labels.
 
 One header line, comma, decimal point, UTF-8. Rows of several bearings stand below each other, as spreadsheets,
 pandas, COMSOL and other programs that interpolate in tables like it.
@@ -31,6 +32,7 @@ _FRAME = ("x_axis_angle_rad", "load_angle_rad")
 _SPEED = "speed_rad_per_s"
 _FREQUENCY = "frequency_rad_per_s"
 _LABELS = "motions"
+_WARNINGS = "warnings"
 _SYSTEM = {
     "stiffness": "motions_stiffness_N_per_m",
     "damping": "motions_damping_N_s_per_m",
@@ -62,6 +64,7 @@ def csv_text(tables: CoefficientTable | Iterable[CoefficientTable]) -> str:
         *_FRAME,
         _SPEED,
         _FREQUENCY,
+        _WARNINGS,
         *(column for matrix in _MATRICES for column in columns_of(matrix)),
     ]
     header = [column for column in ordered if column in present]
@@ -130,6 +133,8 @@ def _rows(table: CoefficientTable) -> Iterable[dict[str, Cell]]:
     }
     for i, speed in enumerate(table.speeds):
         row = {**shared, _SPEED: float(speed)}
+        if table.warnings:
+            row[_WARNINGS] = " ".join(table.warnings[i])
         for matrix in _MATRICES:
             values = getattr(table, matrix)
             if values is not None:
@@ -206,6 +211,7 @@ def _table(where: str, name: str, rows: list[dict[str, str]]) -> CoefficientTabl
         method=first.get("method") or "",
         temperatures=first.get("temperatures") or "",
         over_frequency=_over_frequency(where, name, moving, len(rows)),
+        warnings=tuple(tuple((row.get(_WARNINGS) or "").split()) for row in rows),
         systems=tuple(_system(f"{where}: {name}", row) for row in rows if row.get(_LABELS)),
     )
 

@@ -22,7 +22,8 @@ from babbitt.core.notices import InputError
 from babbitt.export.coefficients import NAMES, Array, CoefficientTable
 from babbitt.export.frame import Frame, declaration, declared, settled
 from babbitt.export.frames import for_rotor_programs
-from babbitt.export.numbers import POUND_PER_INCH, RPM, number
+from babbitt.export.numbers import POUND_PER_INCH, RPM, number, rounded_rpm
+from babbitt.export.questioned import warnings_note, warnings_of_note
 
 _UNITS = {"k": "N/m", "c": "N-s/m", "m": "kg"}
 
@@ -56,6 +57,8 @@ def write_xltrc2(table: CoefficientTable, path: str | Path) -> None:
     notes = [["Bearing", table.name], ["Frame", declaration(table.frame)], ["Method", table.method]]
     if table.temperatures:
         notes.append(["Temperatures", table.temperatures])
+    if table.warnings:
+        notes.append(["Warnings", warnings_note(table)])
     if path.suffix.lower() == ".csv":
         write_text(path, rows_text([*notes, *_grid(table)]))
     elif path.suffix.lower() == ".xlsx":
@@ -109,6 +112,7 @@ def read_xltrc2(path: str | Path, *, name: str | None = None, frame: Frame | Non
         frame=settled(str(path), declared(said.get("frame", "")), frame),
         method=said.get("method", ""),
         temperatures=said.get("temperatures", ""),
+        warnings=warnings_of_note(said.get("warnings", ""), np.array(data["speed"])),
     )
 
 
@@ -118,7 +122,8 @@ def _grid(table: CoefficientTable) -> list[list[Cell]]:
     present = {letter: values for letter, values in matrices.items() if values is not None}
     titles = ["Speed", *(letter.upper() + entry for letter in present for entry in NAMES)]
     units = ["rpm", *(_UNITS[letter] for letter in present for _ in NAMES)]
-    numbers = np.column_stack([table.speeds / RPM, *(values.reshape(-1, 4) for values in present.values())])
+    speeds = [rounded_rpm(speed) for speed in table.speeds.tolist()]
+    numbers = np.column_stack([speeds, *(values.reshape(-1, 4) for values in present.values())])
     rows: list[list[Cell]] = [[*titles], [*units]]
     return rows + [[*row] for row in numbers.tolist()]
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from io import StringIO
 from textwrap import fill
@@ -12,11 +12,11 @@ from rich.table import Table
 from rich.text import Text
 
 from babbitt.core.quantities import QUANTITIES
-from babbitt.core.result import Result, Verdict
+from babbitt.core.result import Check, Result, Verdict
 from babbitt.report.meanings import meaning
 from babbitt.report.table import PIPED_WIDTH, console
 from babbitt.report.text import plain_text
-from babbitt.report.verdict import governing, margin, missed_codes, questioning_codes
+from babbitt.report.verdict import governing, governing_temperature, margin, missed_codes
 from babbitt.report.view import view_of
 from babbitt.study.comparison import Comparison, Variant
 
@@ -82,7 +82,7 @@ def head(variant: Variant, asked: Variant) -> str:
 
 def objected(result: Result) -> str:
     """Limits that a result misses, and codes of warnings that touch its verdict; empty for none."""
-    missed, codes = missed_codes(result), questioning_codes(result)
+    missed, codes = missed_codes(result), result.questioning_codes
     said = [f"misses {', '.join(missed)}"] if missed else []
     return "; ".join(said + ([f"warns {', '.join(codes)}"] if codes else []))
 
@@ -119,8 +119,8 @@ def compared_rows(compared: Sequence[str], variants: Sequence[Variant]) -> Itera
         cells = ("–" if value is None else quantity.format(value) for value in told)
         said = meaning(name, variants[0].result.kind)
         yield Row(f"{said}, {quantity.symbol}", quantity.display.label, tuple(cells))
-    for said, names in MARGINS.items():
-        margins = [_least_margin(variant.result, names) for variant in variants]
+    for said, check_of in MARGINS.items():
+        margins = [_margin(variant.result, check_of) for variant in variants]
         if set(margins) != {"–"}:
             yield Row(said, "", tuple(margins))
     yield Row("Verdict", "", tuple(variant.result.verdict.value for variant in variants))
@@ -129,23 +129,16 @@ def compared_rows(compared: Sequence[str], variants: Sequence[Variant]) -> Itera
         yield Row("Checks not made", "", tuple(map(str, open_checks)))
 
 
-MARGINS = {
-    "Margin of the film thickness to its limit": ("minimum_film_thickness",),
-    "Margin of the temperature to its limit": (
-        "maximum_bush_temperature",
-        "maximum_wall_temperature",
-        "outlet_temperature",
-        "bearing_temperature",
-    ),
+MARGINS: dict[str, Callable[[Result], Check | None]] = {
+    "Margin of the film thickness to its limit": lambda result: governing(result, "minimum_film_thickness"),
+    "Margin of the temperature to its limit": governing_temperature,
 }
-"""Limits whose margins are put side by side, by the quantities that they hold for."""
+"""Limits whose margins are put side by side, by the strictest check of each."""
 
 
-def _least_margin(result: Result, names: Sequence[str]) -> str:
-    if not result.outcome.solved:
-        return "–"
-    found = [check for name in names if (check := governing(result, name)) is not None]
-    return margin(min(found, key=lambda check: check.margin)) if found else "–"
+def _margin(result: Result, check_of: Callable[[Result], Check | None]) -> str:
+    found = check_of(result) if result.outcome.solved else None
+    return "–" if found is None else margin(found)
 
 
 SILENT_AT_ZERO = ("heat_film_to_bush", "heat_film_to_journal", "heat_to_surroundings", "flow_inconsistency")

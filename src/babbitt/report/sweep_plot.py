@@ -82,7 +82,8 @@ def sweep_figure(sweep: CaseSweep) -> Figure:
     for panel, choice in zip(axes.ravel(), shown, strict=False):
         _panel(panel, sweep, choice, titled=panel in axes[0])
     for panel in axes[1]:
-        panel.set_xlabel(f"{sweep.path} in {sweep.values.unit}" if sweep.values.unit else sweep.path)
+        unit = sweep.values.unit_shown
+        panel.set_xlabel(f"{sweep.path} in {unit}" if unit else sweep.path)
     if legend:
         from matplotlib.lines import Line2D
 

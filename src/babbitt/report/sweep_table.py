@@ -6,6 +6,7 @@ import math
 from collections.abc import Sequence
 
 from rich.console import Console
+from rich.table import Table
 from rich.text import Text
 
 from babbitt.core.files.spreadsheet import Cell, rows_text
@@ -13,11 +14,12 @@ from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Result, Verdict
 from babbitt.export.unit_names import static_column
 from babbitt.report.bearing_table import STYLES, engineers_table
+from babbitt.report.columns import Column
 from babbitt.report.findings import not_checked
 from babbitt.report.sweep_columns import sweep_columns
-from babbitt.report.table import console, fitting
+from babbitt.report.table import console_for, fitting, measured
 from babbitt.report.text import plain_text
-from babbitt.report.verdict import missed_codes, questioning_codes
+from babbitt.report.verdict import missed_codes
 from babbitt.study.case_sweep import CaseSweep
 
 REFUSED = "refused"
@@ -30,15 +32,32 @@ def print_sweep(sweep: CaseSweep, to: Console | None = None) -> None:
 
     A verdict counts only what was checked, so the checks that were not made stand below.
     """
-    to = to or console()
     rows = list(sweep.rows())
     results = [result for _, result in rows]
-    named = len(sweep.names) > 1
-    shown = _shown(sweep)
-    own = max(len(sweep.path), *(len(text) for text in shown)) + 2
-    columns, hidden = fitting(sweep_columns(results), results, to.width - own)
+    every = sweep_columns(results)
+    to = to or console_for(_table(sweep, every))
+    columns, hidden = fitting(every, results, to.width - measured(_table(sweep, ())).minimum)
+    to.print(_table(sweep, columns))
+    if hidden:
+        to.print(
+            Text(f"Left out for want of width: {', '.join(column.heading for column in hidden)}", style="dim")
+        )
+    for place, result in rows:
+        if result.verdict is Verdict.NO_SOLUTION:
+            to.print(Text(f"{sweep.path} {sweep.values.texts[place]}, {result.name}: {result.outcome.value}"))
+    for group in not_checked(results):
+        to.print(Text(f"Not checked: {group.code}  {group.title}: {group.message}"))
+    for reason in sweep.refused.values():
+        to.print(Text(plain_text(reason)))
+
+
+def _table(sweep: CaseSweep, columns: Sequence[Column]) -> Table:
+    """A row for each value and bearing: the field, some columns, the verdict and its codes."""
+    rows = list(sweep.rows())
+    results = [result for _, result in rows]
+    named, shown = len(sweep.names) > 1, _shown(sweep)
     table = engineers_table(title=Text(plain_text(sweep.machines[0].name), style="bold"), title_justify="left")
-    table.add_column(Text(f"{sweep.path}\n{sweep.values.unit}"), justify="right", no_wrap=True)
+    table.add_column(Text(f"{sweep.path}\n{sweep.values.unit_shown}"), justify="right", no_wrap=True)
     if named:
         table.add_column(Text("Bearing"), overflow="fold")
     for column in columns:
@@ -65,24 +84,13 @@ def print_sweep(sweep: CaseSweep, to: Console | None = None) -> None:
             Text(word, style=style),
             *_cell_of(said, coded),
         )
-    to.print(table)
-    if hidden:
-        to.print(
-            Text(f"Left out for want of width: {', '.join(column.heading for column in hidden)}", style="dim")
-        )
-    for place, result in rows:
-        if result.verdict is Verdict.NO_SOLUTION:
-            to.print(Text(f"{sweep.path} {sweep.values.texts[place]}, {result.name}: {result.outcome.value}"))
-    for group in not_checked(results):
-        to.print(Text(f"Not checked: {group.code}  {group.title}: {group.message}"))
-    for reason in sweep.refused.values():
-        to.print(Text(plain_text(reason)))
+    return table
 
 
 def codes_of(result: Result) -> tuple[str, ...]:
     """Codes on which the verdict of a result rests: how it ended, its missed limits, and what questions it."""
     ended = [] if result.outcome.solved else [result.outcome.code]
-    return tuple(dict.fromkeys([*ended, *missed_codes(result), *questioning_codes(result)]))
+    return tuple(dict.fromkeys([*ended, *missed_codes(result), *result.questioning_codes]))
 
 
 def _cell_of(codes: Sequence[str], shown: bool) -> tuple[Text, ...]:

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Sequence
+from io import StringIO
 from shutil import get_terminal_size
 from typing import TYPE_CHECKING
 
 from rich.cells import cell_len
 from rich.console import Console, Group, RenderableType
+from rich.measure import Measurement
 from rich.padding import Padding
+from rich.table import Table
 from rich.text import Text
 
 from babbitt.core.files.printing import nearest_letters
@@ -28,6 +31,9 @@ if TYPE_CHECKING:
 
 PIPED_WIDTH = 140
 """Columns written when standard output is a file or a pipe and has no width of its own."""
+
+ENDLESS = 10_000
+"""Columns on which a table is as wide as it would like to be."""
 
 NARROWEST = 40
 """And never fewer than these, whatever the terminal says of itself."""
@@ -59,9 +65,23 @@ def console(width: int | None = None) -> Console:
     return Console(width=width, highlight=False)
 
 
+def console_for(table: Table) -> Console:
+    """The console of `console`; where there is no terminal, one on which a table keeps all its columns."""
+    piped = get_terminal_size((0, 0)).columns == 0
+    return console(max(PIPED_WIDTH, measured(table).maximum) if piped else None)
+
+
+def measured(table: Table) -> Measurement:
+    """Columns of text that a table needs, and those it would like."""
+    endless = Console(width=ENDLESS, file=StringIO(), color_system=None)
+    return Measurement.get(endless, endless.options, table)
+
+
 def print_machine(machine: MachineResult, to: Console | None = None) -> None:
     """Print what an engineer reads first: all bearings in a table, or one bearing in full."""
-    to = to or console()
+    if to is None:
+        films = [result for result in machine.results if is_film(result)]
+        to = console_for(_machine_table(machine.name, films, columns_of(films)) if len(films) > 1 else Table())
     to.print(render(machine.name, machine.results, to.width))
 
 
@@ -94,8 +114,21 @@ def render(name: str, results: Sequence[Result], width: int) -> RenderableType:
 
 
 def _machine(name: str, results: Sequence[Result], width: int) -> RenderableType:
+    bare = _machine_table(name, results, ())
+    shown, hidden = fitting(columns_of(results), results, width - measured(bare).minimum)
+    parts: list[RenderableType] = [_machine_table(name, results, shown)]
+    if hidden:
+        names = ", ".join(column.heading for column in hidden)
+        parts.append(Text(f"Left out for want of width: {names}", style="dim"))
+    summed = totals(results)
+    if summed is not None:
+        parts.append(Text(f"\n{summed.sentence}"))
+    return Group(*parts)
+
+
+def _machine_table(name: str, results: Sequence[Result], shown: Sequence[Column]) -> Table:
+    """A row for each bearing: its name, some columns, its verdict, and how many checks were not made."""
     incomplete = any(result.not_checked for result in results)
-    shown, hidden = fitting(columns_of(results), results, width - (len(NOT_CHECKED) + GAP if incomplete else 0))
     table = engineers_table(title=Text(plain_text(name), style="bold"), title_justify="left")
     table.add_column(
         Text("Bearing"), overflow="fold", min_width=min(NAME_WIDTH, _longest_name(results)), max_width=NAME_LIMIT
@@ -111,26 +144,15 @@ def _machine(name: str, results: Sequence[Result], width: int) -> RenderableType
         missing = [Text(str(len(result.not_checked)) if result.not_checked else "")] if incomplete else []
         name_and_cells = (Text(plain_text(result.name)), *map(Text, cells))
         table.add_row(*name_and_cells, Text(word.value, style=STYLES[word]), *missing)
-    parts: list[RenderableType] = [table]
-    if hidden:
-        names = ", ".join(column.heading for column in hidden)
-        parts.append(Text(f"Left out for want of width: {names}", style="dim"))
-    summed = totals(results)
-    if summed is not None:
-        parts.append(Text(f"\n{summed.sentence}"))
-    return Group(*parts)
+    return table
 
 
 def fitting(columns: Sequence[Column], results: Sequence[Result], width: int) -> tuple[list[Column], list[Column]]:
-    """Columns that fit beside a name column, and those that do not."""
+    """Columns that fit into a width, each with the gap before it, and those that do not."""
     shown = list(columns)
 
     def needed() -> int:
-        name, word = (
-            min(NAME_WIDTH, _longest_name(results)),
-            max(len(one.value) for one in {result.verdict for result in results}),
-        )
-        return name + word + sum(_column_width(column, results) + GAP for column in shown) + 2 * GAP
+        return sum(_column_width(column, results) + GAP for column in shown)
 
     while shown and needed() > width:
         loosest = max(shown, key=lambda column: column.rank)

@@ -6,8 +6,8 @@ import math
 from collections.abc import Iterable
 from enum import Enum
 
-from babbitt.core.notices import Effect
 from babbitt.core.quantities import QUANTITIES
+from babbitt.core.quantities.quantity import SI
 from babbitt.core.result import Bound, Check, Result, Verdict
 from babbitt.report.text import counted
 
@@ -50,14 +50,28 @@ def missed_codes(result: Result) -> list[str]:
     return [check.code for check in result.limits if not check.ok]
 
 
-def questioning_codes(result: Result) -> list[str]:
-    """Codes of the warnings that touch the verdict of a result."""
-    return list(dict.fromkeys(one.code for one in result.warnings if one.effect is not Effect.INFORMATION))
-
-
 def governing(result: Result, quantity: str) -> Check | None:
     """The strictest limit on a quantity, recommendations left aside; it may hold for the starved film."""
-    checks = [check for check in result.limits if check.quantity.removeprefix("starved_") == quantity]
+    return strictest(check for check in result.limits if check.quantity.removeprefix("starved_") == quantity)
+
+
+def governing_temperature(result: Result) -> Check | None:
+    """The strictest of all limits on temperatures, of oil, walls, metal and probes alike."""
+    return strictest(check for check in result.limits if is_temperature(check.quantity))
+
+
+def is_temperature(quantity: str) -> bool:
+    """Whether a quantity is a temperature, which a rise or a difference is not.
+
+    >>> is_temperature("outlet_temperature"), is_temperature("temperature_rise"), is_temperature("load")
+    (True, False, False)
+    """
+    known = QUANTITIES.get(quantity)
+    return known is not None and known.display == SI["degC"]
+
+
+def strictest(checks: Iterable[Check]) -> Check | None:
+    """The check with the least margin; None of none."""
     return min(checks, key=lambda check: check.margin, default=None)
 
 

@@ -14,6 +14,9 @@ MOST_VALUES = 500
 
 ALLOWED = "such as '1 kN, 2 kN, 5 kN', or first:last:number such as '1 kN:10 kN:10'"
 
+SHOWN = {"um": "µm", "degC": "°C", "degF": "°F", "deg": "°"}
+"""Units of case files that tables and plots write otherwise."""
+
 _NUMBER = re.compile(r"([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d{1,3})?)\s*(.*)", re.DOTALL)
 
 
@@ -34,6 +37,15 @@ class SweepValues:
     texts: tuple[str, ...]
     numbers: tuple[float, ...] | None
     unit: str
+
+    @property
+    def unit_shown(self) -> str:
+        """The unit as tables and plots write it.
+
+        >>> values_of("80 um:120 um:3").unit_shown, values_of("1 kN, 2 kN").unit_shown
+        ('µm', 'kN')
+        """
+        return SHOWN.get(self.unit, self.unit)
 
     def number_of(self, given: object) -> float | None:
         """What stands in a case file, as a number in the unit of these; None where it is none."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -11,22 +12,28 @@ from babbitt.core.files.printing import printable
 from babbitt.core.files.writing import require_distinct, require_writable
 from babbitt.core.kind import find_kind
 from babbitt.core.notices import InputError
+from babbitt.core.result_name import ResultName
 from babbitt.core.solution import CoefficientsOverSpeed
 from babbitt.export import FORMATS
 
 __all__ = ["chosen_problem", "require_target"]
 
+Film = tuple[Any, CoefficientsOverSpeed]
+"""A problem and its method."""
 
-def chosen_problem(case: CaseFile, file: Path, name: str | None) -> tuple[Any, CoefficientsOverSpeed]:
+
+def chosen_problem(case: CaseFile, file: Path, name: str | None) -> Film:
     """Give the problem of a name, or the only one, and its method, which knows coefficients over the speed.
+
+    Operating points that differ in their speed alone are one bearing, by its name without a point.
 
     Raises
     ------
     InputError
         E004 when no bearing names such a method or several could be meant, E005 for an unknown name.
     """
-    films = {
-        one.problem.name: (one.problem, one.method)
+    films: dict[ResultName, Film] = {
+        _result_name(one.problem): (one.problem, one.method)
         for one in case.calculations()
         if isinstance(one.method, CoefficientsOverSpeed)
     }
@@ -37,11 +44,46 @@ def chosen_problem(case: CaseFile, file: Path, name: str | None) -> tuple[Any, C
         raise InputError(
             "E004", f"{file}: no bearing names the film method, which alone has coefficients; write method: film"
         )
+    films = {**films, **_at_any_speed(case, list(films.values()))}
+    bearings = {named.bearing for named in films}
+    if name is None and len(bearings) == 1 and (whole := ResultName(*bearings)) in films:
+        return films[whole]
     if name is None and len(films) > 1:
-        raise InputError("E004", f"{file}: several bearings; choose with --bearing: {', '.join(films)}")
+        said = f"several {_what_differs(list(films))}; choose with --bearing: {', '.join(films)}"
+        raise InputError("E004", f"{file}: {said}")
     if name is not None and name not in films:
         raise InputError("E005", f"{file}: no film of '{name}'; there are: {', '.join(films)}")
-    return films[name] if name is not None else next(iter(films.values()))
+    return films[ResultName(name)] if name is not None else next(iter(films.values()))
+
+
+def _result_name(problem: Any) -> ResultName:
+    """The name of a problem, which of other packages may be plain text."""
+    name: str = problem.name
+    return name if isinstance(name, ResultName) else ResultName(name)
+
+
+def _at_any_speed(case: CaseFile, films: Sequence[Film]) -> dict[ResultName, Film]:
+    """Bearings whose operating points differ in their speed alone, of which a table over speed holds for all."""
+    found = {}
+    for bearing in (case, *vars(case).get("bearings", ())):
+        points = vars(bearing).get("operating_points", ())
+        name = vars(bearing).get("name")
+        own = [film for film in films if _result_name(film[0]).bearing == name]
+        conditions = [point.model_dump(exclude={"name", "speed", "surface_speed"}) for point in points]
+        senses = {method.is_clockwise(problem) for problem, method in own}
+        alike = all(one == conditions[0] for one in conditions) and len(senses) == 1
+        if len(own) == len(points) > 1 and alike:
+            problem, method = own[0]
+            whole = ResultName(_result_name(problem).bearing)
+            found[whole] = (replace(problem, name=whole), method)
+    return found
+
+
+def _what_differs(names: Sequence[ResultName]) -> str:
+    """What a name is to be chosen by."""
+    if len({name.bearing for name in names}) > 1:
+        return "bearings"
+    return "operating points" if len({name.point for name in names}) > 1 else "clearances"
 
 
 def require_target(

@@ -13,6 +13,7 @@ from babbitt.core.notices import InputError
 from babbitt.core.result import Outcome, Result
 from babbitt.core.solution import Solution
 from babbitt.export import CoefficientTable, Frame, OverFrequency, Rotation, SystemMatrices
+from babbitt.export.frame import load_direction
 from babbitt.kinds.tilting_pad_journal.check import pad_solution
 from babbitt.kinds.tilting_pad_journal.model import PadCase, Thermal
 from babbitt.reynolds.tilting_pads.dynamics import PadCoefficients, condensed_at
@@ -118,12 +119,13 @@ def table_of(results: Sequence[Result], cases: Sequence[PadCase]) -> Coefficient
         speeds=speeds,
         stiffness=np.array([one.arrays["stiffness"] for one in results]),
         damping=np.array([one.arrays["damping"] for one in results]),
-        frame=Frame(rotation=rotation, load_angle=float(angles[0])),
+        frame=Frame(rotation=rotation, load_angle=load_direction(float(angles[0]))),
         static={name: np.array([one.values[name] for one in results]) for name in STATIC},
         method=method_of(first),
         temperatures="frozen",
         over_frequency=over_frequency(full, frequencies_of(first, speeds)),
         systems=tuple(SystemMatrices(one.labels, one.stiffness, one.damping, one.mass) for one in full),
+        warnings=tuple(one.questioning_codes for one in results),
     )
 
 

@@ -10,12 +10,13 @@ import numpy as np
 
 from babbitt.core.notices import InputError
 from babbitt.core.result import Outcome
-from babbitt.design.heat_balance import Equilibrium
+from babbitt.core.solution import Solution
 from babbitt.export import CoefficientTable, coefficient_table
+from babbitt.kinds.journal.film.check import film_solution
 from babbitt.kinds.journal.film.isothermal import FilmState
 from babbitt.kinds.journal.film.model import FilmCase
-from babbitt.kinds.journal.film.thermal_film import film_equilibrium
-from babbitt.kinds.journal.film.thermal_results import temperatures_of_coefficients, with_own_coefficients
+from babbitt.kinds.journal.film.thermal_results import temperatures_of_coefficients
+from babbitt.reynolds.solution import FilmSolution
 
 STATIC = {
     "effective_temperature": "temperature",
@@ -25,6 +26,9 @@ STATIC = {
 }
 """What is carried along of the heat balance: quantity, and its name in the state of the film."""
 
+NOT_FOLLOWED = "W147"
+"""Of a result whose stiffness is that of frozen temperatures against its case."""
+
 
 @dataclass(frozen=True, eq=False)
 class SpeedRun:
@@ -32,15 +36,19 @@ class SpeedRun:
 
     case: FilmCase
     speeds: tuple[float, ...]
-    found: tuple[Equilibrium[FilmState], ...]
-    unfollowed: tuple[float, ...] = ()
-    """Speeds in rad/s without the stiffness for following temperatures that the case asks for."""
+    solutions: tuple[Solution, ...]
 
     @property
     def unsolved(self) -> tuple[tuple[float, Outcome], ...]:
         """Speeds in rad/s without an equilibrium, and how the search ended there."""
-        pairs = zip(self.speeds, self.found, strict=True)
-        return tuple((speed, one.outcome) for speed, one in pairs if not one.outcome.solved)
+        pairs = zip(self.speeds, self.solutions, strict=True)
+        return tuple((speed, one.result.outcome) for speed, one in pairs if not one.result.outcome.solved)
+
+    @property
+    def unfollowed(self) -> tuple[float, ...]:
+        """Speeds in rad/s without the stiffness for following temperatures that the case asks for."""
+        pairs = zip(self.speeds, self.solutions, strict=True)
+        return tuple(speed for speed, one in pairs if NOT_FOLLOWED in one.result.questioning_codes)
 
     def table(self) -> CoefficientTable:
         """Give the coefficients over speed, with the equilibria and heat balances they belong to.
@@ -62,14 +70,22 @@ class SpeedRun:
                 f"{self.case.name}: no stiffness with following temperatures at {rpm:.0f} rpm, as a displaced "
                 "film did not converge; leave this speed out or choose temperature_coefficients: frozen",
             )
-        states = [one.film for one in self.found if one.film is not None]
-        table = coefficient_table(
-            self.case.name, (state.solution for state in states), method_of_coefficients(self.case)
-        )
+        states: list[FilmState] = [one.state for one in self.solutions]
+        table = coefficient_table(self.case.name, map(_film_of, self.solutions), method_of_coefficients(self.case))
         heat = {name: np.array([getattr(state, own) for state in states]) for name, own in STATIC.items()}
         return replace(
-            table, static={**table.static, **heat}, temperatures=temperatures_of_coefficients(self.case)
+            table,
+            static={**table.static, **heat},
+            temperatures=temperatures_of_coefficients(self.case),
+            warnings=tuple(one.result.questioning_codes for one in self.solutions),
         )
+
+
+def _film_of(solution: Solution) -> FilmSolution:
+    """The film of a solution with the stiffness of its result, which the case asks for."""
+    film: FilmSolution = solution.state.solution
+    own = solution.result.arrays.get("stiffness")
+    return film if own is None else replace(film, stiffness=np.array(own))
 
 
 def run_over_speed(case: FilmCase, speeds: Iterable[float]) -> SpeedRun:
@@ -85,7 +101,8 @@ def run_over_speed(case: FilmCase, speeds: Iterable[float]) -> SpeedRun:
     Returns
     -------
     SpeedRun
-        With a status at every speed, and the stiffness that the case asks for.
+        With a status and warnings at every speed, and the stiffness that the case asks for. What is asked for
+        besides (an orbit, stiffness against tilt, the error of the grid) is left out.
 
     Raises
     ------
@@ -101,18 +118,10 @@ def run_over_speed(case: FilmCase, speeds: Iterable[float]) -> SpeedRun:
             "E004", f"{case.name}: the bearing turns, too; no table over the journal speed holds for it"
         )
     sense = case.rotation.sense
-    runs = [_with_coefficients(replace(case, journal_speed=sense * speed)) for speed in taken]
-    unfollowed = tuple(speed for speed, (_, followed) in zip(taken, runs, strict=True) if not followed)
-    return SpeedRun(case, taken, tuple(found for found, _ in runs), unfollowed)
-
-
-def _with_coefficients(case: FilmCase) -> tuple[Equilibrium[FilmState], bool]:
-    """Equilibrium with the stiffness that the case asks for, and whether that was found."""
-    found = film_equilibrium(case)
-    if found.film is None or not found.outcome.solved:
-        return found, True
-    state, followed = with_own_coefficients(case, found.film)
-    return replace(found, film=state), followed
+    needed = replace(case, changing_load=None, tilt_coefficients=False, error_estimate=False)
+    return SpeedRun(
+        case, taken, tuple(film_solution(replace(needed, journal_speed=sense * speed)) for speed in taken)
+    )
 
 
 def method_of_coefficients(case: FilmCase) -> str:
