@@ -10,6 +10,7 @@ from babbitt.core.notices import InputError, Notice
 from babbitt.core.result import Bound, Check, Outcome, Result
 from babbitt.core.solution import Solution
 from babbitt.core.units import ZERO_CELSIUS
+from babbitt.design.bounds import Bounds, certain, unjudged
 from babbitt.design.checks import checks_not_made, limit_checks
 from babbitt.design.failure import failure
 from babbitt.design.heat_balance import Equilibrium
@@ -21,7 +22,11 @@ from babbitt.kinds.tilting_pad_journal.state import PadFilms
 from babbitt.kinds.tilting_pad_journal.thermal_assumptions import thermal_assumptions
 from babbitt.kinds.tilting_pad_journal.thermal_values import thermal_rows, thermal_values
 from babbitt.kinds.tilting_pad_journal.values import dynamic_rows, dynamic_values, film_values, pad_rows
-from babbitt.kinds.tilting_pad_journal.warnings import warnings_of_solution
+from babbitt.kinds.tilting_pad_journal.warnings import (
+    starved_bounds,
+    warnings_about_kept_temperatures,
+    warnings_of_solution,
+)
 
 __all__ = ["LEAST_DECREMENT", "PadSolutionState", "pad_solution", "refuse_starvation"]
 
@@ -73,15 +78,26 @@ def pad_solution(case: PadCase) -> Solution:
     dynamics = dynamics_of(case, films.solution)
     values = film_values(case, films, margins) | thermal_values(case, films) | dynamic_values(case, dynamics)
     values |= {"iterations": float(found.evaluations), "wall_time": perf_counter() - begun}
+    bounds = starved_bounds(case, films)
+    heat = tuple(heat_checks(case, values))
+    checks = (*checks_of(case, values, bounds), *stability_checks(case, values), *certain(heat, bounds))
     result = Result(
         case.name,
         case.kind,
         METHOD,
         Outcome.CONVERGED,
         {name: float(value) for name, value in values.items() if math.isfinite(value)},
-        checks=(*checks_of(case, values), *stability_checks(case, values), *heat_checks(case, values)),
-        warnings=(*case.warnings, *warnings_of_solution(case, films, dynamics, margins, values)),
-        not_checked=(*checks_not_made(case, values), *stability_not_checked(case, values)),
+        checks=checks,
+        warnings=(
+            *case.warnings,
+            *warnings_of_solution(case, films, dynamics, margins, values),
+            *warnings_about_kept_temperatures(films, checks),
+        ),
+        not_checked=(
+            *checks_not_made(case, values, bounds),
+            *stability_not_checked(case, values),
+            *unjudged(heat, bounds),
+        ),
         assumptions=(*case.lubricant.assumptions, *case.assumptions, *assumptions_of(case)),
         settings=settings_of(case, dynamics),
         arrays=pad_rows(case, films.solution) | thermal_rows(case, films) | dynamic_rows(case, dynamics),
@@ -123,8 +139,8 @@ def why(case: PadCase, found: Equilibrium[PadFilms]) -> str:
     if (share := growth_with_a_film(found)) is not None:
         return (
             f"growth of pads and journal closes the clearance: a film was found with up to {share:.0%} of it. "
-            "Try: the temperature that the housing really has (walls.housing.temperature), more clearance, more "
-            "or cooler oil"
+            "Try: the temperature that the housing really has (walls.housing.temperature), more clearance, "
+            "cooler or thinner oil"
         )
     if found.outcome is Outcome.OVERLOADED:
         return (
@@ -171,9 +187,9 @@ def refuse_starved(case: PadCase, films: PadFilms) -> None:
         )
 
 
-def checks_of(case: PadCase, values: Mapping[str, float]) -> Iterator[Check]:
+def checks_of(case: PadCase, values: Mapping[str, float], bounds: Bounds) -> Iterator[Check]:
     """Film, load, temperature and metal, as of every journal bearing."""
-    yield from (one for one in limit_checks(case, values) if one.code != LAMINAR)
+    yield from (one for one in limit_checks(case, values, bounds) if one.code != LAMINAR)
 
 
 def stability_checks(case: PadCase, values: Mapping[str, float]) -> Iterator[Check]:
@@ -248,6 +264,8 @@ def missing_of(case: PadCase, values: Mapping[str, float]) -> dict[str, str]:
     missing = {}
     if case.rotor_mass is not None and "threshold_mass" not in values:
         missing["threshold_mass"] = "no mass up to a thousand times that of the rotor is unstable"
+    if "given_flow" in values and "surplus_flow" not in values:
+        missing["surplus_flow"] = "the flow given is less than the pads draw in, none is left over"
     if "fit_error" not in values:
         missing["fit_error"] = "stiffness, damping and virtual mass are fitted over three whirl ratios or more"
     return missing
