@@ -332,3 +332,8 @@ def test_every_public_package_is_in_the_reference_of_python(name: str) -> None:
         assert whole or single, f"{name}.{public}"
         documented = getattr(module, public).__doc__ if not public.isupper() else "a constant"
         assert documented, f"{name}.{public} has no docstring"
+
+
+def test_the_first_paragraph_of_case_files_names_every_kind():
+    first = (DOCS / "reference" / "case-file.md").read_text(encoding="utf-8").split("\n\n")[1]
+    assert [kind for kind in CASE_KINDS if f"`kind: {kind}`" not in first and f"`{kind}`" not in first] == []

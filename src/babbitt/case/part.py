@@ -89,6 +89,8 @@ class Part(BaseModel):
     rules: ClassVar[tuple[Rule, ...]] = ()
     alternatives: ClassVar[tuple[tuple[str, ...], ...]] = ()
     """Fields that stand in place of each other."""
+    two_of: ClassVar[tuple[str, ...]] = ()
+    """Fields of which two are given, and the others follow."""
     former_words: ClassVar[FormerWords] = {}
     """Paths of words that are still read, and the paths of those of today (`babbitt.case.aliases`)."""
     example: ClassVar[str] = ""

@@ -14,7 +14,7 @@ from babbitt.case.kinds import KINDS
 from babbitt.case.loading import build_case, load_case, read_file
 from babbitt.case.method_mapping import METHOD, every_choice
 from babbitt.case.named_files import NamedFiles
-from babbitt.case.nested import without_value
+from babbitt.case.nested import values_at, without_value
 from babbitt.case.parts.cooling import Cooling
 from babbitt.case.parts.load_and_speed import LOADS, SPEEDS
 from babbitt.case.parts.materials import Materials
@@ -113,6 +113,7 @@ class CaseVariation:
         varied = copy.deepcopy(self.given)
         place, name = self._container(varied), self._steps[-1]
         self._refuse_if_overridden()
+        self._refuse_if_it_follows()
         for others in ALTERNATIVES:
             if name in others and isinstance(place, dict):
                 for other in others:
@@ -158,6 +159,22 @@ class CaseVariation:
             says = f"every {whose} gives its own, so that '{self.path}' changes nothing"
             also = ", ".join(f"'{one}'" for one in instead)
             raise InputError("E005", f"{self.file}: {says}; vary {also}")
+
+    def _refuse_if_it_follows(self) -> None:
+        """Refuse a field that follows from two others, which the file gives."""
+        for count, step in enumerate(self._steps):
+            two_of = part_at(self._model, self._steps[:count]).two_of
+            place = next(values_at(self.given, self._steps[:count]), None)
+            if step not in two_of or not isinstance(place, dict) or step in place:
+                continue
+            there = [name for name in two_of if name in place]
+            if len(there) > 1:
+                way = [".".join((*self._steps[:count], name, *_mean_of(place[name]))) for name in there]
+                follows = ".".join(self._steps[: count + 1])
+                says = f"the case gives {' and '.join(there)}, from which '{follows}' follows"
+                also = " or ".join(f"'{one}'" for one in way)
+                also += ", or give it in the file in place of one"
+                raise InputError("E005", f"{self.file}: {says}; vary {also}")
 
     def _container(self, given: Any) -> Any:
         place = given
@@ -268,6 +285,11 @@ def _of_bearing(bearing: Any, part: str, rest: Sequence[str], path: str) -> list
 
 def _files_of(origin: Origin) -> NamedFiles:
     return NamedFiles(origin.file.parent, origin.reach)
+
+
+def _mean_of(given: Any) -> tuple[str, ...]:
+    """The way to the number of a clearance that has limits or a kind."""
+    return ("mean",) if isinstance(given, Mapping) and "mean" in given else ()
 
 
 def _known(place: Any) -> str:

@@ -8,7 +8,7 @@ from babbitt.core.notices import Notice
 from babbitt.core.result import Check
 from babbitt.design.conditions import CheckedProblem
 
-__all__ = ["FILM_CHECKS", "NO_BOUNDS", "Bounds", "bounds_of", "certain", "unjudged"]
+__all__ = ["FILM_CHECKS", "NO_BOUNDS", "TEMPERATURE_CHECKS", "Bounds", "bounds_of", "certain", "unjudged"]
 
 Bounds = Mapping[str, Notice]
 """Codes of checks whose value flatters the bearing, each with the reason why keeping the limit says nothing."""

@@ -27,6 +27,10 @@ STYLES = {
     Verdict.NO_VERDICT: "bold yellow",
     Verdict.NO_SOLUTION: "bold red",
 }
+RECESS = ("recess_pressure", "pressure_ratio", "restrictor_flow")
+"""Of every recess of a hydrostatic bearing."""
+PAD = ("pad_pivot_angle", "pad_load", "pad_minimum_film_thickness")
+"""Of every pad of a journal bearing."""
 CHECK_STYLES = {CheckWord.PASS: "green", CheckWord.MISSED: "yellow", CheckWord.FAIL: "bold red"}
 
 
@@ -61,7 +65,8 @@ def bearing_table(result: Result) -> RenderableType:
         heading,
         table,
         *_supplies(result),
-        *_recesses(result),
+        *_by_part(result, "recess", RECESS, RECESS),
+        *_by_part(result, "pad", PAD, (*PAD, "pad_probe_temperature", "pad_maximum_temperature")),
         *_frequencies(result),
         *([_checks(result.checks)] if result.checks else []),
     )
@@ -91,13 +96,13 @@ def _supplies(result: Result) -> list[Table]:
     return [table]
 
 
-def _recesses(result: Result) -> list[Table]:
-    """One row a recess; none where there is one recess or no such thing."""
-    names = ("recess_pressure", "pressure_ratio", "restrictor_flow")
-    if not all(name in result.arrays and len(result.arrays[name][0]) > 1 for name in names):
+def _by_part(result: Result, part: str, needed: Sequence[str], wanted: Sequence[str]) -> list[Table]:
+    """One row a recess or pad, with what is known of those wanted; none where there is one or no such thing."""
+    if not all(name in result.arrays and len(result.arrays[name][0]) > 1 for name in needed):
         return []
+    names = [name for name in wanted if name in result.arrays]
     table = engineers_table()
-    table.add_column("recess", justify="right")
+    table.add_column(part, justify="right")
     for name in names:
         quantity = QUANTITIES[name]
         unit = f" {quantity.display.label}" if quantity.display.label else ""

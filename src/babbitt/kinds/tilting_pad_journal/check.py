@@ -10,6 +10,7 @@ from babbitt.core.notices import InputError, Notice
 from babbitt.core.result import Bound, Check, Outcome, Result
 from babbitt.core.solution import Solution
 from babbitt.core.units import ZERO_CELSIUS
+from babbitt.design.bounds import Bounds, certain, unjudged
 from babbitt.design.checks import checks_not_made, limit_checks
 from babbitt.design.failure import failure
 from babbitt.design.heat_balance import Equilibrium
@@ -37,7 +38,11 @@ from babbitt.kinds.tilting_pad_journal.values import (
     film_values,
     pad_rows,
 )
-from babbitt.kinds.tilting_pad_journal.warnings import warnings_of_solution
+from babbitt.kinds.tilting_pad_journal.warnings import (
+    starved_bounds,
+    warnings_about_kept_temperatures,
+    warnings_of_solution,
+)
 
 __all__ = ["LEAST_DECREMENT", "PadSolutionState", "least_decrement", "pad_solution", "refuse_starvation"]
 
@@ -97,27 +102,27 @@ def pad_solution(case: PadCase) -> Solution:
     values = film_values(case, films, margins) | thermal_values(case, films) | dynamic_values(case, dynamics)
     values |= pedestal_values(case, films) | cross_coupling_values(driven)
     values |= {"iterations": float(found.evaluations), "wall_time": perf_counter() - begun}
+    bounds = starved_bounds(case, films)
+    heat = tuple(heat_checks(case, values))
+    checks = (*checks_of(case, values, bounds), *stability_checks(case, values), *certain(heat, bounds))
     result = Result(
         case.name,
         case.kind,
         METHOD,
         Outcome.CONVERGED,
         {name: float(value) for name, value in values.items() if math.isfinite(value)},
-        checks=(
-            *checks_of(case, values),
-            *stability_checks(case, values),
-            *heat_checks(case, values),
-            *cross_coupling_checks(case, values, *least_decrement(case)),
-        ),
+        checks=(*checks, *cross_coupling_checks(case, values, *least_decrement(case))),
         warnings=(
             *case.warnings,
             *warnings_of_solution(case, films, dynamics, margins, values),
+            *warnings_about_kept_temperatures(films, checks),
             *about_synchronous_verdict(values, least_decrement(case)[0]),
         ),
         not_checked=(
-            *checks_not_made(case, values),
+            *checks_not_made(case, values, bounds),
             *stability_not_checked(case, values),
             *cross_coupling_not_checked(case, values),
+            *unjudged(heat, bounds),
         ),
         assumptions=(*case.lubricant.assumptions, *case.assumptions, *assumptions_of(case)),
         settings=settings_of(case, dynamics),
@@ -164,8 +169,8 @@ def why(case: PadCase, found: Equilibrium[PadFilms]) -> str:
     if (share := growth_with_a_film(found)) is not None:
         return (
             f"growth of pads and journal closes the clearance: a film was found with up to {share:.0%} of it. "
-            "Try: the temperature that the housing really has (walls.housing.temperature), more clearance, more "
-            "or cooler oil"
+            "Try: the temperature that the housing really has (walls.housing.temperature), more clearance, "
+            "cooler or thinner oil"
         )
     if found.outcome is Outcome.THERMAL_RUNAWAY and case.thermal.is_resolved:
         return (
@@ -217,9 +222,9 @@ def refuse_starved(case: PadCase, films: PadFilms) -> None:
         )
 
 
-def checks_of(case: PadCase, values: Mapping[str, float]) -> Iterator[Check]:
+def checks_of(case: PadCase, values: Mapping[str, float], bounds: Bounds) -> Iterator[Check]:
     """Film, load, temperature and metal, as of every journal bearing."""
-    yield from (one for one in limit_checks(case, values) if one.code != LAMINAR)
+    yield from (one for one in limit_checks(case, values, bounds) if one.code != LAMINAR)
 
 
 def stability_checks(case: PadCase, values: Mapping[str, float]) -> Iterator[Check]:
@@ -303,6 +308,8 @@ def missing_of(case: PadCase, values: Mapping[str, float]) -> dict[str, str]:
         missing["critical_cross_coupling"] = (
             f"no cross-coupling up to {SOUGHT[1]:g} times that anticipated is unstable"
         )
+    if "given_flow" in values and "surplus_flow" not in values:
+        missing["surplus_flow"] = "the flow given is less than the pads draw in, none is left over"
     if "fit_error" not in values:
         missing["fit_error"] = "stiffness, damping and virtual mass are fitted over three whirl ratios or more"
     return missing

@@ -130,7 +130,9 @@ def supply_values(case: PadCase, films: PadFilms) -> dict[str, float]:
         return named
     named["supply_temperature"] = supply.temperature
     if supply.flow is not None:
-        named |= {"given_flow": supply.flow, "surplus_flow": supply.flow - films.fresh_flow}
+        named["given_flow"] = supply.flow
+        if supply.flow >= films.fresh_flow:
+            named["surplus_flow"] = supply.flow - films.fresh_flow
     found = films.temperatures
     if found is None:
         return named

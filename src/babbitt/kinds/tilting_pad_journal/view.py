@@ -27,6 +27,21 @@ LUND = "J. W. Lund, Spring and damping coefficients for the tilting-pad journal 
 API_617 = (
     "API Standard 617, Axial and Centrifugal Compressors and Expander-compressors, stability analysis, level I"
 )
+ALLAIRE = "P. E. Allaire, J. K. Parsell, L. E. Barrett, Wear 72 (1981) 29 (the same for several motions of a pad)"
+FILLON = (
+    "M. Fillon, J.-C. Bligoud, J. Frene, Experimental study of tilting-pad journal bearings, ASME J. Tribology "
+    "114 (1992) 579 (what temperatures are compared with: `babbitt validate fillon_1992`)"
+)
+DOWSON = (
+    "D. Dowson, A generalized Reynolds equation for fluid-film lubrication, Int. J. Mech. Sci. 4 (1962) 159 "
+    "(viscosity that varies across the film)"
+)
+PATANKAR = "S. V. Patankar, Numerical Heat Transfer and Fluid Flow (1980), 5.2 (scheme of the energy equation)"
+TIMOSHENKO = "S. Timoshenko, Strength of Materials II (1956), thin curved bars (bending of the pads)"
+CARRY_OVER = (
+    "Babbitt, theory of tilting pads, section Heat: shares of hot oil that are carried over by feed, heat "
+    "transfer at backs and edges, and growth of pads, journal and housing are assumptions without published source"
+)
 HERTZ = "K. L. Johnson, Contact Mechanics, Cambridge University Press (1985)"
 
 KEY_RESULTS = (
@@ -142,12 +157,22 @@ def _alike(problem: PadCase) -> PadCase:
 
 
 def _citations(problem: PadCase) -> Iterable[str]:
+    from babbitt.kinds.tilting_pad_journal.model import Thermal
     from babbitt.reynolds.tilting_pads.pivots import HertzContact
 
     yield REYNOLDS
     yield LUND
     if problem.anticipated_cross_coupling is not None:
         yield API_617
+    yield ALLAIRE
+    if problem.thermal.is_resolved:
+        yield DOWSON
+        yield PATANKAR
+        yield FILLON
+    if problem.heat.bending is not None:
+        yield TIMOSHENKO
+    if problem.thermal is not Thermal.ISOTHERMAL:
+        yield CARRY_OVER
     if any(isinstance(pad.pivot, HertzContact) for pad in problem.bearing.pads):
         yield HERTZ
 

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 from babbitt.core.notices import Notice
+from babbitt.core.result import Check
+from babbitt.design.bounds import FILM_CHECKS, NO_BOUNDS, TEMPERATURE_CHECKS, Bounds
 from babbitt.design.warnings import (
     warnings_about_heat_balance,
     warnings_about_heating,
@@ -16,7 +18,17 @@ from babbitt.kinds.tilting_pad_journal.model import PadCase
 from babbitt.kinds.tilting_pad_journal.state import PadFilms
 from babbitt.reynolds.tilting_pads.pivots import LineContact
 
-__all__ = ["warnings_of_solution"]
+__all__ = ["starved_bounds", "warnings_about_kept_temperatures", "warnings_of_solution"]
+
+UNCERTAIN = 6.0
+"""K by which the hottest bore may be hotter than computed: the 5.2 K that it lies below the measurement of Fillon,
+Bligoud and Frene (1992) at 4000 rpm, rounded up (`babbitt validate fillon_1992`). Assumption: of one bearing."""
+
+BORE_CHECKS = ("C108", "C404", "C405")
+"""Limits of bores: of the metal, alarm and trip of a probe."""
+
+STARVED_CHECKS = (*FILM_CHECKS, *TEMPERATURE_CHECKS, "C111", "C404", "C405")
+"""What pads that get less oil than they draw in keep the less, the thinner and hotter their films are."""
 
 WIDE_CONTACT = 0.05
 """Half width of a line contact over the radius of the pivot beyond which the half-spaces of Hertz end."""
@@ -87,6 +99,24 @@ def about_unloaded_pads(case: PadCase, films: PadFilms, margins: tuple[PadMargin
             })  # fmt: skip
 
 
+def warnings_about_kept_temperatures(films: PadFilms, checks: Iterable[Check]) -> Iterator[Notice]:
+    """Limits of bores kept by less than films with their own temperatures can tell."""
+    near = tuple(
+        Notice("W415", "temperature", {"margin": check.limit - check.value, "check": check.code})
+        for check in checks
+        if check.code in BORE_CHECKS and check.ok and check.limit - check.value < UNCERTAIN
+    )
+    if films.thermal is not None and near:
+        yield Notice("W415", "kept", {"kept": near, "uncertain": UNCERTAIN})
+
+
+def starved_bounds(case: PadCase, films: PadFilms) -> Bounds:
+    """Checks that films flatter which get less oil than they draw in: a miss is one, keeping them says nothing."""
+    if not any(about_supply(case, films)):
+        return NO_BOUNDS
+    return {code: Notice(code, "starved_pads") for code in STARVED_CHECKS}
+
+
 def about_supply(case: PadCase, films: PadFilms) -> Iterator[Notice]:
     """A supply that gives less than the films draw in."""
     given = None if case.oil_supply is None else case.oil_supply.flow
@@ -96,11 +126,19 @@ def about_supply(case: PadCase, films: PadFilms) -> Iterator[Notice]:
 
 
 def about_carry_over(case: PadCase, films: PadFilms) -> Iterator[Notice]:
-    """Pads that are brought more hot oil than they take."""
-    pads = () if films.thermal is None else films.thermal.temperatures
-    capped = tuple(number for number, pad in enumerate(pads, 1) if pad.is_capped)
-    if capped:
-        yield Notice("W404", values={"pads": capped, "carry_over": case.feed.carry_over})
+    """Pads that are brought more hot oil than they take, each with the pad that brings it."""
+    if films.thermal is None:
+        return
+    states, over = films.solution.pads, case.feed.carry_over
+    step = -1 if films.solution.bearing.sense > 0.0 else 1
+    for place, pad in enumerate(films.thermal.temperatures):
+        if pad.is_capped:
+            before = (place + step) % len(states)
+            share = () if over >= 1.0 else (Notice("W404", "share", {"carry_over": over}),)
+            yield Notice("W404", "capped", {
+                "pad": place + 1, "taken": states[place].inflow,
+                "before": before + 1, "sent": states[before].outflow, "share": share,
+            })  # fmt: skip
 
 
 def about_laminar_films(values: Mapping[str, float]) -> Iterator[Notice]:

@@ -90,8 +90,8 @@ def heat_goes_with_the_films(case: TiltingPadJournalCase) -> Iterator[Issue]:
         yield Issue(("deformation",), "names one word twice", "growth and bending, each once")
         return
     yield from refused(("walls", "pads"), lambda: pad_walls(case))
-    missing = tuple(lacking(case))
-    yield from missing or idle(case)
+    yield from lacking(case)
+    yield from idle(case)
 
 
 def lacking(case: TiltingPadJournalCase) -> Iterator[Issue]:
@@ -102,18 +102,19 @@ def lacking(case: TiltingPadJournalCase) -> Iterator[Issue]:
     if case.walls.pads is None:
         hint = f"{words} of pads needs their temperatures: pads that conduct, such as {{}}"
         yield Issue(("walls", "pads"), MISSING, hint=hint, code="E003")
-        return
     growing, bending = ("growth" in case.deformation, "bending" in case.deformation)
     if growing and case.reference_temperature is None:
         hint = "growth needs the temperature at which the clearances were measured, such as '20 degC'"
         yield Issue(("reference_temperature",), MISSING, hint=hint, code="E003")
-        return
     material = case.materials.pads
-    if bending and (material is None or material.modulus() is None):
+    if material is None:
+        hint = f"{words} of pads needs their material, such as C45, or its expansion and elastic modulus"
+        yield Issue(("materials", "pads"), MISSING, hint=hint, code="E003")
+        return
+    if bending and material.modulus() is None:
         hint = "bending needs the elastic modulus of the pads, such as '210 GPa', or materials.pads by its name"
         yield Issue(("materials", "pads", "elastic_modulus"), MISSING, hint=hint, code="E003")
-        return
-    if material is None or material.expansion() is None:
+    if material.expansion() is None:
         hint = f"{words} needs the expansion of the pads, such as '12e-6 1/K', or materials.pads by its name"
         yield Issue(("materials", "pads", "thermal_expansion"), MISSING, hint=hint, code="E003")
 
@@ -121,17 +122,18 @@ def lacking(case: TiltingPadJournalCase) -> Iterator[Issue]:
 def idle(case: TiltingPadJournalCase) -> Iterator[Issue]:
     """What is given and would make no difference."""
     growing, bending = ("growth" in case.deformation, "bending" in case.deformation)
+    grow = f"{growth_with_what_it_needs(case)}, or leave it out"
     if case.reference_temperature is not None and not growing:
         says = "the temperature of the clearances counts for growth alone"
-        yield Issue(("reference_temperature",), says, "deformation: [growth], or leave it out")
+        yield Issue(("reference_temperature",), says, grow)
     if not growing:
         for name in ("journal", "housing"):
             if getattr(case.materials, name) is not None:
                 says = f"the material of the {name} counts for growth alone"
-                yield Issue(("materials", name), says, "deformation: [growth], or leave it out")
+                yield Issue(("materials", name), says, grow)
         if case.walls.housing.temperature is not None:
             says = "the temperature of the housing counts for growth alone"
-            yield Issue(("walls", "housing", "temperature"), says, "deformation: [growth], or leave it out")
+            yield Issue(("walls", "housing", "temperature"), says, grow)
     journal = case.walls.journal
     if journal.ambient_temperature is not None and not journal.shaft_conductance:
         says = "the surroundings of a shaft that conducts no heat make no difference"
@@ -139,7 +141,7 @@ def idle(case: TiltingPadJournalCase) -> Iterator[Issue]:
     material = case.materials.pads
     if material is None:
         return
-    if case.walls.pads is None:
+    if case.walls.pads is None and not case.deformation:
         says = "the material of pads that take no heat makes no difference"
         yield Issue(("materials", "pads"), says, "walls.pads such as {}, or leave it out")
     elif is_given(material, "elastic_modulus") and not bending:
@@ -148,6 +150,18 @@ def idle(case: TiltingPadJournalCase) -> Iterator[Issue]:
     elif is_given(material, "thermal_expansion") and not case.deformation:
         says = "thermal expansion counts for growth and bending alone"
         yield Issue(("materials", "pads", "thermal_expansion"), says, "deformation: [growth], or leave it out")
+
+
+def growth_with_what_it_needs(case: TiltingPadJournalCase) -> str:
+    """The choice of growth, with what else a case must give for it."""
+    needs = [name for name, given in (
+        ("thermal: full", case.thermal_model == "full"),
+        ("walls.pads", case.walls.pads is not None),
+        ("reference_temperature", case.reference_temperature is not None),
+        ("materials.pads", case.materials.pads is not None),
+    ) if not given]  # fmt: skip
+    listed = " and ".join((", ".join(needs[:-1]), needs[-1]) if len(needs) > 1 else needs)
+    return "deformation: [growth]" + (f" (which needs {listed}, too)" if needs else "")
 
 
 def heat_choices(case: TiltingPadJournalCase, supply: float | None) -> HeatChoices:

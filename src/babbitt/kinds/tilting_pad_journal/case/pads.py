@@ -58,6 +58,8 @@ class OnePad(Part):
 class JournalPads(Part):
     """Pads around a journal."""
 
+    two_of: ClassVar[tuple[str, ...]] = THREE
+
     number: Annotated[int, WholeNumber(2, 24)] | None = Field(
         None, description="Number of pads at equal distances, with first_pivot. In place of pivot_angles."
     )

@@ -1,0 +1,181 @@
+"""Limits of temperature kept by less than the model can tell, or by pads that lack oil; what cools pads."""
+
+import numpy as np
+import pytest
+from pad_journals import HEATED, pad_case, result_of
+
+from babbitt.case import CaseError, case_from_dict
+from babbitt.core.notices import InputError
+from babbitt.core.notices.words import explanations
+from babbitt.core.result import Verdict
+from babbitt.core.units import ZERO_CELSIUS
+from babbitt.kinds.tilting_pad_journal.warnings import STARVED_CHECKS, UNCERTAIN
+from babbitt.report.bearing_table import bearing_table
+from babbitt.report.citations import citations_of
+from babbitt.report.table import console
+from babbitt.study.sweep import sweep
+from babbitt.validation.published.fillon_1992 import GROWN, hottest
+
+WHOLE = {"materials": {"bearing_metal": "SnSb12Cu6Pb"}, "surfaces": {"kind": "direct", "roughness_bearing": "2 um",
+         "roughness_journal": "1 um"}}  # fmt: skip
+
+
+def said(result, code):
+    return [one.message for one in result.warnings if one.code == code]
+
+
+def checked(result):
+    return {one.code for one in result.checks}
+
+
+def test_six_kelvins_cover_what_the_measured_bearing_misses():
+    assert UNCERTAIN - 1.0 < 76.5 - hottest(GROWN, 4000.0) < UNCERTAIN
+
+
+@pytest.mark.parametrize(("spare", "questioned"), [(5.9, True), (6.1, False)])
+@pytest.mark.parametrize(("name", "code"), [("probe_alarm", "C404"), ("probe_trip", "C405")])
+def test_a_probe_less_than_six_kelvins_below_its_limit_passes_with_remarks(spare, questioned, name, code):
+    hot = result_of(**HEATED["B"], carry_over=0.5).values["probe_temperature"] - ZERO_CELSIUS
+    near = result_of(**HEATED["B"], **WHOLE, carry_over=0.5, limits={name: f"{hot + spare} degC"})
+    assert bool(said(near, "W415")) is questioned
+    assert near.verdict is (Verdict.REMARKS if questioned else Verdict.PASS)
+    if questioned:
+        assert f"by 5.9 K ({code})" in said(near, "W415")[0]
+        assert "assumption" in said(near, "W415")[0]
+
+
+def test_the_limit_of_the_metal_is_questioned_and_a_miss_is_a_miss():
+    limit = 115.0 + ZERO_CELSIUS
+    found = [result_of({"supply.temperature": f"{t} degC"}, **HEATED["B"], **WHOLE) for t in (40, 95, 105)]
+    spare = [limit - one.values["maximum_temperature"] for one in found]
+    assert spare[0] > UNCERTAIN > spare[1] > 0.0 > spare[2]
+    assert [bool(said(one, "W415")) for one in found] == [False, True, False]
+    assert "(C108)" in said(found[1], "W415")[0]
+    assert found[2].verdict is Verdict.FAIL
+
+
+@pytest.mark.parametrize("model", ["global", "B"])
+def test_pads_that_lack_oil_keep_no_limit_of_film_and_temperature(model):
+    heat = HEATED.get(model, {"thermal": "global"}) | WHOLE | {"carry_over": 0.5}
+    limits = {} if model == "global" else {"probe_alarm": "110 degC", "probe_trip": "120 degC"}
+    free = result_of(**heat, limits=limits)
+    wanted = free.values["total_flow"] * 6e4
+    short, ample = (
+        result_of({"supply.flow": f"{share * wanted} L/min"}, **heat, limits=limits) for share in (0.95, 1.05)
+    )
+    assert short.verdict is Verdict.NO_VERDICT
+    assert not checked(short) & set(STARVED_CHECKS)
+    assert checked(ample) == checked(free)
+    left = {one.code for one in short.not_checked if one.variant == "starved_pads"}
+    assert left == checked(ample) & set(STARVED_CHECKS)
+    assert {"C101", "C104", "C108"} | (set() if model == "global" else {"C404", "C405"}) <= left
+    assert "surplus_flow" not in short.values
+    assert "less than the pads draw in" in short.missing["surplus_flow"]
+    assert ample.values["surplus_flow"] == pytest.approx(0.05 * free.values["total_flow"], rel=1e-6)
+    assert "surplus_flow" not in free.missing
+
+
+def test_a_limit_that_starved_pads_miss_is_missed():
+    heat = HEATED["B"] | {"carry_over": 0.5}
+    flow = 0.95 * result_of(**heat).values["total_flow"] * 6e4
+    short = result_of({"supply.flow": f"{flow} L/min"}, **heat, limits={"probe_alarm": "45 degC"})
+    assert short.verdict is Verdict.FAIL
+    assert "C404" in checked(short)
+
+
+def test_more_oil_cools_the_drain_alone_and_thinner_oil_less_carry_over_or_room_cool_the_pads():
+    """What the remedy of C404 names."""
+    base = result_of(**HEATED["B"]).values
+    flow = 2.0 * base["total_flow"] * 6e4
+    more = result_of({"supply.flow": f"{flow} L/min"}, **HEATED["B"]).values
+    assert more["probe_temperature"] == base["probe_temperature"]
+    assert more["outlet_temperature"] < base["outlet_temperature"] - 1.0
+    for changes, fields in (
+        ({}, {"carry_over": 0.7}),
+        ({}, {"lubricant": "ISO VG 22"}),
+        ({"pads.clearance.mean": "190 um"}, {}),
+    ):
+        assert result_of(changes, **HEATED["B"], **fields).values["probe_temperature"] < base["probe_temperature"]
+    for code in ("C404", "C405", "W415"):
+        remedy = explanations()[code].remedy
+        assert "more oil" not in remedy.lower()
+        assert "supply.flow does not enter the temperature" in remedy
+    assert "supply.flow does not enter" in explanations()["C108"].remedy
+
+
+@pytest.mark.parametrize("sense", [1, -1])
+def test_a_pad_without_fresh_oil_is_told_with_what_it_takes_and_is_brought(sense):
+    result = result_of(**HEATED["E"], speed=f"{4000 * sense} rpm")
+    notices = [one for one in result.warnings if one.code == "W404"]
+    assert notices
+    taken, sent = (result.arrays[name][0] for name in ("pad_leading_flow", "pad_trailing_flow"))
+    for one in notices:
+        pad, before = one.values["pad"], one.values["before"]
+        assert (pad - before) % 4 == sense % 4
+        assert one.values["taken"] == taken[pad - 1]
+        assert one.values["sent"] == sent[before - 1]
+        assert f"pad {pad} takes in {6e4 * taken[pad - 1]:.1f} L/min and pad {before} sends off" in one.message
+        assert one.message.endswith("L/min: no fresh oil enters")
+
+
+def test_the_share_that_is_brought_is_told_where_it_is_not_all():
+    shares = (0.9, 0.95, 0.99)
+    found = [one for share in shares for one in said(result_of(**HEATED["E"], carry_over=share), "W404")]
+    assert found
+    assert all("% of which it is brought: no fresh oil enters" in one for one in found)
+
+
+def test_all_that_growth_lacks_is_told_at_once():
+    case = pad_case({"walls.housing.temperature": "60 degC"}, thermal="full", deformation=["growth", "bending"])
+    with pytest.raises(CaseError) as caught:
+        case_from_dict(case)
+    said = str(caught.value)
+    assert all(word in said for word in ("walls.pads", "reference_temperature", "C45"))
+
+
+def test_a_housing_without_growth_names_what_growth_needs():
+    with pytest.raises(CaseError, match=r"which needs reference_temperature and materials\.pads, too"):
+        case_from_dict(pad_case(thermal="full", walls={"pads": {}, "housing": {"temperature": "60 degC"}}))
+
+
+def test_the_terminal_has_a_row_for_every_pad():
+    result = result_of(**HEATED["B"])
+    to = console(140)
+    with to.capture() as caught:
+        to.print(bearing_table(result))
+    lines = caught.get().splitlines()
+    head = next(place for place, line in enumerate(lines) if line.startswith("pad "))
+    rows = [line.split() for line in lines[head + 2 : head + 6]]
+    assert [row[0] for row in rows] == ["1", "2", "3", "4"]
+    names = (
+        "pad_pivot_angle",
+        "pad_load",
+        "pad_minimum_film_thickness",
+        "pad_probe_temperature",
+        "pad_maximum_temperature",
+    )
+    shown = np.array([[float(cell) for cell in row[1:]] for row in rows])
+    scale = np.array([180.0 / np.pi, 1e-3, 1e6, 1.0, 1.0])
+    offset = np.array([0.0, 0.0, 0.0, ZERO_CELSIUS, ZERO_CELSIUS])
+    known = np.array([result.arrays[name][0] for name in names]).T * scale - offset
+    assert shown == pytest.approx(known, rel=5e-3)
+
+
+def test_what_the_models_rest_on_is_cited():
+    def cited(**fields):
+        return " ".join(citations_of(case_from_dict(pad_case(**fields))))
+
+    plain, heated, bent = cited(thermal="isothermal"), cited(**HEATED["B"]), cited(**HEATED["E"])
+    assert not any(name in plain for name in ("Dowson", "Fillon", "Timoshenko", "carried over"))
+    assert all(name in heated for name in ("Dowson", "Patankar", "Fillon", "carried over"))
+    assert "Timoshenko" not in heated
+    assert "Timoshenko" in bent
+    assert all("Allaire" in one for one in (plain, heated))
+
+
+def test_a_clearance_that_follows_is_not_varied():
+    case = case_from_dict(pad_case(thermal="isothermal"))
+    for path in ("pads.assembled_clearance.mean", "pads.assembled_clearance"):
+        with pytest.raises(InputError, match=r"gives clearance and preload.*'pads\.clearance\.mean' or"):
+            sweep(case, path, [70e-6])
+    assert sweep(case, "pads.preload", [0.3]).solved.all()
