@@ -226,7 +226,7 @@ def test_turbulence_bounds_friction_below_and_flow_above():
     assert shear > 0.0
     remedy = explanations()["W305"].remedy
     assert "friction is a lower bound" in remedy
-    assert "flow through the gap told an upper bound" in remedy
+    assert "flow through the gap shown an upper bound" in remedy
 
 
 def test_no_doubt_about_a_sound_pad():
