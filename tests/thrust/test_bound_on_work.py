@@ -53,6 +53,15 @@ def test_a_runout_whose_positions_use_up_the_work_leaves_the_film_at_rest(allow)
     assert "again and again" in warnings["W209"]
 
 
+def test_warnings_need_no_work_that_a_runout_has_used_up(monkeypatch):
+    """Some ask for one more film, which a runout without an end must not leave them without."""
+    monkeypatch.setattr(babbitt.kinds.thrust.check, "_turned", lambda *_: spend(1e12))
+    monkeypatch.setattr(babbitt.kinds.thrust.check, "sharing_warnings", lambda *_: spend(1.0) or ())
+    (result,) = solve(parse_case(ADIABATIC)).results
+    assert result.outcome.solved
+    assert "W209" in {notice.code for notice in result.warnings}
+
+
 def test_ordinary_bearings_stay_far_below_the_bound(allow):
     allow(60_000)
     (result,) = solve(parse_case(ADIABATIC)).results

@@ -54,6 +54,7 @@ def _checked(design: ThrustDesign) -> Solution:
     start = perf_counter()
     try:
         state = bearing_state(design)
+        shared = tuple(sharing_warnings(design, state))  # before a runout may use up the work
     except (NoPadFilmError, WorkBoundError) as error:
         failed = Result(
             design.name,
@@ -89,7 +90,7 @@ def _checked(design: ThrustDesign) -> Solution:
         Outcome.CONVERGED,
         values,
         (limit, *design.temperatures.checks(values), *pressure_checks(design.temperatures.given_metal, values)),
-        (*design.warnings, *sharing_warnings(design, state), *of_runout),
+        (*design.warnings, *shared, *of_runout),
         (*design.temperatures.not_checked(values), *pressures_not_checked(design.temperatures.given_metal)),
         (
             *design.lubricant.assumptions,
