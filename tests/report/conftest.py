@@ -9,7 +9,11 @@ import pytest
 from hand_made import KIND, PUBLISHED, HandMadeMachine, hand_made_result
 
 from babbitt.core import kind
+from babbitt.core.notices import Notice
 from babbitt.core.result import Bound, Check, Outcome, Result
+
+FAR = Notice("S001", "carries_little", {"reached": 330.0, "asked": ""})
+"""How far the bearing without an operating point came."""
 
 
 @pytest.fixture(autouse=True)
@@ -48,5 +52,5 @@ def unsolved(good: Result) -> Result:
         outcome=Outcome.OVERLOADED,
         values={"minimum_film_thickness": 31.4e-6, "side_flow": math.nan},
         checks=(),
-        message="The load of 900 kN exceeds what ε = 0.99 carries. Try a wider bearing.",
+        failure=Notice("S001", "tried", {"far": FAR}),
     )

@@ -91,7 +91,7 @@ def test_an_unsolved_bearing_has_no_results_and_keeps_its_message(reverse_gear, 
     assert record["checks"] == []
     assert record["status"] == "overloaded"
     assert record["last_state"] == {"minimum_film_thickness": 31.4e-6}
-    assert "wider bearing" in record["message"]
+    assert "wider or larger bearing" in record["message"]
 
 
 @pytest.mark.parametrize("number", [math.nan, math.inf, -math.inf])

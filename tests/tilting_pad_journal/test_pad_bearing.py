@@ -228,7 +228,8 @@ def test_a_pad_at_its_limit_is_no_solution():
     at_limit = [one for one in found if one.outcome is Outcome.PAD_AT_LIMIT]
     assert at_limit
     assert {one.verdict for one in at_limit} == {Verdict.NO_SOLUTION}
-    assert {one.outcome.code for one in at_limit} == {"S401"}
+    assert {one.failure.code for one in at_limit} == {"S401"}
+    assert all(0.0 < one.failure.values["need"] < one.failure.values["least"] for one in at_limit)
     assert all("would have to carry" in one.message for one in at_limit)
     assert all(one.outcome.solved for one in found if one not in at_limit)
 

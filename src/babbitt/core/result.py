@@ -159,8 +159,6 @@ class Result:
         Checks that could not be made for want of data, by their code, each with what is missing.
     assumptions : tuple of str
         What was assumed because neither the case nor a published source says it.
-    message : str
-        For an unsolved result: how far it came and what to try; the sentence of `failure` where that is given.
     settings : Mapping[str, str]
         Choices that the numbers depend on.
     arrays : Mapping[str, Matrix]
@@ -168,7 +166,7 @@ class Result:
     missing : Mapping[str, str]
         Quantities that belong among the values and could not be found, each with the reason.
     failure : Notice or None
-        The same as `message`, with its values.
+        For an unsolved result: how far it came and what to try.
     """
 
     name: str
@@ -180,15 +178,15 @@ class Result:
     warnings: tuple[Notice, ...] = ()
     not_checked: tuple[Notice, ...] = ()
     assumptions: tuple[str, ...] = ()
-    message: str = ""
     settings: Mapping[str, str] = field(default_factory=dict)
     arrays: Mapping[str, Matrix] = field(default_factory=dict)
     missing: Mapping[str, str] = field(default_factory=dict)
     failure: Notice | None = None
 
-    def __post_init__(self) -> None:
-        if self.failure is not None:
-            object.__setattr__(self, "message", self.failure.message)
+    @property
+    def message(self) -> str:
+        """How far an unsolved result came and what to try, in English; empty for a solution."""
+        return "" if self.failure is None else self.failure.message
 
     @property
     def verdict(self) -> Verdict:

@@ -7,12 +7,7 @@ from babbitt.core.result import Outcome
 from babbitt.design.conditions import CheckedProblem, PrescribedLoad
 from babbitt.design.heat_balance import Equilibrium, FilmT
 
-__all__ = ["failure", "failure_of"]
-
-
-def failure(case: CheckedProblem, found: Equilibrium[FilmT]) -> str:
-    """The sentence of `failure_of`."""
-    return failure_of(case, found).message
+__all__ = ["failure_of"]
 
 
 def failure_of(case: CheckedProblem, found: Equilibrium[FilmT]) -> Notice:

@@ -9,13 +9,12 @@ from time import perf_counter
 from babbitt.core.notices import InputError, Notice
 from babbitt.core.result import Bound, Check, Outcome, Result
 from babbitt.core.solution import Solution
-from babbitt.core.units import ZERO_CELSIUS
 from babbitt.design.bounds import Bounds, certain, unjudged
 from babbitt.design.checks import checks_not_made, limit_checks
-from babbitt.design.failure import failure
 from babbitt.design.heat_balance import Equilibrium
 from babbitt.kinds.tilting_pad_journal.cross_coupling import SOUGHT, CrossCoupling, cross_coupling_of
 from babbitt.kinds.tilting_pad_journal.dynamics import PadDynamics, dynamics_of
+from babbitt.kinds.tilting_pad_journal.failure import failure_of_pads, feasible_growth
 from babbitt.kinds.tilting_pad_journal.film import operating_films
 from babbitt.kinds.tilting_pad_journal.level_one import (
     about_synchronous_verdict,
@@ -147,51 +146,14 @@ def unsolved(case: PadCase, found: Equilibrium[PadFilms], time: float) -> Result
             "minimum_film_thickness": solution.minimum_film_thickness,
             "effective_temperature": found.film.temperature,
         }
-        if (share := growth_with_a_film(found)) is not None:
+        if (share := feasible_growth(found)) is not None:
             last["growth_share"] = share
             warnings = (*warnings, Notice("W406", values={"growth_share": share}))
     return Result(
         case.name, case.kind, METHOD, found.outcome, last, warnings=warnings,
         assumptions=(*case.lubricant.assumptions, *case.assumptions, *assumptions_of(case)),
-        message=why(case, found), settings=settings_of(case, None),
+        settings=settings_of(case, None), failure=failure_of_pads(case, found),
     )  # fmt: skip
-
-
-def growth_with_a_film(found: Equilibrium[PadFilms]) -> float | None:
-    """Largest share of the growth at which a film was found, of a bearing that its growth closes; else None."""
-    thermal = None if found.film is None else found.film.thermal
-    closed = thermal is not None and found.outcome is Outcome.NO_CLEARANCE
-    return thermal.growth_share if closed and thermal is not None else None
-
-
-def why(case: PadCase, found: Equilibrium[PadFilms]) -> str:
-    """How far an unsolved bearing came, and what to try."""
-    if (share := growth_with_a_film(found)) is not None:
-        return (
-            f"growth of pads and journal closes the clearance: a film was found with up to {share:.0%} of it. "
-            "Try: the temperature that the housing really has (walls.housing.temperature), more clearance, "
-            "cooler or thinner oil"
-        )
-    if found.outcome is Outcome.THERMAL_RUNAWAY and case.thermal.is_resolved:
-        return (
-            f"the films are hotter than {found.last_temperature - ZERO_CELSIUS:.0f} °C. "
-            "Try: more or cooler oil, less carry-over, a thinner oil, a larger clearance, less speed"
-        )
-    if found.outcome is Outcome.OVERLOADED:
-        return (
-            f"at {found.last_temperature - ZERO_CELSIUS:.1f} °C an edge of a pad touches the journal, or a pivot "
-            "is loaded beyond its law, before the pads carry the load. Try: less load, more or larger pads, "
-            "more viscous or cooler oil, a stiffer pivot"
-        )
-    if found.outcome is not Outcome.PAD_AT_LIMIT or found.film is None:
-        return failure(case, found)
-    solution = found.film.solution
-    need, least = solution.limit_loads or (math.nan, math.nan)
-    return (
-        f"pad {(solution.limit_pad or 0) + 1} would have to carry {need:.4g} N, between nothing and the "
-        f"{least:.4g} N at which it unloads. Try: more preload of that pad, a pivot nearer to its middle, or "
-        "another direction of the load"
-    )
 
 
 def refuse_starvation(case: PadCase) -> None:
