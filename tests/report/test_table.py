@@ -77,7 +77,7 @@ def test_an_unsolved_bearing_shows_no_operating_point(reverse_gear, good, unsolv
         text = shown(replace(reverse_gear, results=results))
         assert "31.4" not in text
         assert "no film can carry this load" in text
-        assert "Try a wider bearing" in text
+        assert "Try: a wider or larger bearing" in text
 
 
 def test_a_violated_limit_is_one_line_with_code_and_both_numbers(reverse_gear, good, violated):

@@ -153,7 +153,7 @@ def _result(
     )  # fmt: skip
     return Result(
         ResultName(case.name, state=title), case.kind, case.method.value, Outcome.CONVERGED, values, checks,
-        (*_warnings_about_inputs(case), *_warnings(case, state, values)), (), _assumptions(case), "",
+        (*_warnings_about_inputs(case), *_warnings(case, state, values)), (), _assumptions(case),
         _settings(case) | {"state": state.name.value, "stable": "yes" if state.stable else "no"},
     )  # fmt: skip
 

@@ -196,7 +196,6 @@ def film_solution(case: FilmCase, watch: ProgressCallback = no_progress) -> Solu
         warnings,
         not_made,
         (*case.lubricant.assumptions, *case.assumptions, *film_assumptions(case)),
-        "",
         settings,
         arrays,
         {name: NO_CALM_FILM for name in ("side_flow", "supply_flow") if math.isnan(values.get(name, 0.0))}
