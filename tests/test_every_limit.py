@@ -129,7 +129,7 @@ def test_a_kind_that_is_held_against_nothing_has_no_verdict():
 SOLVERS = {
     "solve_journal", "film_at_position", "converged_film", "solve_thermal_journal",
     "thermal_film_at", "elastic_film", "elastic_thermal_film", "feed_film", "closed_film", "tilt_coefficients",
-    "operating_film", "thermal_operating_film", "film_equilibrium", "solve_sector", "find_equilibrium",
+    "operating_film", "thermal_operating_film", "film_within_ducts", "solve_sector", "find_equilibrium",
     "solve_tilting_pads", "tilting_pads_at", "fold_of", "operating_films",
     "find_thermal_tilting_pads", "thermal_tilting_pads_at", "thermal_films",
 }  # fmt: skip

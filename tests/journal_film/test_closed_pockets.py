@@ -9,10 +9,9 @@ import pytest
 from babbitt.case import parse_case
 from babbitt.core.result import Outcome
 from babbitt.design.heat_balance import NoFilmError
-from babbitt.kinds.journal.film.check import film_check
+from babbitt.kinds.journal.film.check import film_check, film_solution
 from babbitt.kinds.journal.film.closed_pockets import CLOSED, ClosedPressures, closed_film
 from babbitt.kinds.journal.film.field import pressure_on
-from babbitt.kinds.journal.film.thermal_film import film_equilibrium
 from babbitt.reynolds.equilibrium.position import film_at_position
 from babbitt.reynolds.heat.heat_model import FilmHeat
 from babbitt.reynolds.heat.thermal_equilibrium import thermal_film_at
@@ -53,8 +52,8 @@ def of_model(thermal, text=TEXT):
 
 @pytest.fixture(scope="module", params=["adiabatic", "full"])
 def heated(request):
-    case = of_model(request.param)
-    return request.param, film_check(case), film_equilibrium(case).film
+    found = film_solution(of_model(request.param))
+    return request.param, found.result, found.state
 
 
 def test_what_reaches_a_closed_pocket_goes_on(heated):
@@ -188,7 +187,7 @@ def test_a_small_hole_that_is_closed_takes_the_pressure_of_the_film():
     """And with one temperature, too."""
     hole = "holes: [{angle: 250 deg, diameter: 2 mm, flow: 0 L/min}]"
     plain = TEXT.replace(f"pockets: [{POCKET}]\n", "").replace("draft", "engineering")
-    alone = film_equilibrium(of_model("global", plain)).film.solution
+    alone = film_solution(of_model("global", plain)).state.solution
     closed = film_check(of_model("global", f"{plain}{hole}\n"))
     expected = float(pressure_on(alone, np.array([ANGLE]), np.array([0.0]))[0, 0])
     assert closed.arrays["groove_pressures"][0][1] == pytest.approx(expected, rel=0.02)
@@ -197,12 +196,12 @@ def test_a_small_hole_that_is_closed_takes_the_pressure_of_the_film():
 
 def test_several_keep_a_pressure_each_and_images_in_the_mid_plane_the_same():
     others = "{angle: 200 deg, extent: 20 deg, width: 24 mm, flow: 0 L/min}"
-    several = film_equilibrium(design(TEXT.replace(POCKET, f"{POCKET}, {others}"))).film
+    several = film_solution(design(TEXT.replace(POCKET, f"{POCKET}, {others}"))).state
     assert np.abs(several.solution.supply_flow[1:]).max() < 1e-6 * several.total_flow
     first, second = (pocket.pressure for pocket in several.solution.film.pockets)
     assert first > 2.0 * second > 0.0
     image = "{angle: 240 deg, extent: 15 deg, width: 15 mm, axial_position: 15 mm, flow: 0 L/min}"
-    twins = film_equilibrium(design(TEXT.replace(POCKET, f"{image}, {image.replace('n: 15', 'n: -15')}"))).film
+    twins = film_solution(design(TEXT.replace(POCKET, f"{image}, {image.replace('n: 15', 'n: -15')}"))).state
     first, second = (pocket.pressure for pocket in twins.solution.film.pockets)
     assert first == second > 0.0
     assert twins.solution.film.is_symmetric
@@ -223,7 +222,7 @@ def test_a_closed_pocket_under_a_prescribed_place(given):
 
 def test_a_bore_that_gives_way_keeps_it_closed():
     column = "compliance: [{kind: column, thickness: 2 mm, elastic_modulus: 1 GPa, poisson_ratio: 0.3}]\n"
-    state = film_equilibrium(design(TEXT + column)).film
+    state = film_solution(design(TEXT + column)).state
     assert abs(state.solution.supply_flow[1]) < 1e-6 * state.total_flow
 
 

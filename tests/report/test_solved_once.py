@@ -11,7 +11,7 @@ from babbitt.case import parse_case, template
 from babbitt.kinds.hydrostatic import check as hydrostatic_check
 from babbitt.kinds.hydrostatic.heat_balance import heated
 from babbitt.kinds.journal.film import check as film_check
-from babbitt.kinds.journal.film.thermal_film import film_equilibrium, film_within_ducts
+from babbitt.kinds.journal.film.thermal_film import film_within_ducts
 from babbitt.kinds.shaft_line import check as line_check
 from babbitt.kinds.shaft_line.answer import line_answer
 from babbitt.kinds.thrust import check as thrust_check
@@ -24,7 +24,6 @@ from babbitt.report.table import render
 from babbitt.solving import solve
 
 SOLVERS = (
-    film_equilibrium,
     film_within_ducts,
     heated,
     bearing_state,

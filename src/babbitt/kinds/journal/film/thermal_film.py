@@ -46,7 +46,7 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
-__all__ = ["film_heat", "following_stiffness", "film_equilibrium", "thermal_operating_film", "thermal_resolution"]
+__all__ = ["film_heat", "film_within_ducts", "following_stiffness", "thermal_operating_film", "thermal_resolution"]
 
 MOST_ROUNDS = 25
 SAME_CLEARANCE = 1e-5
@@ -149,11 +149,6 @@ def _under_growing_load(case: FilmCase, load: float, reached: _Reached) -> Equil
             return None
         sought = sought.climbing()
     return found
-
-
-def film_equilibrium(case: FilmCase) -> Equilibrium[FilmState]:
-    """Film of a case in equilibrium, by its thermal model, with no more oil than its ducts pass where it can."""
-    return film_within_ducts(case)[1]
 
 
 def film_within_ducts(case: FilmCase) -> tuple[FilmCase, Equilibrium[FilmState], Arrival | None]:
