@@ -302,7 +302,7 @@ def oil_of(bearing: TiltingPadBearing, heat: PadHeat, scales: PadScales) -> Oil:
         wall_heat=capacity * scales.rate * length,
         rise=bearing.viscosity * scales.rate * (bearing.radius / length) ** 2 / capacity,
         fresh=heat.supply_temperature,
-        carry_over=heat.carried,
+        carry_over=heat.carry_over,
         share=share,
         previous=previous,
     )

@@ -8,7 +8,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from enum import Enum
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,7 +16,7 @@ from babbitt.core.notices import InputError
 from babbitt.reynolds.heat.heat_model import JournalHeat
 from babbitt.reynolds.model import Resolution
 
-__all__ = ["THERMAL_PADS", "Feed", "PadBending", "PadGrowth", "PadHeat", "PadWalls"]
+__all__ = ["THERMAL_PADS", "PadBending", "PadGrowth", "PadHeat", "PadWalls"]
 
 Array = NDArray[np.float64]
 
@@ -31,19 +30,6 @@ STEEL_CONDUCTIVITY, STEEL_MODULUS, STEEL_EXPANSION = 50.0, 210e9, 1.2e-5
 
 FOUND = JournalHeat()
 """A journal with one temperature that takes no heat on the whole."""
-
-
-class Feed(Enum):
-    """How oil comes to the pads. Assumption: the share of the oil sent off by a pad that the next one takes."""
-
-    FLOODED = "flooded"
-    LEADING_EDGE_GROOVE = "leading edge groove"
-    SPRAY_BAR = "spray bar"
-
-    @property
-    def carry_over(self) -> float:
-        """Share of the oil that leaves a pad and enters the next one, as far as that takes oil."""
-        return {"FLOODED": 1.0, "LEADING_EDGE_GROOVE": 0.7, "SPRAY_BAR": 0.8}[self.name]
 
 
 @dataclass(frozen=True)
@@ -159,9 +145,8 @@ class PadHeat:
         Of pads with ``walls``.
     growth : PadGrowth or None
         Of pads with ``walls`` and of the journal.
-    feed : Feed
-    carry_over : float or None
-        Share, 0 to 1; None: that of the feed.
+    carry_over : float
+        Share of the oil that leaves a pad and enters the next one, as far as that takes oil, 0 to 1.
     layers : int
         Across the gap.
     """
@@ -174,8 +159,7 @@ class PadHeat:
     walls: PadWalls | None = None
     bending: PadBending | None = None
     growth: PadGrowth | None = None
-    feed: Feed = Feed.FLOODED
-    carry_over: float | None = None
+    carry_over: float = 1.0
     layers: int = 8
 
     def __post_init__(self) -> None:
@@ -183,7 +167,7 @@ class PadHeat:
             value = getattr(self, name)
             if not (math.isfinite(value) and value > 0.0):
                 raise InputError("E101", f"{name} is {value}; it must be a positive number (SI units, K).")
-        if not 0.0 <= self.carried <= 1.0:
+        if not 0.0 <= self.carry_over <= 1.0:
             raise InputError("E101", f"carry_over is {self.carry_over}; it is a share, from 0 to 1.")
         if self.layers < 3:
             raise InputError("E101", f"layers is {self.layers}; a film needs three layers or more.")
@@ -191,8 +175,3 @@ class PadHeat:
             raise InputError("E101", "bending and growth of pads need their temperatures; give walls.")
         if self.growth is not None and self.journal is None:
             raise InputError("E101", "growth of the journal needs its temperature; give journal.")
-
-    @property
-    def carried(self) -> float:
-        """Share of the oil sent off by a pad that the next one takes."""
-        return self.feed.carry_over if self.carry_over is None else self.carry_over

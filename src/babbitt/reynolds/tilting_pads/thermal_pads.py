@@ -62,6 +62,8 @@ MOST_FILMS = 40_000
 """Solutions of the film of a pad in one attempt: about 0.3 s."""
 ENDS = (Outcome.CONVERGED, Outcome.PAD_AT_LIMIT, Outcome.OUTSIDE_CLEARANCE)
 """What smaller steps would not change."""
+CLOSING = (Outcome.NOT_CONVERGED, Outcome.OUTSIDE_CLEARANCE)
+"""How a step of growth ends behind which no film exists: gaps shrink from pass to pass, or a pad is touched."""
 
 
 def find_thermal_tilting_pads(
@@ -138,7 +140,8 @@ def search(
 def grow(failed: Settled, load: Array | None, at: Array) -> Settled:
     """From a bearing that does not grow to as much of its growth as leaves a film.
 
-    Growth feeds itself: less clearance, more heat. There may be a share of it behind which no film exists.
+    Growth feeds itself: less clearance, more heat. There may be a share of it behind which no film exists: then
+    the clearance closes. Where steps end otherwise, at a bound on work or a pad at its limit, that is the outcome.
     """
     films, passes = failed.films, failed.passes
     best = failed
@@ -149,7 +152,7 @@ def grow(failed: Settled, load: Array | None, at: Array) -> Settled:
         passes += best.passes
         if best.outcome in ENDS:
             break
-    share, step = 0.0, FIRST_SHARE
+    share, step, last = 0.0, FIRST_SHARE, best
     while best.outcome.solved and share < 1.0 and step >= LEAST_SHARE:
         trial = best.films.copied()
         trial.share = min(share + step, 1.0)
@@ -158,9 +161,9 @@ def grow(failed: Settled, load: Array | None, at: Array) -> Settled:
         if found.outcome.solved:
             best, share, step = found, trial.share, 1.5 * step
         else:
-            step *= 0.5
+            step, last = 0.5 * step, found
     if best.outcome.solved and share < 1.0:
-        best = replace(best, outcome=Outcome.NO_CLEARANCE)
+        best = replace(best, outcome=Outcome.NO_CLEARANCE) if last.outcome in CLOSING else last
     return replace(best, passes=passes)
 
 
