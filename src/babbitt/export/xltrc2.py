@@ -3,7 +3,8 @@
 Programs for rotor dynamics read or paste this layout: ``Speed, Kxx, Kxy, Kyx, Kyy, Cxx, Cxy, Cyx, Cyy`` and added
 masses, speed in rpm, and the units row decides between N/m and lb/in. Axes x right, y up, rotation from x towards
 y. The layout has no place for the frame: in CSV it stands in lines above the names, in a workbook on a second
-sheet, because readers look for "rpm" and "lb" anywhere on the first.
+sheet, because readers look for "rpm" and "lb" anywhere on the first. So do the codes of warnings, in a cell for
+each speed.
 """
 
 from __future__ import annotations
@@ -23,7 +24,6 @@ from babbitt.export.coefficients import NAMES, Array, CoefficientTable
 from babbitt.export.frame import Frame, declaration, declared, settled
 from babbitt.export.frames import for_rotor_programs
 from babbitt.export.numbers import POUND_PER_INCH, RPM, number, rounded_rpm
-from babbitt.export.questioned import warnings_note, warnings_of_note
 
 _UNITS = {"k": "N/m", "c": "N-s/m", "m": "kg"}
 
@@ -58,7 +58,7 @@ def write_xltrc2(table: CoefficientTable, path: str | Path) -> None:
     if table.temperatures:
         notes.append(["Temperatures", table.temperatures])
     if table.warnings:
-        notes.append(["Warnings", warnings_note(table)])
+        notes.append(["Warnings", *(" ".join(codes) for codes in table.warnings)])
     if path.suffix.lower() == ".csv":
         write_text(path, rows_text([*notes, *_grid(table)]))
     elif path.suffix.lower() == ".xlsx":
@@ -95,9 +95,12 @@ def read_xltrc2(path: str | Path, *, name: str | None = None, frame: Frame | Non
     if head is None or head + 1 >= len(rows):
         raise InputError("E003", f"{path}: no row of names with 'Kxx' and a row of units below it")
     titles, units = _lower(rows[head]), [str(cell or "").strip() for cell in rows[head + 1]]
-    said = {
-        str(row[0]).strip().lower(): str(row[1] or "") for row in [*rows[:head], *notes] if len(row) > 1 and row[0]
+    cells = {
+        str(row[0]).strip().lower(): [str(cell or "") for cell in row[1:]]
+        for row in [*rows[:head], *notes]
+        if len(row) > 1 and row[0]
     }
+    said = {title: texts[0] for title, texts in cells.items()}
     data = _in_si(str(path), _data(str(path), rows[head + 2 :], titles), dict(zip(titles, units, strict=False)))
 
     def matrix(letter: str) -> Array:
@@ -112,8 +115,14 @@ def read_xltrc2(path: str | Path, *, name: str | None = None, frame: Frame | Non
         frame=settled(str(path), declared(said.get("frame", "")), frame),
         method=said.get("method", ""),
         temperatures=said.get("temperatures", ""),
-        warnings=warnings_of_note(said.get("warnings", ""), np.array(data["speed"])),
+        warnings=_warnings(cells.get("warnings", []), len(data["speed"])),
     )
+
+
+def _warnings(cells: Sequence[str], speeds: int) -> tuple[tuple[str, ...], ...]:
+    """Codes of every speed; rows of a workbook lose or gain empty cells at their ends."""
+    used = max((i for i, codes in enumerate(cells, 1) if codes.strip()), default=0)
+    return tuple(tuple(codes.split()) for codes in (*cells[:used], *[""] * (speeds - used)))
 
 
 def _grid(table: CoefficientTable) -> list[list[Cell]]:

@@ -6,16 +6,16 @@ from collections.abc import Iterator
 
 from babbitt.core.notices import Effect, explanations
 from babbitt.export import CoefficientTable
-from babbitt.export.questioned import questioned_speeds
+from babbitt.export.numbers import rounded_rpm
 
 __all__ = ["warnings_lines"]
 
 
 def warnings_lines(table: CoefficientTable) -> Iterator[str]:
     """Codes speed by speed, then what each of them says; nothing for a table without warnings."""
-    questioned = questioned_speeds(table)
-    for speed, codes in questioned.items():
-        yield f"{speed}: {codes}"
+    for speed, codes in zip(table.speeds, table.warnings, strict=False):  # no warnings at all: none for any speed
+        if codes:
+            yield f"{rounded_rpm(float(speed)):.12g} rpm: {' '.join(codes)}"
     for code in dict.fromkeys(code for codes in table.warnings for code in codes):
         known = explanations()[code]
         yield f"{code}  {known.title}{' (no verdict)' if known.effect is Effect.NO_VERDICT else ''}"
