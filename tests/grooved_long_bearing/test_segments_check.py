@@ -11,20 +11,21 @@ from babbitt.core.notices import InputError
 from babbitt.core.result import Outcome
 from babbitt.design.conditions import Limits, OilSupply, PrescribedEccentricity, PrescribedLoad
 from babbitt.kinds.journal.grooved_long_bearing.check import segments_check
-from babbitt.kinds.journal.grooved_long_bearing.model import Groove, GrooveKind, SegmentBearing, SegmentCase
+from babbitt.kinds.journal.grooved_long_bearing.model import Groove, GrooveKind, SegmentCase
 from babbitt.kinds.journal.grooved_long_bearing.solve import film_at_eccentricity, film_under_load
+from babbitt.kinds.journal.one_dimension import LongBearing
 from babbitt.properties.lubricants import PowerLaw, ViscosityKind
 from babbitt.validation.published.grooved_segments import film, oil
 
 ZERO = 273.15
 GOOD = film("through", cells=360)
 PLAIN = SegmentCase(
-    "bearing",
-    SegmentBearing(0.1, 0.07, 1.53e-3),
-    PrescribedEccentricity(0.8),
-    200.0,
-    oil(19.5, 2.2),
-    OilSupply(40.0 + ZERO, 0.0),
+    name="bearing",
+    bearing=LongBearing(0.1, 0.07, 1.53e-3),
+    duty=PrescribedEccentricity(0.8),
+    journal_speed=200.0,
+    lubricant=oil(19.5, 2.2),
+    oil_supply=OilSupply(40.0 + ZERO, 0.0),
     cells=360,
 )
 GROOVED = replace(PLAIN, groove=GOOD.groove)
@@ -151,7 +152,7 @@ def test_blind_groove_without_enough_oil():
     [
         ({"duty": PrescribedEccentricity(0.97)}, "W107"),
         ({"duty": PrescribedEccentricity(0.97)}, "W116"),
-        ({"bearing": SegmentBearing(0.1, 0.07, 0.011)}, "W151"),
+        ({"bearing": LongBearing(0.1, 0.07, 0.011)}, "W151"),
         (
             {"duty": PrescribedEccentricity(0.98), "bearing": replace(PLAIN.bearing, roughness=(6.3e-7, 3.2e-7))},
             "W155",
@@ -323,7 +324,7 @@ def test_segments_too_thin_even_without_sides_fail():
 
 
 def test_segments_of_a_narrow_bearing_are_doubted():
-    wide = replace(PLAIN, bearing=SegmentBearing(0.1, 0.25, 1.53e-3))
+    wide = replace(PLAIN, bearing=LongBearing(0.1, 0.25, 1.53e-3))
     said = {one.code: one.message for one in segments_check(PLAIN).warnings}
     assert (
         said["W158"]

@@ -18,13 +18,13 @@ from babbitt.kinds.journal.infinitely_long_bearing.model import (
     Discretisation,
     HeatExchange,
     LongFilm,
-    LongFilmBearing,
     LongFilmCase,
     NusseltLaw,
 )
 from babbitt.kinds.journal.infinitely_long_bearing.pressure import Gap, divergence_form
 from babbitt.kinds.journal.infinitely_long_bearing.solve import film_at_eccentricity, film_under_load
 from babbitt.kinds.journal.iso7902.characteristics import curves
+from babbitt.kinds.journal.one_dimension import LongBearing
 from babbitt.properties.lubricants import Walther
 from babbitt.validation.published.long_film_bearing import film, oil
 
@@ -32,12 +32,12 @@ ZERO = 273.15
 GOOD = film(Discretisation.CONSISTENT, 3000, cells=90)
 
 CASE = LongFilmCase(
-    "bearing",
-    LongFilmBearing(0.08, 0.105, 1.408e-3),
-    PrescribedEccentricity(0.6),
-    3000 * math.pi / 30,
-    oil(),
-    OilSupply(70.0 + ZERO, 0.0),
+    name="bearing",
+    bearing=LongBearing(0.08, 0.105, 1.408e-3),
+    duty=PrescribedEccentricity(0.6),
+    journal_speed=3000 * math.pi / 30,
+    lubricant=oil(),
+    oil_supply=OilSupply(70.0 + ZERO, 0.0),
 )
 
 TEXT = """
@@ -158,10 +158,10 @@ def test_journal_that_nothing_touches_has_no_temperature():
     ("change", "code"),
     [
         ({"cells": 60}, "W152"),
-        ({"bearing": LongFilmBearing(0.08, 0.105, 6e-3)}, "W151"),
+        ({"bearing": LongBearing(0.08, 0.105, 6e-3)}, "W151"),
         ({"oil_supply": OilSupply(149.0 + ZERO, 0.0)}, "W107"),
         ({"journal_speed": 30000 * math.pi / 30, "oil_supply": OilSupply(110.0 + ZERO, 0.0),
-          "bearing": LongFilmBearing(0.08, 0.105, 4e-3)}, "W101"),
+          "bearing": LongBearing(0.08, 0.105, 4e-3)}, "W101"),
         ({"duty": PrescribedEccentricity(0.97)}, "W116"),
     ],
 )  # fmt: skip
@@ -315,7 +315,7 @@ def test_the_surfaces_are_no_more_kept_apart_for_sure():
     ],
 )
 def test_a_narrow_bearing_is_doubted(width, duty, words):
-    found = long_film_check(replace(CASE, bearing=LongFilmBearing(0.08, width, 1.408e-3), duty=duty))
+    found = long_film_check(replace(CASE, bearing=LongBearing(0.08, width, 1.408e-3), duty=duty))
     warnings = {one.code: one.message for one in found.warnings}
     assert ("W158" in warnings) is (words is not None)
     if words:

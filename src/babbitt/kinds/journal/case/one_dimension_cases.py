@@ -10,13 +10,13 @@ from babbitt.kinds.journal.case.assumptions import common_assumptions_of
 from babbitt.kinds.journal.case.joined_inputs import Inputs, Point, duty, journal_speed
 from babbitt.kinds.journal.case.one_dimension import METHODS
 from babbitt.kinds.journal.case.warnings import warnings_about_numbers
-from babbitt.kinds.journal.grooved_long_bearing.model import SegmentBearing, SegmentCase
+from babbitt.kinds.journal.grooved_long_bearing.model import SegmentCase
 from babbitt.kinds.journal.infinitely_long_bearing.model import (
     Discretisation,
     ExchangeZone,
-    LongFilmBearing,
     LongFilmCase,
 )
+from babbitt.kinds.journal.one_dimension import LongBearing
 from babbitt.properties.materials import LoadCharacter
 
 SECTORS = {"draft": 90, "engineering": 180, "reference": 360}
@@ -31,7 +31,7 @@ def long_film_case(inputs: Inputs, at: Point) -> LongFilmCase:
     bearing, given = inputs.bearing, inputs.bearing.heat_exchange
     zone = given.exchange_zone
     return LongFilmCase(
-        bearing=LongFilmBearing(**_sizes(inputs, at)),
+        bearing=LongBearing(**_sizes(inputs, at)),
         duty=_duty(inputs, at),
         exchange=given.exchange(),
         discretisation=Discretisation(given.discretisation),
@@ -47,7 +47,7 @@ def segment_case(inputs: Inputs, at: Point) -> SegmentCase:
     bearing, given = inputs.bearing, inputs.bearing.segments
     rough = given.roughness
     return SegmentCase(
-        bearing=SegmentBearing(
+        bearing=LongBearing(
             **_sizes(inputs, at), roughness=None if rough is None else (rough.bearing, rough.journal)
         ),
         duty=None if given.profile else _duty(inputs, at),

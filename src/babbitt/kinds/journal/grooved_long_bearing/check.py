@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from dataclasses import replace
 from time import perf_counter
@@ -13,16 +12,13 @@ from babbitt.design.bounds import NO_BOUNDS, Bounds
 from babbitt.design.checks import checks_not_made, clearance_check, limit_checks
 from babbitt.design.conditions import PrescribedLoad
 from babbitt.design.directions import directions_of, narrowest_direction
-from babbitt.design.effective import EffectiveFilm
-from babbitt.design.heat_balance import NoFilmError
 from babbitt.design.infinite_width import flattered_films
-from babbitt.design.screening import recommended_relative_clearance
-from babbitt.design.values import duty_values, limit_values, oil_values
 from babbitt.kinds.journal.grooved_long_bearing.model import GrooveKind, SegmentCase
 from babbitt.kinds.journal.grooved_long_bearing.solve import film_at_eccentricity, film_under_load
 from babbitt.kinds.journal.grooved_long_bearing.state import SegmentFilmState
 from babbitt.kinds.journal.grooved_long_bearing.ungrooved_reference import UngroovedReference, beside
 from babbitt.kinds.journal.grooved_long_bearing.warnings import warnings_of_solution
+from babbitt.kinds.journal.one_dimension import long_film_values, rows_over_angle, solved
 from babbitt.properties.lubricants import PowerLaw
 
 METHOD = "segments"
@@ -44,7 +40,7 @@ def segments_check(case: SegmentCase) -> Result:
         With a status in every case.
     """
     start = perf_counter()
-    outcome, capacity, state = _solved(case)
+    outcome, capacity, state = solved(lambda: _found(case))
     values: dict[str, float] = {}
     checks: tuple[Check, ...] = ()
     not_made: tuple[Notice, ...] = ()
@@ -54,7 +50,7 @@ def segments_check(case: SegmentCase) -> Result:
         values, arrays = _values(case, state), _arrays(state)
         if not case.profile:
             around = directions_of(case, state.attitude_angle, state.grid.angles)
-            arrays["film_direction"] = (tuple(float(one) for one in around),)
+            arrays |= rows_over_angle({"film_direction": around})
         if outcome.solved:
             plain = beside(case.film, state) if case.groove is not None else None
             values |= _values_beside(state, plain)
@@ -95,59 +91,25 @@ def _of_the_hottest(checks: tuple[Check, ...], values: dict[str, float]) -> Iter
         yield replace(one, quantity=hottest, value=values[hottest]) if ahead else one
 
 
-def _solved(case: SegmentCase) -> tuple[Outcome, float | None, SegmentFilmState | None]:
-    """How it ended, the largest load reached if it was too large, and the film."""
-    try:
-        if isinstance(case.duty, PrescribedLoad):
-            state = film_under_load(case.film, case.duty.load)
-        else:
-            eccentricity = case.duty.eccentricity_ratio if case.duty is not None else 0.0
-            state = film_at_eccentricity(case.film, eccentricity)
-    except NoFilmError as error:
-        return error.outcome, error.capacity, None
-    return (Outcome.CONVERGED if state.converged else Outcome.NOT_CONVERGED), None, state
+def _found(case: SegmentCase) -> SegmentFilmState:
+    """The film under the load, or at the eccentricity of the case."""
+    if isinstance(case.duty, PrescribedLoad):
+        return film_under_load(case.film, case.duty.load)
+    eccentricity = case.duty.eccentricity_ratio if case.duty is not None else 0.0
+    return film_at_eccentricity(case.film, eccentricity)
 
 
 def _values(case: SegmentCase, state: SegmentFilmState) -> dict[str, float]:
-    bearing, first, last = case.bearing, state.segments[0], state.segments[-1]
-    mean = _mean_temperature(state)
-    effective = EffectiveFilm.of(
-        case, mean, bearing.relative_clearance, state.load, state.friction_power, last.flow
-    )
-    duty = duty_values(case, effective)
-    number = state.load * bearing.relative_clearance**2 / (
-        bearing.width * bearing.diameter * effective.viscosity * abs(case.journal_speed)
-    )  # fmt: skip
+    first, last = state.segments[0], state.segments[-1]
     thinnest = float(state.film_thickness.min())
-    values = {
-        "diameter": bearing.diameter,
-        "width": bearing.width,
-        "width_ratio": bearing.width_ratio,
-        "relative_clearance": bearing.relative_clearance,
-        "operating_relative_clearance": bearing.relative_clearance,
-        **duty,
-        "angular_speed": case.journal_speed,
-        **oil_values(case, effective),
-        "sommerfeld_number": number,
-        "american_sommerfeld_number": 1.0 / (2.0 * math.pi * number),
-        "attitude_angle": state.attitude_angle,
-        "minimum_film_thickness": thinnest,
-        "maximum_pressure": float(state.film_pressure.max()),
+    values = long_film_values(case, state, _mean_temperature(state), last.flow) | {
         "rupture_angle": last.segment.end,
         "narrow_zone": state.width_of_narrow_zone(),
-        "load_along_eccentricity": state.load_along,
-        "load_across_eccentricity": state.load_across,
-        "friction_coefficient": state.friction_power / (state.load * duty["surface_speed"]),
         "friction_torque": state.friction_power / abs(case.journal_speed),
-        "friction_power": state.friction_power,
         "film_flow": first.flow,
-        "supply_temperature": case.oil_supply.temperature,
-        "effective_temperature": mean,
         "outlet_temperature": last.outlet_temperature,
         "maximum_temperature": max(one.outlet_temperature for one in state.segments),
         "heat_to_oil": sum(one.heat for one in state.segments),
-        "recommended_relative_clearance": recommended_relative_clearance(duty["surface_speed"]),
-        **limit_values(case),
     }
     if not case.profile:
         values["narrowest_gap_angle"] = narrowest_direction(case, state.attitude_angle)
@@ -206,13 +168,12 @@ def _values_beside(state: SegmentFilmState, plain: UngroovedReference | None) ->
 
 def _arrays(state: SegmentFilmState) -> dict[str, Matrix]:
     """Fields over the angle from the widest gap, each as one row."""
-    fields = {
+    return rows_over_angle({
         "film_angle": state.grid.angles,
         "film_thickness": state.film_thickness,
         "film_pressure": state.film_pressure,
         "film_temperature": state.film_temperature,
-    }
-    return {name: (tuple(float(one) for one in field),) for name, field in fields.items()}
+    })  # fmt: skip
 
 
 def _assumptions(case: SegmentCase) -> Iterator[str]:

@@ -4,21 +4,13 @@ from __future__ import annotations
 
 import itertools
 import math
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from enum import Enum
 
-from babbitt.core.notices import InputError, Notice
-from babbitt.design.conditions import (
-    HousingCooling,
-    Limits,
-    OilSupply,
-    PrescribedEccentricity,
-    PrescribedLoad,
-    Proportions,
-    Surfaces,
-)
+from babbitt.core.notices import InputError
+from babbitt.design.conditions import PrescribedEccentricity, PrescribedLoad
+from babbitt.kinds.journal.one_dimension import LongFilmProblem, positive
 from babbitt.properties.lubricants import Lubricant
-from babbitt.properties.materials import BearingMetal, LoadCharacter
 
 FEWEST_CELLS = 180
 """Intervals around the film below which nothing is computed; 720 and more are meant."""
@@ -152,11 +144,7 @@ class SegmentFilm:
 
 def issues_of(film: SegmentFilm) -> tuple[str, ...]:
     """Say what of a film cannot be used, each with its value."""
-    found = []
-    for name in ("diameter", "width", "clearance", "surface_speed", "supply_temperature"):
-        value = getattr(film, name)
-        if not 0.0 < value < math.inf:
-            found.append(f"{name} must be above 0, given {value!r}")
+    found = [*positive(film, "diameter", "width", "clearance", "surface_speed", "supply_temperature")]
     if film.cells < FEWEST_CELLS:
         found.append(f"cells must be at least {FEWEST_CELLS}, given {film.cells}")
     if not 0.0 <= film.compliance < math.inf:
@@ -212,52 +200,20 @@ def issues_of_profile(profile: tuple[tuple[float, float], ...]) -> list[str]:
     return found
 
 
-@dataclass(frozen=True)
-class SegmentBearing(Proportions):
-    """The bearing as the segments see it; the clearance is that of operation.
-
-    `roughness` is the arithmetic mean roughness Ra of bearing and journal in m, where known.
-    """
-
-    diameter: float
-    width: float
-    relative_clearance: float
-    surfaces: Surfaces | None = None
-    metal: BearingMetal | None = None
-    load_character: LoadCharacter = LoadCharacter.CALM
-    clearance_tolerance: tuple[float, float] | None = None
-    mean_clearance: float | None = None
-    roughness: tuple[float, float] | None = None
-
-
-@dataclass(frozen=True)
-class SegmentCase:
+@dataclass(frozen=True, kw_only=True)
+class SegmentCase(LongFilmProblem):
     """One bearing at one operating point, to be computed by segments; as
     `babbitt.kinds.journal.film.model.FilmCase`.
 
     `duty` None is a film whose profile is given: its load is found.
     """
 
-    name: str
-    bearing: SegmentBearing
     duty: PrescribedLoad | PrescribedEccentricity | None
-    journal_speed: float
-    lubricant: Lubricant
-    oil_supply: OilSupply
     groove: Groove | None = None
     start: float = 0.0
     compliance: float = 0.0
     profile: tuple[tuple[float, float], ...] = ()
     cells: int = 1000
-    load_angle: float = -math.pi / 2.0
-    limits: Limits = field(default_factory=Limits)
-    given: tuple[tuple[str, str], ...] = ()
-    assumptions: tuple[str, ...] = ()
-    warnings: tuple[Notice, ...] = ()
-    kind: str = "journal"
-    cooling: HousingCooling | None = None
-    bearing_speed: float = 0.0
-    effective_temperature: float | None = None
 
     @property
     def film(self) -> SegmentFilm:
@@ -266,7 +222,7 @@ class SegmentCase:
         return SegmentFilm(
             bearing.diameter,
             bearing.width,
-            0.5 * bearing.relative_clearance * bearing.diameter,
+            self.clearance,
             0.5 * abs(self.journal_speed) * bearing.diameter,
             self.lubricant,
             self.oil_supply.temperature,

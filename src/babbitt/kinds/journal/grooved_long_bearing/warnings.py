@@ -12,13 +12,11 @@ from babbitt.design.warnings import warnings_about_film, warnings_about_running
 from babbitt.kinds.journal.grooved_long_bearing.model import GrooveKind, SegmentCase
 from babbitt.kinds.journal.grooved_long_bearing.state import SegmentFilmState
 from babbitt.kinds.journal.grooved_long_bearing.ungrooved_reference import UngroovedReference
+from babbitt.kinds.journal.one_dimension import warnings_about_oil_range, warnings_about_thickness
 from babbitt.properties.lubricants import PowerLaw
 
 POWER_LAW_RANGE = (293.15, 393.15)
 """K, 20 to 120 °C: where the source uses the power law of viscosity."""
-
-THICK_FROM = 0.005
-"""c/R above which the theory of thin films is questioned."""
 
 ROUGHNESS_FACTOR = 3.0
 """Least film over the combined rms roughness σ = sqrt(Rq_B² + Rq_J²) without a warning: above about 3 σ surfaces
@@ -38,9 +36,7 @@ def warnings_of_solution(
     """Everywhere the result leaves the ground on which it stands; `plain` are the ungrooved films beside it."""
     yield from case.warnings
     yield from warnings_about_width(case, values)
-    ratio = case.film.clearance / case.film.radius
-    if ratio > THICK_FROM:
-        yield Notice("W151", values={"ratio": ratio, "limit": THICK_FROM})
+    yield from warnings_about_thickness(case)
     if plain is not None:
         yield from _warnings_about_groove(case, state, plain)
     outside = list(_warnings_about_temperature(case, state))
@@ -81,12 +77,7 @@ def _warnings_about_groove(
 
 
 def _warnings_about_temperature(case: SegmentCase, state: SegmentFilmState) -> Iterator[Notice]:
-    coldest, hottest = case.lubricant.temperature_range
-    if isinstance(case.lubricant.viscosity_law, PowerLaw):
-        coldest, hottest = POWER_LAW_RANGE
+    by_power_law = isinstance(case.lubricant.viscosity_law, PowerLaw)
     reached = [t for one in state.segments for t in (one.inlet_temperature, one.outlet_temperature)]
-    if min(reached) < coldest or max(reached) > hottest:
-        yield Notice("W107", "film", {
-            "low": min(reached), "high": max(reached), "lubricant": case.lubricant.name,
-            "coldest": coldest, "hottest": hottest,
-        })  # fmt: skip
+    known = POWER_LAW_RANGE if by_power_law else case.lubricant.temperature_range
+    return warnings_about_oil_range(case, min(reached), max(reached), known)

@@ -14,25 +14,26 @@ from babbitt.design.bounds import NO_BOUNDS
 from babbitt.design.checks import checks_not_made, clearance_check, limit_checks
 from babbitt.design.conditions import PrescribedEccentricity, PrescribedLoad
 from babbitt.design.directions import directions_of, narrowest_direction
-from babbitt.design.effective import EffectiveFilm
 from babbitt.design.heat_balance import NoFilmError
 from babbitt.design.infinite_width import flattered_films, warnings_about_width
-from babbitt.design.screening import recommended_relative_clearance
-from babbitt.design.values import duty_values, limit_values, oil_values
 from babbitt.design.warnings import warnings_about_film, warnings_about_running
 from babbitt.kinds.journal.infinitely_long_bearing.mean_temperature import mean_temperature_film
 from babbitt.kinds.journal.infinitely_long_bearing.model import COARSE_BELOW, LongFilmCase, NusseltLaw
 from babbitt.kinds.journal.infinitely_long_bearing.pressure import circle
 from babbitt.kinds.journal.infinitely_long_bearing.solve import film_at_eccentricity, film_under_load
 from babbitt.kinds.journal.infinitely_long_bearing.state import LongFilmState
+from babbitt.kinds.journal.one_dimension import (
+    long_film_values,
+    rows_over_angle,
+    solved,
+    warnings_about_oil_range,
+    warnings_about_thickness,
+)
 
 METHOD = "long_film"
 
 ATMOSPHERE = 101325.0
 """Pa; standard atmosphere, to which the published relative load is referred."""
-
-THICK_FROM = 0.005
-"""c/R above which the theory of thin films is questioned."""
 
 LAMINAR_UP_TO = 1500.0
 """Local Reynolds number ρ u h/η above which the laminar law is invalid."""
@@ -51,7 +52,7 @@ def long_film_check(case: LongFilmCase) -> Result:
         With a status in every case.
     """
     start = perf_counter()
-    outcome, capacity, state = _solved(case)
+    outcome, capacity, state = solved(lambda: _found(case))
     values: dict[str, float] = {}
     checks: tuple[Check, ...] = ()
     not_made: tuple[Notice, ...] = ()
@@ -60,7 +61,7 @@ def long_film_check(case: LongFilmCase) -> Result:
     if state is not None:
         values, arrays = _values(case, state), _arrays(state)
         around = directions_of(case, state.attitude_angle, circle(case.cells, case.film.start)[0])
-        arrays["film_direction"] = (tuple(float(one) for one in around),)
+        arrays |= rows_over_angle({"film_direction": around})
         if outcome.solved:
             bounds = flattered_films(values) if isinstance(case.duty, PrescribedLoad) else NO_BOUNDS
             checks = (*limit_checks(case, values, bounds), clearance_check(case, values))
@@ -84,56 +85,25 @@ def long_film_check(case: LongFilmCase) -> Result:
     )
 
 
-def _solved(case: LongFilmCase) -> tuple[Outcome, float | None, LongFilmState | None]:
-    """How it ended, the largest load reached if it was too large, and the film."""
-    try:
-        if isinstance(case.duty, PrescribedEccentricity):
-            state = film_at_eccentricity(case.film, case.duty.eccentricity_ratio)
-        else:
-            state = film_under_load(case.film, case.duty.load)
-    except NoFilmError as error:
-        return error.outcome, error.capacity, None
-    return (Outcome.CONVERGED if state.converged else Outcome.NOT_CONVERGED), None, state
+def _found(case: LongFilmCase) -> LongFilmState:
+    """The film under the load, or at the eccentricity of the case."""
+    if isinstance(case.duty, PrescribedEccentricity):
+        return film_at_eccentricity(case.film, case.duty.eccentricity_ratio)
+    return film_under_load(case.film, case.duty.load)
 
 
 def _values(case: LongFilmCase, state: LongFilmState) -> dict[str, float]:
     bearing, temperatures = case.bearing, state.temperatures
-    effective = EffectiveFilm.of(
-        case, _mean_temperature(state), bearing.relative_clearance, state.load, state.friction_power, state.flow
-    )
-    duty = duty_values(case, effective)
-    number = state.load * bearing.relative_clearance**2 / (
-        bearing.width * bearing.diameter * effective.viscosity * abs(case.journal_speed)
-    )  # fmt: skip
-    values = {
-        "diameter": bearing.diameter,
-        "width": bearing.width,
-        "width_ratio": bearing.width_ratio,
-        "relative_clearance": bearing.relative_clearance,
-        "operating_relative_clearance": bearing.relative_clearance,
-        **duty,
-        "angular_speed": case.journal_speed,
-        **oil_values(case, effective),
-        "sommerfeld_number": number,
-        "american_sommerfeld_number": 1.0 / (2.0 * math.pi * number),
+    values = long_film_values(case, state, _mean_temperature(state), state.flow) | {
         "eccentricity_ratio": state.eccentricity_ratio,
-        "attitude_angle": state.attitude_angle,
         "narrowest_gap_angle": narrowest_direction(case, state.attitude_angle),
-        "minimum_film_thickness": float(state.film_thickness.min()),
-        "maximum_pressure": float(state.film_pressure.max()),
         "supply_angle": case.supply_angle,
         "rupture_angle": state.pressure.rupture_angle,
-        "load_along_eccentricity": state.load_along,
-        "load_across_eccentricity": state.load_across,
         "relative_load": state.load_along / (bearing.diameter * bearing.width * ATMOSPHERE),
-        "friction_coefficient": state.friction_power / (state.load * duty["surface_speed"]),
         "friction_torque": state.friction_torque,
-        "friction_power": state.friction_power,
         "friction_heat": state.heat_source,
         "film_flow": state.flow,
         "flow_inconsistency": state.flow_spread,
-        "supply_temperature": case.oil_supply.temperature,
-        "effective_temperature": effective.temperature,
         "rupture_temperature": state.rupture_temperature,
         "outlet_temperature": float(temperatures.film[-1]),
         "maximum_temperature": float(temperatures.film.max()),
@@ -143,8 +113,6 @@ def _values(case: LongFilmCase, state: LongFilmState) -> dict[str, float]:
         "heat_film_to_bush": temperatures.film_to_bush,
         "heat_film_to_journal": temperatures.film_to_journal,
         "energy_balance_error": state.energy_balance_error,
-        "recommended_relative_clearance": recommended_relative_clearance(duty["surface_speed"]),
-        **limit_values(case),
     }
     if not math.isnan(temperatures.journal):
         values["journal_temperature"] = temperatures.journal
@@ -179,7 +147,7 @@ def _arrays(state: LongFilmState) -> dict[str, Matrix]:
     }
     if state.temperatures.bush is not None:
         fields["bush_temperature"] = state.temperatures.bush
-    return {name: (tuple(float(one) for one in field),) for name, field in fields.items()}
+    return rows_over_angle(fields)
 
 
 def _warnings(
@@ -190,31 +158,17 @@ def _warnings(
     if not case.discretisation.conserves_flow:
         spread = values["flow_inconsistency"]
         yield Notice("W150", values={"scheme": case.discretisation.value, "spread": spread})
-    ratio = case.film.clearance / case.film.radius
-    if ratio > THICK_FROM:
-        yield Notice("W151", values={"ratio": ratio, "limit": THICK_FROM})
+    yield from warnings_about_thickness(case)
     if case.cells < COARSE_BELOW:
         yield Notice("W152", values={"sectors": case.cells, "least": COARSE_BELOW})
-    yield from _warnings_about_temperature(case, state)
-    density = case.lubricant.density(state.temperatures.film)
-    local = density * case.film.surface_speed * state.film_thickness / case.lubricant.dynamic_viscosity(
-        state.temperatures.film
-    )  # fmt: skip
+    film, oil = state.temperatures.film, case.lubricant
+    yield from warnings_about_oil_range(case, float(film.min()), float(film.max()), oil.temperature_range)
+    local = oil.density(film) * case.film.surface_speed * state.film_thickness / oil.dynamic_viscosity(film)
     highest = float(np.max(local))
     if highest > LAMINAR_UP_TO and values["film_reynolds_number"] <= values["critical_reynolds_number"]:
         yield Notice("W101", "local", {"film_reynolds_number": highest, "limit": LAMINAR_UP_TO})
     yield from warnings_about_film(case, values)
     yield from warnings_about_running(case, values, checks)
-
-
-def _warnings_about_temperature(case: LongFilmCase, state: LongFilmState) -> Iterator[Notice]:
-    coldest, hottest = case.lubricant.temperature_range
-    film = state.temperatures.film
-    if float(film.min()) < coldest or float(film.max()) > hottest:
-        yield Notice("W107", "film", {
-            "low": float(film.min()), "high": float(film.max()), "lubricant": case.lubricant.name,
-            "coldest": coldest, "hottest": hottest,
-        })  # fmt: skip
 
 
 def _assumptions(case: LongFilmCase) -> Iterator[str]:

@@ -8,18 +8,10 @@ from dataclasses import dataclass, field
 from enum import Enum
 from typing import TYPE_CHECKING, Any
 
-from babbitt.core.notices import InputError, Notice
-from babbitt.design.conditions import (
-    HousingCooling,
-    Limits,
-    OilSupply,
-    PrescribedEccentricity,
-    PrescribedLoad,
-    Proportions,
-    Surfaces,
-)
+from babbitt.core.notices import InputError
+from babbitt.design.conditions import PrescribedEccentricity, PrescribedLoad
+from babbitt.kinds.journal.one_dimension import LongFilmProblem, positive
 from babbitt.properties.lubricants import Lubricant
-from babbitt.properties.materials import BearingMetal, LoadCharacter
 
 if TYPE_CHECKING:
     import numpy as np
@@ -194,11 +186,7 @@ class LongFilm:
 
 def issues_of(film: LongFilm) -> tuple[str, ...]:
     """Say what of a long film cannot be used, each with its value."""
-    found = []
-    for name in ("diameter", "width", "clearance", "angular_speed", "inlet_temperature"):
-        value = getattr(film, name)
-        if not 0.0 < value < math.inf:
-            found.append(f"{name} must be above 0, given {value!r}")
+    found = [*positive(film, "diameter", "width", "clearance", "angular_speed", "inlet_temperature")]
     if not found and film.clearance / film.radius > THICKEST_FILM:
         ratio = film.clearance / film.radius
         found.append(f"clearance over radius is {ratio:.3g}, a thin film has up to {THICKEST_FILM:g}")
@@ -222,44 +210,16 @@ def issues_of(film: LongFilm) -> tuple[str, ...]:
     return tuple(found)
 
 
-@dataclass(frozen=True)
-class LongFilmBearing(Proportions):
-    """The bearing as the long film sees it; the clearance is that of operation."""
-
-    diameter: float
-    width: float
-    relative_clearance: float
-    surfaces: Surfaces | None = None
-    metal: BearingMetal | None = None
-    load_character: LoadCharacter = LoadCharacter.CALM
-    clearance_tolerance: tuple[float, float] | None = None
-    mean_clearance: float | None = None
-
-
-@dataclass(frozen=True)
-class LongFilmCase:
+@dataclass(frozen=True, kw_only=True)
+class LongFilmCase(LongFilmProblem):
     """One bearing at one operating point, to be computed as a long film."""
 
-    name: str
-    bearing: LongFilmBearing
     duty: PrescribedLoad | PrescribedEccentricity
-    journal_speed: float
-    lubricant: Lubricant
-    oil_supply: OilSupply
     exchange: HeatExchange = field(default_factory=HeatExchange)
     discretisation: Discretisation = Discretisation.CONSISTENT
     exchange_zone: ExchangeZone | None = None
     cells: int = 180
     supply_angle: float = math.pi
-    load_angle: float = -math.pi / 2.0
-    limits: Limits = field(default_factory=Limits)
-    given: tuple[tuple[str, str], ...] = ()
-    assumptions: tuple[str, ...] = ()
-    warnings: tuple[Notice, ...] = ()
-    kind: str = "journal"
-    cooling: HousingCooling | None = None
-    bearing_speed: float = 0.0
-    effective_temperature: float | None = None
 
     @property
     def film(self) -> LongFilm:
@@ -268,7 +228,7 @@ class LongFilmCase:
         return LongFilm(
             bearing.diameter,
             bearing.width,
-            0.5 * bearing.relative_clearance * bearing.diameter,
+            self.clearance,
             abs(self.journal_speed),
             self.lubricant,
             self.oil_supply.temperature,
