@@ -9,7 +9,7 @@ import numpy as np
 
 from babbitt import __version__
 from babbitt.core.optional_package import optional_package
-from babbitt.core.quantities import QUANTITIES
+from babbitt.core.quantities import AXES, QUANTITIES
 from babbitt.report.fields import require_package
 
 if TYPE_CHECKING:
@@ -19,10 +19,6 @@ if TYPE_CHECKING:
     from babbitt.api.results import BearingResult
 
 __all__ = ["attributes_of", "axes_of", "dataset_of", "frame_of"]
-
-
-ENTRIES = ("xx", "xy", "yx", "yy")
-"""Ends of the columns of a matrix of force over motion."""
 
 
 def frame_of(
@@ -57,7 +53,7 @@ def frame_of(
 def _quantity_in(column: str) -> str:
     """The quantity of a column: its own name, or that of the matrix of which it is an entry."""
     name, _, axes = column.rpartition("_")
-    return name if axes in ENTRIES and column not in QUANTITIES else column
+    return name if axes in AXES and column not in QUANTITIES else column
 
 
 def _row(one: BearingResult) -> dict[str, Any]:

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path as FilePath
+from typing import Any
 
-from babbitt.case.error_messages import Path
+from babbitt.case.error_messages import Path, shown
 from babbitt.core.files.printing import printable
 from babbitt.core.files.reading import Reach, UnreadableFileError, read_regular
 from babbitt.core.picklable_error import PicklableError
 
-__all__ = ["NamedFiles", "TableError"]
+__all__ = ["NamedFiles", "TableError", "with_its_file"]
 
 
 class TableError(PicklableError):
@@ -89,3 +91,29 @@ class NamedFiles:
     def _is_within(self, file: FilePath) -> bool:
         """Whether a file lies below the folder once every link is followed."""
         return file.resolve().is_relative_to(self.folder.resolve())
+
+
+def with_its_file(
+    part: dict[str, Any], at: Path, example: str, read: Callable[[str, Path], dict[str, Any]]
+) -> dict[str, Any]:
+    """A part of a case with what is read from its ``file`` in place of the name.
+
+    Parameters
+    ----------
+    part : dict
+        As it stands in the case, which it does at ``at``; it is not changed.
+    at : tuple
+    example : str
+        What would do.
+    read : callable
+        Name of the file, and where in the case it stands -> fields.
+
+    Raises
+    ------
+    TableError
+        For what is not the name of a file that can be used.
+    """
+    name, at = part["file"], (*at, "file")
+    if not isinstance(name, str):
+        raise TableError(at, f"{shown(name)} is not the name of a file", example)
+    return {field: value for field, value in part.items() if field != "file"} | read(name, at)

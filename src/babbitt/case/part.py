@@ -208,6 +208,15 @@ def _is_given_at(part: Part, path: str) -> bool:
     return is_given(part, name) and (not rest or _is_given_at(getattr(part, name), rest))
 
 
+def named_once(names: Iterable[str | None], what: str, field: str) -> Iterator[Issue]:
+    """Complain of entries of a list that are named as one before them."""
+    seen: set[str] = set()
+    for index, name in enumerate(names):
+        if name in seen:
+            yield Issue((field, index, "name"), f"another {what} is named '{name}' too", "each name once")
+        seen |= {name} if name is not None else set()
+
+
 def exactly_one(part: Part, *names: str) -> Iterator[Issue]:
     """Complain unless exactly one of some fields is given."""
     given = [name for name in names if is_given(part, name)]

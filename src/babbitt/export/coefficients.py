@@ -16,9 +16,6 @@ from babbitt.export.whirl import OverFrequency, SystemMatrices
 
 Array = NDArray[np.float64]
 
-NAMES = ("xx", "xy", "yx", "yy")
-"""Order of the four entries wherever a table is written in columns."""
-
 
 @dataclass(frozen=True, eq=False)
 class CoefficientTable:

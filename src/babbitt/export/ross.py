@@ -21,7 +21,8 @@ from typing import Any
 import numpy as np
 
 from babbitt.core.notices import InputError
-from babbitt.export.coefficients import NAMES, Array, CoefficientTable
+from babbitt.core.quantities import AXES
+from babbitt.export.coefficients import Array, CoefficientTable
 from babbitt.export.frame import Frame, declaration
 from babbitt.export.frames import for_rotor_programs
 from babbitt.export.json_file import frame_from, frame_record, static_from, static_record, temperatures_record
@@ -136,7 +137,7 @@ def read_ross(
     def matrix(letter: str) -> Array:
         if over is not None:
             return synchronous(over.stiffness if letter == "k" else over.damping, over.frequencies, speeds)
-        values = [_list(where, element, letter + name, speeds.size) for name in NAMES]
+        values = [_list(where, element, letter + name, speeds.size) for name in AXES]
         return np.array(values).T.reshape(-1, 2, 2)
 
     mass = matrix("m") if "mxx" in element and over is None else None
@@ -160,7 +161,7 @@ def _over_frequency(where: str, element: dict[str, Any], speeds: Array) -> OverF
     frequencies = np.array(element["frequency"], dtype=np.float64)
 
     def matrix(letter: str) -> Array:
-        values = np.array([element.get(letter + name) for name in NAMES], dtype=np.float64)
+        values = np.array([element.get(letter + name) for name in AXES], dtype=np.float64)
         if values.shape != (4, speeds.size, frequencies.size):
             due = f"{speeds.size} rows of {frequencies.size}"
             raise InputError("E004", f"{where}: {letter}xx, {letter}xy, {letter}yx and {letter}yy must have {due}")
@@ -205,7 +206,7 @@ def bearing_element(table: CoefficientTable, version: RossVersion, node: int) ->
     for letter, values in zip("kcm", matrices, strict=True):
         if values is not None:
             columns = np.moveaxis(values.reshape(*values.shape[:-2], 4), -1, 0)
-            element.update({letter + name: column.tolist() for name, column in zip(NAMES, columns, strict=True)})
+            element.update({letter + name: column.tolist() for name, column in zip(AXES, columns, strict=True)})
     element["babbitt"] = {
         "ross_version": int(version),
         "frame": declaration(table.frame),

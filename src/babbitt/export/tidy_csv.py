@@ -21,7 +21,8 @@ from babbitt.core.files.reading import read_text
 from babbitt.core.files.spreadsheet import Cell, read_rows, rows_text
 from babbitt.core.files.writing import write_text
 from babbitt.core.notices import InputError
-from babbitt.export.coefficients import NAMES, Array, CoefficientTable
+from babbitt.core.quantities import AXES
+from babbitt.export.coefficients import Array, CoefficientTable
 from babbitt.export.frame import Frame, Rotation
 from babbitt.export.numbers import number
 from babbitt.export.unit_names import static_column, static_quantity
@@ -48,7 +49,7 @@ def columns_of(matrix: str) -> tuple[str, ...]:
     ('kxx_N_per_m', 'kxy_N_per_m', 'kyx_N_per_m', 'kyy_N_per_m')
     """
     letter, unit = _MATRICES[matrix]
-    return tuple(f"{letter}{name}_{unit}" for name in NAMES)
+    return tuple(f"{letter}{name}_{unit}" for name in AXES)
 
 
 def csv_text(tables: CoefficientTable | Iterable[CoefficientTable]) -> str:

@@ -20,7 +20,8 @@ from babbitt.core.files.reading import read_text
 from babbitt.core.files.spreadsheet import Cell, openpyxl_library, read_rows, rows_text, workbook
 from babbitt.core.files.writing import write_file, write_text
 from babbitt.core.notices import InputError
-from babbitt.export.coefficients import NAMES, Array, CoefficientTable
+from babbitt.core.quantities import AXES
+from babbitt.export.coefficients import Array, CoefficientTable
 from babbitt.export.frame import Frame, declaration, declared, settled
 from babbitt.export.frames import for_rotor_programs
 from babbitt.export.numbers import POUND_PER_INCH, RPM, number, rounded_rpm
@@ -104,14 +105,14 @@ def read_xltrc2(path: str | Path, *, name: str | None = None, frame: Frame | Non
     data = _in_si(str(path), _data(str(path), rows[head + 2 :], titles), dict(zip(titles, units, strict=False)))
 
     def matrix(letter: str) -> Array:
-        return np.array([data[letter + entry] for entry in NAMES]).T.reshape(-1, 2, 2)
+        return np.array([data[letter + entry] for entry in AXES]).T.reshape(-1, 2, 2)
 
     return CoefficientTable(
         name=name or said.get("bearing") or path.stem,
         speeds=np.array(data["speed"]),
         stiffness=matrix("k"),
         damping=matrix("c"),
-        mass=matrix("m") if all("m" + entry in data for entry in NAMES) else None,
+        mass=matrix("m") if all("m" + entry in data for entry in AXES) else None,
         frame=settled(str(path), declared(said.get("frame", "")), frame),
         method=said.get("method", ""),
         temperatures=said.get("temperatures", ""),
@@ -129,8 +130,8 @@ def _grid(table: CoefficientTable) -> list[list[Cell]]:
     """Names, units and rows."""
     matrices = {"k": table.stiffness, "c": table.damping, "m": table.mass}
     present = {letter: values for letter, values in matrices.items() if values is not None}
-    titles = ["Speed", *(letter.upper() + entry for letter in present for entry in NAMES)]
-    units = ["rpm", *(_UNITS[letter] for letter in present for _ in NAMES)]
+    titles = ["Speed", *(letter.upper() + entry for letter in present for entry in AXES)]
+    units = ["rpm", *(_UNITS[letter] for letter in present for _ in AXES)]
     speeds = [rounded_rpm(speed) for speed in table.speeds.tolist()]
     numbers = np.column_stack([speeds, *(values.reshape(-1, 4) for values in present.values())])
     rows: list[list[Cell]] = [[*titles], [*units]]
@@ -143,10 +144,10 @@ def _lower(row: Sequence[Cell]) -> list[str]:
 
 def _data(where: str, rows: Iterable[Sequence[Cell]], titles: list[str]) -> dict[str, list[float]]:
     """Columns of numbers down to the first row that does not begin with one."""
-    needed = ["speed", *("k" + entry for entry in NAMES), *("c" + entry for entry in NAMES)]
+    needed = ["speed", *("k" + entry for entry in AXES), *("c" + entry for entry in AXES)]
     if missing := [title for title in needed if title not in titles]:
         raise InputError("E003", f"{where}: no column {', '.join(missing)}")
-    wanted = {title: i for i, title in enumerate(titles) if title in needed or title in {"m" + e for e in NAMES}}
+    wanted = {title: i for i, title in enumerate(titles) if title in needed or title in {"m" + e for e in AXES}}
     data: dict[str, list[float]] = {title: [] for title in wanted}
     for row in rows:
         first = row[wanted["speed"]] if len(row) > wanted["speed"] else None

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from babbitt.core.quantities import AXES
 from babbitt.core.result import Result
 
 __all__ = ["beside_coefficient"]
 
 HELD = {
-    **{f"{name}_{axes}": name for name in ("stiffness", "damping") for axes in ("xx", "xy", "yx", "yy")},
+    **{f"{name}_{axes}": name for name in ("stiffness", "damping") for axes in AXES},
     "critical_mass": "stability",
     "least_stable_mass": "stability",
     "critical_mass_elastic": "stability",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from babbitt.core.quantities import AXES
 from babbitt.report.meanings import own_meaning
 from babbitt.report.vocabulary import VOCABULARY
 
@@ -60,10 +61,10 @@ SHORT = {
     "transition_speed": "Speed of transition",
     "stability_relative_clearance": "Least clearance against whirl",
     "recommended_relative_clearance": "Recommended clearance",
-    **{f"stiffness_{axes}": "Film stiffness" for axes in ("xx", "xy", "yx", "yy")},
-    **{f"damping_{axes}": "Film damping" for axes in ("xx", "xy", "yx", "yy")},
-    **{f"tilt_stiffness_{axes}": "Tilt stiffness" for axes in ("xx", "xy", "yx", "yy")},
-    **{f"tilt_damping_{axes}": "Tilt damping" for axes in ("xx", "xy", "yx", "yy")},
+    **{f"stiffness_{axes}": "Film stiffness" for axes in AXES},
+    **{f"damping_{axes}": "Film damping" for axes in AXES},
+    **{f"tilt_stiffness_{axes}": "Tilt stiffness" for axes in AXES},
+    **{f"tilt_damping_{axes}": "Tilt damping" for axes in AXES},
     "film_moment_x": "Moment of the film",
     "film_moment_y": "Moment of the film",
     "rotor_mass": "Mass of the rotor",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field
@@ -28,16 +29,14 @@ class FrictionInput(Part):
     )
 
 
-class LimitsInput(Part):
-    """Limits in place of those by experience."""
-
-    example: ClassVar[str] = "{minimum_film_thickness: 10 um, temperature: 90 degC}"
+class FilmLimitsInput(Part):
+    """Limits in place of those by experience, of bearings of every method."""
 
     minimum_film_thickness: Annotated[float, si("m", "0 um", "1 mm")] | None = Field(
         None, description="Least permissible film thickness."
     )
     specific_load: Annotated[float, si("Pa", "1 kPa", "200 MPa")] | None = Field(
-        None, description="Greatest permissible specific load."
+        None, description="Greatest permissible specific load, load over width times diameter."
     )
     temperature: Annotated[float, si("K", "20 degC", "250 degC")] | None = Field(
         None, description="Greatest permissible outlet or bearing temperature."
@@ -45,6 +44,18 @@ class LimitsInput(Part):
     transition_film_thickness: Annotated[float, si("m", "0 um", "1 mm")] | None = Field(
         None, description="Film thickness at which mixed friction begins."
     )
+
+    def limits(self) -> Limits:
+        """Give the limits of the calculation."""
+        return Limits(
+            self.minimum_film_thickness, self.specific_load, self.temperature, self.transition_film_thickness
+        )
+
+
+class LimitsInput(FilmLimitsInput):
+    """Limits in place of those by experience."""
+
+    example: ClassVar[str] = "{minimum_film_thickness: 10 um, temperature: 90 degC}"
 
     tables: Annotated[str, Field(max_length=100_000)] | None = Field(
         None,
@@ -54,13 +65,7 @@ class LimitsInput(Part):
 
     def limits(self) -> Limits:
         """Give the limits of the calculation."""
-        return Limits(
-            self.minimum_film_thickness,
-            self.specific_load,
-            self.temperature,
-            self.transition_film_thickness,
-            self.own_tables(),
-        )
+        return replace(super().limits(), tables=self.own_tables())
 
     def own_tables(self) -> ExperienceLimits | None:
         """Give the tables in place of the shipped ones; whoever reads a case puts their text into the field."""

@@ -147,10 +147,8 @@ class Metal(Part):
 MetalInput = Annotated[Metal, Shorthand(_named, "a name in the catalogue")]
 
 
-class Materials(Part):
-    """Materials. A bearing may give single fields and take the others from its machine."""
-
-    example: ClassVar[str] = "{bearing: C10, journal: 42CrMo4}"
+class LinedMaterials(Part):
+    """Bearing metal, and how the load acts on it."""
 
     bearing_metal: MetalInput | None = Field(
         None, description="Bearing metal. Without it no specific load is checked, and no bearing passes."
@@ -158,11 +156,18 @@ class Materials(Part):
     load_character: Literal["calm", "shock"] | None = Field(
         None, description="How the load acts on the bearing metal. calm if not given."
     )
-    bearing: StructureInput | None = Field(
-        None, description="Material of shell or housing, whose thermal expansion widens the bore."
-    )
-    journal: StructureInput | None = Field(None, description="Material of the journal.")
 
     def metal(self) -> BearingMetal | None:
         """Give the bearing metal; None where it is not named."""
         return None if self.bearing_metal is None else self.bearing_metal.metal()
+
+
+class Materials(LinedMaterials):
+    """Materials. A bearing may give single fields and take the others from its machine."""
+
+    example: ClassVar[str] = "{bearing: C10, journal: 42CrMo4}"
+
+    bearing: StructureInput | None = Field(
+        None, description="Material of shell or housing, whose thermal expansion widens the bore."
+    )
+    journal: StructureInput | None = Field(None, description="Material of the journal.")

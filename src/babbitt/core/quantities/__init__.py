@@ -11,13 +11,13 @@ from babbitt.core.quantities.footstep import FOOTSTEP
 from babbitt.core.quantities.hydrostatics import HYDROSTATICS
 from babbitt.core.quantities.journal import JOURNAL
 from babbitt.core.quantities.one_dimension import ONE_DIMENSION
-from babbitt.core.quantities.quantity import DisplayUnit, Quantity
+from babbitt.core.quantities.quantity import AXES, DisplayUnit, Quantity
 from babbitt.core.quantities.shaft_lines import SHAFT_LINES
 from babbitt.core.quantities.shafts import SHAFTS
 from babbitt.core.quantities.thrust import THRUST
 from babbitt.core.quantities.tilting_pads import TILTING_PADS
 
-__all__ = ["DisplayUnit", "QUANTITIES", "Quantity"]
+__all__ = ["AXES", "DisplayUnit", "QUANTITIES", "Quantity"]
 
 QUANTITIES: dict[str, Quantity] = {
     one.name: one

@@ -2,48 +2,19 @@
 
 from __future__ import annotations
 
-from babbitt.core.quantities.quantity import Quantity, quantity
+from babbitt.core.quantities.quantity import Quantity, entries, quantity
+
+AGAINST_TILT = "against tilt, moment int z dF_{} over"
 
 DYNAMICS: tuple[Quantity, ...] = (
     quantity("stiffness", "K", "N/m", "MN/m", 4, "Film stiffness, dF = -K dx, [[xx, xy], [yx, yy]]"),
-    *(
-        quantity(
-            f"stiffness_{axes}",
-            f"k_{axes}",
-            "N/m",
-            "MN/m",
-            4,
-            f"Film stiffness, force in {row} over move in {column}",
-        )
-        for axes, row, column in (("xx", "x", "x"), ("xy", "x", "y"), ("yx", "y", "x"), ("yy", "y", "y"))
-    ),
+    *entries("stiffness", "k_", "N/m", "MN/m", "Film stiffness, force in {} over move in {}"),
     quantity("frozen_stiffness", "K_fr", "N/m", "MN/m", 4, "Film stiffness at frozen temperatures, for stability"),
     quantity("damping", "C", "N s/m", "kNs/m", 4, "Film damping, dF = -C dx', [[xx, xy], [yx, yy]]"),
-    *(
-        quantity(
-            f"damping_{axes}",
-            f"c_{axes}",
-            "N s/m",
-            "kNs/m",
-            4,
-            f"Film damping, force in {row} over speed in {column}",
-        )
-        for axes, row, column in (("xx", "x", "x"), ("xy", "x", "y"), ("yx", "y", "x"), ("yy", "y", "y"))
-    ),
-    *(
-        quantity(
-            f"{name}_{axes}",
-            f"{symbol}_{axes}",
-            unit,
-            shown,
-            4,
-            f"{title} against tilt, moment int z dF_{axes[0]} over {motion} d{axes[1]}/dz",
-        )
-        for name, symbol, unit, shown, title, motion in (
-            ("tilt_stiffness", "k_φ", "N m/rad", "kNm/rad", "Film stiffness", "slope"),
-            ("tilt_damping", "c_φ", "N m s/rad", "Nms/rad", "Film damping", "rate of the slope"),
-        )
-        for axes in ("xx", "xy", "yx", "yy")
+    *entries("damping", "c_", "N s/m", "kNs/m", "Film damping, force in {} over speed in {}"),
+    *entries("tilt_stiffness", "k_φ_", "N m/rad", "kNm/rad", f"Film stiffness {AGAINST_TILT} slope d{{}}/dz"),
+    *entries(
+        "tilt_damping", "c_φ_", "N m s/rad", "Nms/rad", f"Film damping {AGAINST_TILT} rate of the slope d{{}}/dz"
     ),
     quantity(
         "tilt_stiffness",

@@ -175,3 +175,18 @@ LEAST_DIGITS, LONGEST = 3, 6
 def quantity(name: str, symbol: str, unit: str, display: str, digits: int, meaning: str) -> Quantity:
     """One quantity, shown in a unit of `SI`."""
     return Quantity(name, symbol, unit, SI[display], digits, meaning)
+
+
+AXES = ("xx", "xy", "yx", "yy")
+"""Entries of a 2 x 2 matrix: direction of the force, direction of the motion."""
+
+
+def entries(name: str, symbol: str, unit: str, display: str, meaning: str) -> tuple[Quantity, ...]:
+    """One quantity for each entry of a matrix: ``name_xx``, and its ``meaning`` from force in x to motion in x.
+
+    >>> [one.meaning for one in entries("stiffness", "k_", "N/m", "MN/m", "Force in {} over move in {}")[:2]]
+    ['Force in x over move in x', 'Force in x over move in y']
+    """
+    return tuple(
+        quantity(f"{name}_{axes}", f"{symbol}{axes}", unit, display, 4, meaning.format(*axes)) for axes in AXES
+    )

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from babbitt.core.quantities.quantity import Quantity, quantity
-
-AXES = (("xx", "x", "x"), ("xy", "x", "y"), ("yx", "y", "x"), ("yy", "y", "y"))
+from babbitt.core.quantities.quantity import Quantity, entries, quantity
 
 TILTING_PADS: tuple[Quantity, ...] = (
     quantity("largest_pad_clearance", "c_p", "m", "um", 4, "Machined clearance of the pads, the largest"),
@@ -42,34 +40,14 @@ TILTING_PADS: tuple[Quantity, ...] = (
     quantity("pivot_stiffness", "k_p,i", "N/m", "GN/m", 4, "Stiffness of each pivot under its load"),
     quantity("static_stiffness", "K_0", "N/m", "MN/m", 4, "Stiffness at rest, pads following"),
     quantity("static_damping", "C_0", "N s/m", "kNs/m", 4, "Damping of slow motion, pads following"),
-    *(
-        quantity(
-            f"static_stiffness_{axes}",
-            f"k_0,{axes}",
-            "N/m",
-            "MN/m",
-            4,
-            f"Stiffness at rest, force in {row} over move in {column}",
-        )
-        for axes, row, column in AXES
-    ),
+    *entries("static_stiffness", "k_0,", "N/m", "MN/m", "Stiffness at rest, force in {} over move in {}"),
     quantity("whirl_ratio", "ν", "1", "", 3, "Frequencies of the dynamic coefficients over that of the rotation"),
     quantity("fitted_stiffness", "K_f", "N/m", "MN/m", 4, "Stiffness fitted over the whirl ratios"),
     quantity("fitted_damping", "C_f", "N s/m", "kNs/m", 4, "Damping fitted over the whirl ratios"),
     quantity(
         "virtual_mass", "M_v", "kg", "kg", 4, "Virtual mass fitted over the whirl ratios, Z = K - ω² M + j ω C"
     ),
-    *(
-        quantity(
-            f"virtual_mass_{axes}",
-            f"m_v,{axes}",
-            "kg",
-            "kg",
-            4,
-            f"Virtual mass, force in {row} over acceleration in {column}",
-        )
-        for axes, row, column in AXES
-    ),
+    *entries("virtual_mass", "m_v,", "kg", "kg", "Virtual mass, force in {} over acceleration in {}"),
     quantity("fit_error", "δ_KCM", "1", "percent", 3, "Misfit of stiffness, damping and virtual mass"),
     quantity("system_stiffness", "K_s", "N/m", "MN/m", 4, "Stiffness of journal and pads, in `motions`"),
     quantity("system_damping", "C_s", "N s/m", "kNs/m", 4, "Damping of journal and pads, in `motions`"),

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from babbitt.core.notices import InputError
+from babbitt.core.quantities import AXES
 from babbitt.core.solution import Calculation, Method
 from babbitt.kinds.hydrostatic.case.hydrostatic_file import HydrostaticFile
 from babbitt.kinds.hydrostatic.case.jacking import JackingPocketCase
@@ -37,7 +38,7 @@ COMPARED = (
     "gap_stiffness",
     "gap_damping",
     "least_tilt_stiffness",
-    *(f"{name}_{axes}" for name in ("stiffness", "damping") for axes in ("xx", "xy", "yx", "yy")),
+    *(f"{name}_{axes}" for name in ("stiffness", "damping") for axes in AXES),
     "critical_mass",
     "whirl_frequency_ratio",
     "threshold_speed",

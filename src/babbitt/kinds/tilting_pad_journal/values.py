@@ -7,6 +7,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from babbitt.core.quantities import AXES
 from babbitt.core.result import Matrix
 from babbitt.design.values import duty_values, limit_values, oil_values
 from babbitt.kinds.tilting_pad_journal.dynamics import PadDynamics, bounded_decrement, swinging
@@ -17,8 +18,6 @@ from babbitt.reynolds.tilting_pads.model import TiltingPad
 from babbitt.reynolds.tilting_pads.solution import PadState, PadStatus, TiltingPadSolution
 
 __all__ = ["dynamic_rows", "dynamic_values", "eccentricity_ratio", "film_values", "pad_rows", "place_values"]
-
-AXES = ("xx", "xy", "yx", "yy")
 
 STATUS = {PadStatus.LOADED: 1.0, PadStatus.AT_LIMIT: 0.5, PadStatus.UNLOADED: 0.0}
 """Numbers that stand for a status: 1 loaded, 0 unloaded, between them at its limit."""

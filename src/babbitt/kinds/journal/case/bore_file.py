@@ -9,7 +9,7 @@ from itertools import pairwise
 from typing import Any
 
 from babbitt.case.error_messages import Path, shown
-from babbitt.case.named_files import NamedFiles, TableError
+from babbitt.case.named_files import NamedFiles, TableError, with_its_file
 from babbitt.core.files.printing import printable
 from babbitt.core.notices import InputError
 from babbitt.core.units import QuantityError, SiNumber, read
@@ -45,19 +45,7 @@ MOST_LOADS = 1440
 
 def with_tables(given: dict[str, Any], files: NamedFiles) -> dict[str, Any]:
     """Put the points of measured bores and changing loads, and the text of tables of limits, in place of their
-    files.
-
-    Parameters
-    ----------
-    given : dict
-        A case as it stands in the file; it is not changed.
-    files : NamedFiles
-        What the case may read.
-
-    Raises
-    ------
-    TableError
-        For the first table that cannot be used.
+    files; as `CaseFile.with_named_files`.
     """
     return for_every_bearing(given, lambda bearing, path: _with_table(bearing, path, files))
 
@@ -89,26 +77,25 @@ def _with_bore(bearing: dict[str, Any], path: Path, files: NamedFiles) -> dict[s
         isinstance(bore, dict) and bore.get("kind") == "measured" and "file" in bore and "departures" not in bore
     ):
         return dict(bearing)
-    at = (*path, "bore", "file")
-    if not isinstance(bore["file"], str):
-        raise TableError(at, f"{shown(bore['file'])} is not the name of a file", EXAMPLE)
-    rest = {name: value for name, value in bore.items() if name != "file"}
-    return bearing | {"bore": rest | {"departures": departures_of(files, bore["file"], at)}}
+
+    def read(name: str, at: Path) -> dict[str, Any]:
+        return {"departures": departures_of(files, name, at)}
+
+    return bearing | {"bore": with_its_file(bore, (*path, "bore"), EXAMPLE, read)}
 
 
 def _with_load(bearing: dict[str, Any], path: Path, files: NamedFiles) -> dict[str, Any]:
     load = bearing.get("dynamic_load")
     if not (isinstance(load, dict) and load.get("kind") == "table" and "file" in load and "angle" not in load):
         return bearing
-    at = (*path, "dynamic_load", "file")
-    if not isinstance(load["file"], str):
-        raise TableError(at, f"{shown(load['file'])} is not the name of a file", LOAD_EXAMPLE)
-    rows = [row for _, row in rows_of_table(files, load["file"], at, ("rad", "N", "N"), LOAD_EXAMPLE)]
-    if len(rows) > MOST_LOADS:
-        raise TableError(at, f"{printable(load['file'])} has {len(rows)} points", f"at most {MOST_LOADS}")
-    rest = {name: value for name, value in load.items() if name != "file"}
-    columns = {name: [row[place] for row in rows] for place, name in enumerate(("angle", "fx", "fy"))}
-    return bearing | {"dynamic_load": rest | columns}
+
+    def read(name: str, at: Path) -> dict[str, Any]:
+        rows = [row for _, row in rows_of_table(files, name, at, ("rad", "N", "N"), LOAD_EXAMPLE)]
+        if len(rows) > MOST_LOADS:
+            raise TableError(at, f"{printable(name)} has {len(rows)} points", f"at most {MOST_LOADS}")
+        return {column: [row[place] for row in rows] for place, column in enumerate(("angle", "fx", "fy"))}
+
+    return bearing | {"dynamic_load": with_its_file(load, (*path, "dynamic_load"), LOAD_EXAMPLE, read)}
 
 
 def departures_of(files: NamedFiles, name: str, at: Path) -> list[float]:

@@ -7,8 +7,8 @@ import zipfile
 import zlib
 from typing import TYPE_CHECKING, Any
 
-from babbitt.case.error_messages import Path, shown
-from babbitt.case.named_files import NamedFiles, TableError
+from babbitt.case.error_messages import Path
+from babbitt.case.named_files import NamedFiles, TableError, with_its_file
 from babbitt.core.files.printing import printable
 from babbitt.core.units import SiNumber
 from babbitt.kinds.journal.case.bore_file import LARGEST_TABLE, rows_of_table
@@ -29,20 +29,7 @@ LARGEST_UNPACKED = 4_000_000
 
 
 def with_compliances(given: dict[str, Any], files: NamedFiles) -> dict[str, Any]:
-    """Put the values of every matrix of compliance in the place of its file.
-
-    Parameters
-    ----------
-    given : dict
-        A case as it stands in the file; it is not changed.
-    files : NamedFiles
-        What the case may read.
-
-    Raises
-    ------
-    TableError
-        For the first file that cannot be used.
-    """
+    """Put the values of every matrix of compliance in the place of its file; as `CaseFile.with_named_files`."""
     return for_every_bearing(given, lambda bearing, path: _with_matrices(bearing, path, files))
 
 
@@ -51,19 +38,14 @@ def _with_matrices(bearing: dict[str, Any], path: Path, files: NamedFiles) -> di
     if not isinstance(parts, list):
         return dict(bearing)
     return bearing | {
-        "compliance": [
-            _with_matrix(part, (*path, "compliance", index, "file"), files) for index, part in enumerate(parts)
-        ]
+        "compliance": [_with_matrix(part, (*path, "compliance", index), files) for index, part in enumerate(parts)]
     }
 
 
 def _with_matrix(part: Any, at: Path, files: NamedFiles) -> Any:
     if not (isinstance(part, dict) and part.get("kind") == "file" and "file" in part and "values" not in part):
         return part
-    if not isinstance(part["file"], str):
-        raise TableError(at, f"{shown(part['file'])} is not the name of a file", EXAMPLE)
-    rest = {name: value for name, value in part.items() if name != "file"}
-    return rest | matrix_of(files, part["file"], at)
+    return with_its_file(part, at, EXAMPLE, lambda *named: matrix_of(files, *named))
 
 
 def matrix_of(files: NamedFiles, name: str, at: Path) -> dict[str, Any]:

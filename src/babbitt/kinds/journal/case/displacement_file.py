@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from babbitt.case.error_messages import Path, shown
-from babbitt.case.named_files import NamedFiles, TableError
+from babbitt.case.error_messages import Path
+from babbitt.case.named_files import NamedFiles, TableError, with_its_file
 from babbitt.core.files.printing import printable
 from babbitt.kinds.journal.case.bore_file import CLOSES_TO, rows_of_table
 from babbitt.kinds.journal.case.every_bearing import for_every_bearing
@@ -19,20 +19,7 @@ TURN = 2.0 * math.pi
 
 
 def with_displacements(given: dict[str, Any], files: NamedFiles) -> dict[str, Any]:
-    """Put the values of every table of displacement in the place of its file.
-
-    Parameters
-    ----------
-    given : dict
-        A case as it stands in the file; it is not changed.
-    files : NamedFiles
-        What the case may read.
-
-    Raises
-    ------
-    TableError
-        For the first table that cannot be used.
-    """
+    """Put the values of every table of displacement in the place of its file; as `CaseFile.with_named_files`."""
     return for_every_bearing(given, lambda bearing, path: _with_table(bearing, path, files))
 
 
@@ -40,11 +27,8 @@ def _with_table(bearing: dict[str, Any], path: Path, files: NamedFiles) -> dict[
     table = bearing.get("displacement")
     if not (isinstance(table, dict) and "file" in table and "values" not in table):
         return dict(bearing)
-    at = (*path, "displacement", "file")
-    if not isinstance(table["file"], str):
-        raise TableError(at, f"{shown(table['file'])} is not the name of a file", EXAMPLE)
-    rest = {name: value for name, value in table.items() if name != "file"}
-    return bearing | {"displacement": rest | displacement_of(files, table["file"], at)}
+    filled = with_its_file(table, (*path, "displacement"), EXAMPLE, lambda *named: displacement_of(files, *named))
+    return bearing | {"displacement": filled}
 
 
 def displacement_of(files: NamedFiles, name: str, at: Path) -> dict[str, Any]:

@@ -7,7 +7,7 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field
 
-from babbitt.case.part import Issue, at_most_one, exactly_one, is_given, rule
+from babbitt.case.part import Issue, at_most_one, exactly_one, is_given, named_once, rule
 from babbitt.case.parts import clearance, cooling
 from babbitt.case.parts.choices import FrictionInput, LimitsInput
 from babbitt.case.parts.clearance import ClearanceInput
@@ -236,12 +236,7 @@ class JournalBearing(LoadAndSpeed, SharedInputs, FilmChoices, Iso7902Choices):
 
     @rule
     def _points_have_names_of_their_own(self) -> Iterator[Issue]:
-        seen: set[str] = set()
-        for index, point in enumerate(self.operating_points):
-            if point.name in seen:
-                says = f"another operating point is named '{point.name}' too"
-                yield Issue(("operating_points", index, "name"), says, "each name once")
-            seen.add(point.name)
+        yield from named_once((one.name for one in self.operating_points), "operating point", "operating_points")
 
     @rule
     def _clearance_fits(self) -> Iterator[Issue]:

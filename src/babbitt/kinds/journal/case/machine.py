@@ -10,7 +10,7 @@ from pydantic import Field
 from babbitt.case.case_file import CaseFile
 from babbitt.case.error_messages import Path
 from babbitt.case.named_files import NamedFiles
-from babbitt.case.part import Issue, as_far_as_usable, rule
+from babbitt.case.part import Issue, as_far_as_usable, named_once, rule
 from babbitt.case.parts.fields import Name, Prose
 from babbitt.case.parts.shared import SharedInputs
 from babbitt.kinds.journal.case.completeness import issues_of
@@ -57,13 +57,7 @@ class SeveralBearings(SharedInputs, JournalFile):
 
     @rule
     def _names_are_their_own(self) -> Iterator[Issue]:
-        seen: set[str] = set()
-        for index, bearing in enumerate(self.bearings):
-            name = vars(bearing).get("name")
-            if name in seen:
-                says = f"another bearing is named '{name}' too"
-                yield Issue(("bearings", index, "name"), says, "each name once")
-            seen |= {name} if name is not None else set()
+        yield from named_once((vars(one).get("name") for one in self.bearings), "bearing", "bearings")
 
     @rule
     def _nothing_is_missing(self) -> Iterator[Issue]:

@@ -8,6 +8,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from babbitt.core.notices import Notice
+from babbitt.core.quantities import AXES
 from babbitt.core.result import Matrix
 from babbitt.design.warnings import BESIDE_THE_END
 from babbitt.kinds.journal.film.heat_model import AxialTemperature, HeatModel, TemperatureCoefficients
@@ -141,7 +142,7 @@ def with_own_coefficients(case: FilmCase, state: FilmState) -> tuple[FilmState, 
 def stiffness_values(state: FilmState) -> dict[str, float]:
     """The stiffness as single numbers."""
     own = state.solution.stiffness.ravel()
-    return {f"stiffness_{axes}": float(one) for axes, one in zip(("xx", "xy", "yx", "yy"), own, strict=True)}
+    return {f"stiffness_{axes}": float(one) for axes, one in zip(AXES, own, strict=True)}
 
 
 def flow_without_pressure(case: FilmCase, state: FilmState, calm: JournalFilm) -> float:

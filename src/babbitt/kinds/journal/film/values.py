@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from babbitt.core.quantities import AXES
 from babbitt.design.screening import recommended_relative_clearance
 from babbitt.design.values import (
     cooling_values,
@@ -34,8 +35,6 @@ __all__ = ["fills_of", "film_values", "rows_of", "supply_pressures", "tilt_value
 
 NO_MOMENT = 1e-10
 """Share of load times width below which a moment of the film is round-off."""
-
-AXES = ("xx", "xy", "yx", "yy")
 
 
 def film_values(case: FilmCase, state: FilmState) -> dict[str, float]:

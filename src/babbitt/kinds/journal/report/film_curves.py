@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from babbitt.core.quantities import QUANTITIES
+from babbitt.core.quantities import AXES, QUANTITIES
 from babbitt.core.result import Result
 from babbitt.kinds.journal.film.field import clearance_outline
 from babbitt.kinds.journal.film.isothermal import FilmState
@@ -28,8 +28,6 @@ OFFSET = 0.07
 
 ROOM_FOR_A_NAME = 0.13
 """Room to the right of the curves for each name that stands in a line there, as a share of their length."""
-
-AXES = ("xx", "xy", "yx", "yy")
 LINES: dict[str, dict[str, Any]] = {
     "xx": {"color": INK, "linestyle": "-"},
     "yy": {"color": INK, "linestyle": (0, (6, 1.5))},

@@ -1,5 +1,7 @@
 """Results shown at the head of a journal bearing in a report."""
 
+from babbitt.core.quantities import AXES
+
 __all__ = ["KEY_RESULTS"]
 
 KEY_RESULTS = (
@@ -39,11 +41,7 @@ KEY_RESULTS = (
     "effective_viscosity",
     "film_reynolds_number",
     "transition_speed",
-    *(
-        f"{name}_{axes}"
-        for name in ("stiffness", "damping", "tilt_stiffness", "tilt_damping")
-        for axes in ("xx", "xy", "yx", "yy")
-    ),
+    *(f"{name}_{axes}" for name in ("stiffness", "damping", "tilt_stiffness", "tilt_damping") for axes in AXES),
     "film_moment_x",
     "film_moment_y",
     "critical_mass",

@@ -8,6 +8,8 @@ from babbitt.report.local_quantity import KILO, MICRO, MILLI, local
 
 __all__ = ["JOURNAL_WORDS"]
 
+ANGLE = QUANTITIES["attitude_angle"].display
+
 JOURNAL_WORDS = (
     local("absolute_temperature", "T", "K (abs)", "Absolute temperature", 6),
     local("double_logarithm", "W", "1", "Double logarithm of the viscosity", 6),
@@ -27,14 +29,7 @@ JOURNAL_WORDS = (
     local("density_slope", "s_ρ", "kg/(m³ K)", "Change of density", 5),
     local("friction_factor", "k_f", "1", "Factor on the friction number"),
     local("full_sommerfeld_number", "So_360", "1", "Sommerfeld number of the full bearing at ε"),
-    local(
-        "full_attitude_angle",
-        "β_360",
-        "rad",
-        "Attitude angle of the full bearing at ε",
-        3,
-        QUANTITIES["attitude_angle"].display,
-    ),
+    local("full_attitude_angle", "β_360", "rad", "Attitude angle of the full bearing at ε", 3, ANGLE),
     local("sheared_arc", "I", "1", "Integral of dφ/(1 + ε cos φ) over the arc"),
     local("peak_pressure_ratio", "p_max*", "1", "Maximum over mean pressure"),
     local("hole_diameter", "d_H", "m", "Diameter of the supply hole", 4, MILLI),
@@ -43,38 +38,17 @@ JOURNAL_WORDS = (
     local("element_ratio", "s", "1", "Relative width of the supply element"),
     local("fitted_element_ratio", "s_q", "1", "Relative width at which the correction is taken"),
     local("starved_heat_capacity", "ρc_st", "J/(m3 K)", "Heat capacity of the oil at T_eff,st", 5),
-    local(
-        "supply_edge_angle",
-        "α_s",
-        "rad",
-        "From the edge of the supply to the load",
-        4,
-        QUANTITIES["attitude_angle"].display,
-    ),
+    local("supply_edge_angle", "α_s", "rad", "From the edge of the supply to the load", 4, ANGLE),
     local(
         "element_before_load",
         "α_1",
         "rad",
         "From the middle of the element before the load to the load",
         4,
-        QUANTITIES["attitude_angle"].display,
+        ANGLE,
     ),
-    local(
-        "element_behind_load",
-        "α_2",
-        "rad",
-        "From the load to the middle of the element behind it",
-        4,
-        QUANTITIES["attitude_angle"].display,
-    ),
-    local(
-        "film_start_angle",
-        "α_0",
-        "rad",
-        "From the start of the loaded film to the load",
-        4,
-        QUANTITIES["attitude_angle"].display,
-    ),
+    local("element_behind_load", "α_2", "rad", "From the load to the middle of the element behind it", 4, ANGLE),
+    local("film_start_angle", "α_0", "rad", "From the start of the loaded film to the load", 4, ANGLE),
     local("film_start_gap", "h_0", "m", "Gap where the loaded film begins", 4, MICRO),
     local("returned_gap", "h_r", "m", "Film that leaves the loaded arc and comes back", 4, MICRO),
     local("supply_gap", "h_s", "m", "Gap at the edge of the supply element", 4, MICRO),

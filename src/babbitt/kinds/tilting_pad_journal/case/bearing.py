@@ -10,7 +10,8 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Field
 
 from babbitt.case.case_file import CaseFile
-from babbitt.case.part import Issue, Part, exactly_one, is_given, rule
+from babbitt.case.part import Issue, Part, exactly_one, is_given, named_once, rule
+from babbitt.case.parts.choices import FilmLimitsInput
 from babbitt.case.parts.fields import Name, Prose
 from babbitt.case.parts.lubricant import LubricantInput
 from babbitt.case.parts.position import PositionInput
@@ -18,7 +19,6 @@ from babbitt.case.parts.supply import GaugePressure, OilTemperature, SupplyFlow
 from babbitt.case.parts.surfaces import SurfacesInput
 from babbitt.core.solution import Calculation
 from babbitt.core.units import either_sense, si
-from babbitt.design.conditions import Limits
 from babbitt.kinds.tilting_pad_journal.case import rules
 from babbitt.kinds.tilting_pad_journal.case.heat import (
     PadJournalWalls,
@@ -61,22 +61,13 @@ class PadOilSupply(Part):
     )
 
 
-class PadJournalLimits(Part):
+class PadJournalLimits(FilmLimitsInput):
     """Limits in place of those by experience."""
 
     example: ClassVar[str] = "{minimum_film_thickness: 15 um, temperature: 100 degC, log_decrement: 0.1}"
 
-    minimum_film_thickness: Annotated[float, si("m", "0 um", "1 mm")] | None = Field(
-        None, description="Least permissible film thickness."
-    )
-    specific_load: Annotated[float, si("Pa", "1 kPa", "200 MPa")] | None = Field(
-        None, description="Greatest permissible specific load, load over width times diameter."
-    )
     temperature: Annotated[float, si("K", "20 degC", "250 degC")] | None = Field(
         None, description="Greatest permissible temperature of the hottest oil known."
-    )
-    transition_film_thickness: Annotated[float, si("m", "0 um", "1 mm")] | None = Field(
-        None, description="Film thickness at which mixed friction begins."
     )
     log_decrement: Annotated[float, si("1", "0", "10")] | None = Field(
         None, description="Least permissible log decrement of the rotor. 0.1 if not given."
@@ -87,15 +78,6 @@ class PadJournalLimits(Part):
     probe_trip: ProbeTemperature | None = Field(
         None, description="Temperature of such a probe at which the machine is shut down."
     )
-
-    def limits(self) -> Limits:
-        """Give the limits of the calculation."""
-        return Limits(
-            self.minimum_film_thickness,
-            self.specific_load,
-            self.temperature,
-            self.transition_film_thickness,
-        )
 
 
 class PadOperatingPoint(Part):
@@ -291,12 +273,7 @@ class TiltingPadJournalCase(PadFilmChoices, CaseFile):
 
     @rule
     def _points_have_names_of_their_own(self) -> Iterator[Issue]:
-        seen: set[str] = set()
-        for index, point in enumerate(self.operating_points):
-            if point.name in seen:
-                says = f"another operating point is named '{point.name}' too"
-                yield Issue(("operating_points", index, "name"), says, "each name once")
-            seen.add(point.name)
+        yield from named_once((one.name for one in self.operating_points), "operating point", "operating_points")
 
     def calculations(self) -> tuple[Calculation, ...]:
         """Give one problem for each operating point and clearance."""

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Annotated, Any, ClassVar, Literal
+from typing import Annotated, Any, ClassVar
 
 from pydantic import Field
 
 from babbitt.case.part import Issue, Part, is_given, refused, rule
 from babbitt.case.parts.fields import Name
-from babbitt.case.parts.materials import MetalInput, StructureInput
+from babbitt.case.parts.materials import LinedMaterials, StructureInput
 from babbitt.case.shorthand import Shorthand
 from babbitt.core.units import si
-from babbitt.properties.materials import BearingMetal, structural_material
+from babbitt.properties.materials import structural_material
 
 __all__ = ["PadJournalMaterials", "PadStructureInput"]
 
@@ -61,17 +61,11 @@ def _named(given: Any) -> Any:
 PadStructureInput = Annotated[PadStructure, Shorthand(_named, "a name in the catalogue")]
 
 
-class PadJournalMaterials(Part):
+class PadJournalMaterials(LinedMaterials):
     """What pads, their lining, journal and housing are made of."""
 
     example: ClassVar[str] = "{bearing_metal: SnSb12Cu6Pb, pads: C45}"
 
-    bearing_metal: MetalInput | None = Field(
-        None, description="Bearing metal. Without it no specific load is checked, and no bearing passes."
-    )
-    load_character: Literal["calm", "shock"] | None = Field(
-        None, description="How the load acts on the bearing metal. calm if not given."
-    )
     pads: PadStructureInput | None = Field(
         None, description="Material of the pads, which bends, grows and conducts heat."
     )
@@ -81,7 +75,3 @@ class PadJournalMaterials(Part):
     housing: StructureInput | None = Field(
         None, description="Material of the housing, which grows. Steel if not given, an assumption."
     )
-
-    def metal(self) -> BearingMetal | None:
-        """Give the bearing metal; None where it is not named."""
-        return None if self.bearing_metal is None else self.bearing_metal.metal()

@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
+from babbitt.core.quantities import AXES
 from babbitt.core.result import Result
 from babbitt.kinds.tilting_pad_journal.report.stability import stability_table
 from babbitt.report.plain_tables import plain_table, table_by_pad
@@ -33,7 +34,6 @@ HEAT = (
     "pad_bending",
 )
 PIVOTS = ("pad_load", "pivot_displacement", "pivot_stiffness")
-DIRECTIONS = ("xx", "xy", "yx", "yy")
 
 
 def tables(result: Result) -> list[dict[str, Any]]:
@@ -88,7 +88,7 @@ def _coefficients(result: Result) -> dict[str, Any]:
         note += (
             f" Fitted with virtual masses xx, xy, yx, yy of {masses} kg, misfit {result.values['fit_error']:.1%}."
         )
-    names = ("Whirl ratio", *(f"K {one}" for one in DIRECTIONS), *(f"C {one}" for one in DIRECTIONS))
+    names = ("Whirl ratio", *(f"K {one}" for one in AXES), *(f"C {one}" for one in AXES))
     units = ("", *("MN/m",) * 4, *("kN s/m",) * 4)
     return plain_table("Coefficients over the whirl ratio", names, units, rows, note)
 

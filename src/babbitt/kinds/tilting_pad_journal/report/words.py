@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from babbitt.core.quantities import DisplayUnit
+from babbitt.core.quantities import AXES, DisplayUnit
 from babbitt.report.local_quantity import MICRO, local
 
 __all__ = ["OF_PADS", "PAD_WORDS"]
@@ -27,9 +27,9 @@ OF_PADS = {
     "shaft_stiffness": "Stiffness of the shaft between rotor and journal",
     "iterations": "Films of the heat balance",
     **{
-        f"{name}_{axes}": f"Synchronous {name}, force in {row} over {motion} in {column}"
+        f"{name}_{axes}": f"Synchronous {name}, force in {axes[0]} over {motion} in {axes[1]}"
         for name, motion in (("stiffness", "move"), ("damping", "speed"))
-        for axes, row, column in (("xx", "x", "x"), ("xy", "x", "y"), ("yx", "y", "x"), ("yy", "y", "y"))
+        for axes in AXES
     },
 }
 """What quantities mean in a bearing of tilting pads."""
