@@ -5,7 +5,7 @@ from importlib.resources import files
 import pytest
 
 from babbitt.case.case_file import CaseFile
-from babbitt.core.kind import Kind, imported, kinds
+from babbitt.core.kind import Kind, LazyFunction, imported, kinds
 from babbitt.core.quantities import Quantity
 from babbitt.report.view import View
 
@@ -18,7 +18,10 @@ def test_everything_that_a_kind_names_is_there(kind: Kind) -> None:
     package, _, name = kind.template.partition(":")
     assert files(package).joinpath(name).is_file()
     assert kind.views
-    assert all(isinstance(imported(view), View) for view in kind.views.values())
+    views = [imported(view) for view in kind.views.values()]
+    assert all(isinstance(view, View) for view in views)
+    lazy = [part for view in views for part in vars(view).values() if isinstance(part, LazyFunction)]
+    assert all(callable(imported(function.place)) for function in lazy)
     for path in (kind.vocabulary, kind.quantities):
         assert not path or all(isinstance(one, Quantity) for one in imported(path))
     assert not kind.comparison or callable(imported(kind.comparison))

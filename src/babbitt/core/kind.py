@@ -19,7 +19,7 @@ from typing import Any
 from babbitt.core.notices.words import add_words
 from babbitt.core.quantities import QUANTITIES
 
-__all__ = ["Kind", "find_kind", "imported", "kinds", "register"]
+__all__ = ["Kind", "LazyFunction", "find_kind", "imported", "kinds", "register"]
 
 SHIPPED = "babbitt.kinds"
 """Package whose ``KINDS`` are those that ship, and the group of entry points for all others."""
@@ -33,6 +33,21 @@ def imported(path: str) -> Any:
     """
     module, _, name = path.partition(":")
     return getattr(import_module(module), name)
+
+
+@dataclass(frozen=True)
+class LazyFunction:
+    """A function that a text names as for `imported`, and that is imported when it is first called.
+
+    >>> LazyFunction("math:sqrt")(4.0)
+    2.0
+    """
+
+    place: str
+
+    def __call__(self, *given: Any) -> Any:
+        """Import and call it."""
+        return imported(self.place)(*given)
 
 
 @dataclass(frozen=True)

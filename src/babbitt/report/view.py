@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from babbitt.report.inputs import InputGroup
     from babbitt.report.line import Section
 
-__all__ = ["NO_VIEW", "View", "find_view", "view_of"]
+__all__ = ["NO_VIEW", "View", "find_view", "lubricant_of", "view_of"]
 
 Data = dict[str, Any]
 
@@ -38,9 +38,15 @@ def _no_oil(_: Any) -> None:
     return None
 
 
+def lubricant_of(problem: Any) -> Lubricant:
+    """The lubricant of a problem that has one, for `View.oil`."""
+    found: Lubricant = problem.lubricant
+    return found
+
+
 @dataclass(frozen=True)
 class View:
-    """What is shown of the solutions of one method; each part may import what it needs when it is called.
+    """What is shown of the solutions of one method; each part may be a `LazyFunction`.
 
     Attributes
     ----------

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from babbitt.core.result import Result
+from babbitt.core.kind import LazyFunction
 from babbitt.core.solution import Solution
 from babbitt.kinds.footstep.report.citations import KIRICHENKO
 from babbitt.kinds.footstep.report.citations import NARROW_GROOVE as NARROW_GROOVE_THEORY
@@ -14,8 +14,6 @@ from babbitt.kinds.footstep.report.columns import COLUMNS
 from babbitt.report.view import View
 
 if TYPE_CHECKING:
-    from rich.console import RenderableType
-
     from babbitt.kinds.footstep.model_case import FootstepProblem
     from babbitt.report.drawing import Drawing
     from babbitt.report.inputs import InputGroup
@@ -43,12 +41,6 @@ def _figures(solution: Solution, image_format: str = "svg") -> tuple[Drawing, ..
     return heel_figures(solution.problem, solution.result, image_format)
 
 
-def _table(results: Sequence[Result]) -> RenderableType:
-    from babbitt.kinds.footstep.report.table import heel_table
-
-    return heel_table(results)
-
-
 def _alike(problem: FootstepProblem) -> FootstepProblem:
     return replace(problem, footstep=problem.smooth, other=None)
 
@@ -70,7 +62,7 @@ SUPERPOSITION = View(
     of_every_state=True,
     columns=COLUMNS,
     in_machine_table=False,
-    state_table=_table,
+    state_table=LazyFunction("babbitt.kinds.footstep.report.table:heel_table"),
     alike=_alike,
     citations=_study,
 )

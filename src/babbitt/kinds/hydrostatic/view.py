@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from babbitt.core.kind import LazyFunction
 from babbitt.core.solution import Solution
 from babbitt.kinds.hydrostatic.report.columns import COLUMNS
 from babbitt.kinds.hydrostatic.report.result_rows import recess_rows
@@ -16,7 +17,6 @@ if TYPE_CHECKING:
     from babbitt.kinds.hydrostatic.jacking_model import JackingCase
     from babbitt.kinds.hydrostatic.model import HydrostaticCase
     from babbitt.properties.lubricants import Lubricant
-    from babbitt.report.drawing import Drawing
     from babbitt.report.inputs import InputGroup
     from babbitt.report.line import Section
 
@@ -36,12 +36,6 @@ def _sections(solution: Solution) -> tuple[Section, ...]:
     return hydrostatic_calculation(solution.problem, solution.result)
 
 
-def _figures(solution: Solution, image_format: str = "svg") -> tuple[Drawing, ...]:
-    from babbitt.kinds.hydrostatic.report.figures import hydrostatic_figures
-
-    return hydrostatic_figures(solution, image_format)
-
-
 def _citations(_: object) -> tuple[str, ...]:
     return (REYNOLDS,)
 
@@ -50,13 +44,15 @@ def _oil(problem: HydrostaticCase) -> Lubricant | None:
     return problem.oil.lubricant
 
 
+FIGURES = LazyFunction("babbitt.kinds.hydrostatic.report.figures:hydrostatic_figures")
+
 JACKING_FILM = View(
     title="Film in two dimensions",
     rows=recess_rows,
     inputs=_inputs,
     sections=_sections,
-    figures=_figures,
-    report_figures=_figures,
+    figures=FIGURES,
+    report_figures=FIGURES,
     columns=COLUMNS,
     citations=_citations,
 )

@@ -5,17 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
-from babbitt.core.solution import Solution
+from babbitt.core.kind import LazyFunction
 from babbitt.kinds.shaft_line.report.citations import SIDORIKA, WITTRICK
 from babbitt.kinds.thrust.report.columns import COLUMNS
-from babbitt.kinds.thrust.view import sentences_of, tables_of
 from babbitt.report.citations import REYNOLDS
-from babbitt.report.view import View
+from babbitt.report.view import View, lubricant_of
 
 if TYPE_CHECKING:
     from babbitt.kinds.shaft_line.design import LineDesign
-    from babbitt.properties.lubricants import Lubricant
-    from babbitt.report.drawing import Drawing
     from babbitt.report.inputs import InputGroup
 
 __all__ = ["FREQUENCY_DOMAIN"]
@@ -27,27 +24,19 @@ def _inputs(problem: LineDesign) -> Iterable[InputGroup]:
     return thrust_inputs(problem.thrust)
 
 
-def _figures(solution: Solution, image_format: str = "svg") -> tuple[Drawing, ...]:
-    from babbitt.kinds.shaft_line.report.figures import line_figures
-
-    return line_figures(solution, image_format)
-
-
 def _citations(_: LineDesign) -> tuple[str, ...]:
     return (REYNOLDS, SIDORIKA, WITTRICK)
 
 
-def _oil(problem: LineDesign) -> Lubricant:
-    return problem.lubricant
-
+FIGURES = LazyFunction("babbitt.kinds.shaft_line.report.figures:line_figures")
 
 FREQUENCY_DOMAIN = View(
     title="Static films, vibration in the frequency domain",
     inputs=_inputs,
-    figures=_figures,
-    report_figures=_figures,
-    tables=tables_of,
-    sentences=sentences_of,
+    figures=FIGURES,
+    report_figures=FIGURES,
+    tables=LazyFunction("babbitt.kinds.thrust.report.tables:tables"),
+    sentences=LazyFunction("babbitt.kinds.thrust.report.sentences:answers"),
     columns=COLUMNS,
     sweep=(
         "dynamic_minimum_film",
@@ -59,5 +48,5 @@ FREQUENCY_DOMAIN = View(
         "axial_stiffness",
     ),
     citations=_citations,
-    oil=_oil,
+    oil=lubricant_of,
 )

@@ -4,22 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from babbitt.core.result import Result
-from babbitt.core.solution import Solution
+from babbitt.core.kind import LazyFunction
 from babbitt.kinds.tilting_pad_journal.report.columns import COLUMNS
 from babbitt.report.citations import REYNOLDS
-from babbitt.report.view import View
+from babbitt.report.view import View, lubricant_of
 
 if TYPE_CHECKING:
-    import xarray
-
     from babbitt.kinds.tilting_pad_journal.model import PadCase
-    from babbitt.properties.lubricants import Lubricant
-    from babbitt.report.drawing import Drawing
-    from babbitt.report.inputs import InputGroup
-    from babbitt.report.line import Section
 
 __all__ = ["FILM"]
 
@@ -121,36 +114,6 @@ SWEEP = (
 """Results of a sweep, what matters most first."""
 
 
-def _inputs(problem: PadCase) -> Iterable[InputGroup]:
-    from babbitt.kinds.tilting_pad_journal.report.inputs import pad_inputs
-
-    return pad_inputs(problem)
-
-
-def _sections(solution: Solution) -> tuple[Section, ...]:
-    from babbitt.kinds.tilting_pad_journal.report.calculation import pad_calculation
-
-    return pad_calculation(solution)
-
-
-def _figures(solution: Solution, image_format: str = "svg") -> tuple[Drawing, ...]:
-    from babbitt.kinds.tilting_pad_journal.report.figures import pad_figures
-
-    return pad_figures(solution, image_format)
-
-
-def _tables(result: Result) -> list[dict[str, Any]]:
-    from babbitt.kinds.tilting_pad_journal.report.tables import tables
-
-    return tables(result)
-
-
-def _fields(solution: Solution) -> xarray.Dataset:
-    from babbitt.kinds.tilting_pad_journal.report.fields import pad_fields
-
-    return pad_fields(solution)
-
-
 def _alike(problem: PadCase) -> PadCase:
     pads = tuple(replace(pad, clearance=1.0, assembled_clearance=1.0) for pad in problem.bearing.pads)
     return replace(problem, name="", given=(), bearing=replace(problem.bearing, pads=pads))
@@ -177,22 +140,20 @@ def _citations(problem: PadCase) -> Iterable[str]:
         yield HERTZ
 
 
-def _oil(problem: PadCase) -> Lubricant:
-    return problem.lubricant
-
+FIGURES = LazyFunction("babbitt.kinds.tilting_pad_journal.report.figures:pad_figures")
 
 FILM = View(
     title="Tilting pads, films in two dimensions",
     key_results=KEY_RESULTS,
-    inputs=_inputs,
-    sections=_sections,
-    figures=_figures,
-    report_figures=_figures,
-    tables=_tables,
+    inputs=LazyFunction("babbitt.kinds.tilting_pad_journal.report.inputs:pad_inputs"),
+    sections=LazyFunction("babbitt.kinds.tilting_pad_journal.report.calculation:pad_calculation"),
+    figures=FIGURES,
+    report_figures=FIGURES,
+    tables=LazyFunction("babbitt.kinds.tilting_pad_journal.report.tables:tables"),
     columns=COLUMNS,
     sweep=SWEEP,
     alike=_alike,
     citations=_citations,
-    oil=_oil,
-    fields=_fields,
+    oil=lubricant_of,
+    fields=LazyFunction("babbitt.kinds.tilting_pad_journal.report.fields:pad_fields"),
 )

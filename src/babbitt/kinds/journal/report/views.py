@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
+from babbitt.core.kind import LazyFunction
 from babbitt.core.solution import Solution
 from babbitt.kinds.journal.report.citations import (
     film_citations,
@@ -17,32 +17,17 @@ from babbitt.kinds.journal.report.columns import COLUMNS, OVERVIEW_COLUMNS
 from babbitt.kinds.journal.report.key_results import KEY_RESULTS
 from babbitt.kinds.journal.report.one_dimension import OWN_RESULTS
 from babbitt.kinds.journal.report.result_rows import supply_rows
-from babbitt.report.view import View
+from babbitt.report.view import View, lubricant_of
 
 if TYPE_CHECKING:
-    import xarray
-
-    from babbitt.kinds.journal.problems import JournalDesign
-    from babbitt.properties.lubricants import Lubricant
     from babbitt.report.drawing import Drawing
-    from babbitt.report.inputs import InputGroup
     from babbitt.report.line import Section
 
 __all__ = ["FILM", "ISO7902", "LONG_FILM", "SEGMENTS"]
 
 
-def _inputs(problem: JournalDesign) -> Iterable[InputGroup]:
-    from babbitt.kinds.journal.report.inputs import journal_inputs
-
-    return journal_inputs(problem)
-
-
 def _alike(problem: Any) -> Any:
     return replace(problem, name="", given=(), bearing=replace(problem.bearing, relative_clearance=1.0))
-
-
-def _oil(problem: JournalDesign) -> Lubricant:
-    return problem.lubricant
 
 
 def _calculation(solution: Solution) -> tuple[Section, ...]:
@@ -57,24 +42,6 @@ def _iso7902_figures(solution: Solution, image_format: str = "svg") -> tuple[Dra
     return draw(solution.problem, solution.result, clearance_range(solution.problem), image_format)
 
 
-def _film_figures(solution: Solution, image_format: str) -> tuple[Drawing, ...]:
-    from babbitt.kinds.journal.report.film_figures import all_figures
-
-    return all_figures(solution, image_format)
-
-
-def _film_report_figures(solution: Solution) -> tuple[Drawing, ...]:
-    from babbitt.kinds.journal.report.film_figures import report_figures
-
-    return report_figures(solution)
-
-
-def _film_fields(solution: Solution) -> xarray.Dataset:
-    from babbitt.kinds.journal.report.film_fields import film_fields
-
-    return film_fields(solution)
-
-
 def _figures_along(solution: Solution, image_format: str = "svg") -> tuple[Drawing, ...]:
     from babbitt.kinds.journal.report.one_dimension_figures import figures_along_the_film
 
@@ -85,10 +52,10 @@ COMMON = View(
     title="",
     key_results=tuple(dict.fromkeys((*KEY_RESULTS, *OWN_RESULTS))),
     rows=supply_rows,
-    inputs=_inputs,
+    inputs=LazyFunction("babbitt.kinds.journal.report.inputs:journal_inputs"),
     columns=COLUMNS,
     alike=_alike,
-    oil=_oil,
+    oil=lubricant_of,
 )
 """What the views of all methods share."""
 
@@ -105,9 +72,9 @@ ISO7902 = replace(
 FILM = replace(
     COMMON,
     title="Film in two dimensions",
-    figures=_film_figures,
-    report_figures=_film_report_figures,
-    fields=_film_fields,
+    figures=LazyFunction("babbitt.kinds.journal.report.film_figures:all_figures"),
+    report_figures=LazyFunction("babbitt.kinds.journal.report.film_figures:report_figures"),
+    fields=LazyFunction("babbitt.kinds.journal.report.film_fields:film_fields"),
     citations=film_citations,
 )
 
