@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from babbitt.case import CaseError, check_files, load_case
+from babbitt.case import CaseError, load_case, load_cases
 
 BAD = Path(__file__).parent / "bad"
 MANIFEST = tomllib.loads((BAD / "manifest.toml").read_text(encoding="utf-8"))
@@ -61,5 +61,6 @@ def test_bad_file(name):
 
 def test_all_files_at_once():
     paths = [BAD / f"{name}.yaml" for name in MANIFEST]
-    problems = check_files(paths)
-    assert [Path(problem.file).stem for problem in problems] == list(MANIFEST)
+    with pytest.raises(CaseError) as refused:
+        load_cases(paths)
+    assert [Path(problem.file).stem for problem in refused.value.problems] == list(MANIFEST)

@@ -45,16 +45,15 @@ def test_fit_by_hand():
 
 @given(diameters, psis)
 def test_one_value_has_no_spread_and_comes_back(diameter, psi):
-    clearance = Clearance.from_relative(psi, diameter)
+    clearance = Clearance.from_diametral(psi * diameter, diameter)
     assert clearance.minimum == clearance.mean == clearance.maximum
     assert clearance.relative(diameter).mean == pytest.approx(psi, rel=1e-14)
-    assert clearance == Clearance.from_diametral(psi * diameter, diameter)
 
 
 @given(diameters, psis, psis)
 def test_limits_enclose_the_mean(diameter, one, other):
     low, high = sorted((one, other))
-    clearance = Clearance.from_relative_limits(low, high, diameter)
+    clearance = Clearance.from_diametral_limits(low * diameter, high * diameter, diameter)
     assert clearance.minimum <= clearance.mean <= clearance.maximum
     assert clearance.mean == pytest.approx((low + high) / 2 * diameter, rel=1e-12)
 
@@ -96,11 +95,9 @@ def test_deviations_agree_with_sizes():
         lambda: Clearance(0.0, 0.0, 0.0),
         lambda: Clearance.from_diametral(-1e-5, 0.05),
         lambda: Clearance.from_diametral(0.06, 0.05),
-        lambda: Clearance.from_relative(1.5, 0.05),
-        lambda: Clearance.from_relative(0.15, 0.05),
+        lambda: Clearance.from_diametral(0.0075, 0.05),
         lambda: Clearance.from_sizes(SizeLimits(0.5, 0.5001), SizeLimits(0.05, 0.0501)),
         lambda: Clearance.from_diametral_limits(6e-5, 4e-5, 0.05),
-        lambda: Clearance.from_relative_limits(2e-3, 1e-3, 0.05),
         lambda: Clearance(1e-4, 1e-4, 1e-4).relative(1e-4),
         lambda: SizeLimits(0.051, 0.050),
         lambda: Deviations(1e-5, -1e-5),

@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from babbitt.core.notices import InputError
-from babbitt.properties.fits import Deviations, standard_tolerance, tolerance_limits, tolerance_source
+from babbitt.properties.fits import Deviations, standard_tolerance, tolerance_limits
 
 STEPS = [3, 6, 10, 18, 30, 50, 80, 120, 180, 250, 315, 400, 500, 630]
 """Upper bounds of the main steps of nominal sizes, mm."""
@@ -214,7 +214,3 @@ def test_unknown_grade():
 
 def test_spaces_do_not_matter():
     assert tolerance_limits(" H 7 ", 0.05) == tolerance_limits("H7", 0.05)
-
-
-def test_source_is_named():
-    assert "ISO 286" in tolerance_source()

@@ -9,7 +9,6 @@ from babbitt.properties.lubricants import (
     Exponential,
     OilProperties,
     lubricant,
-    lubricant_from_dynamic_points,
     lubricant_from_law,
     lubricant_from_points,
     lubricant_from_viscosity_index,
@@ -68,13 +67,6 @@ def test_viscosity_index_is_kept(nu40, index):
     assert oil.kinematic_viscosity(313.15) == pytest.approx(nu40 * 1e-6, rel=1e-10)
     # Within a gap between two ranges of the standard (0.2 % of nu100) no oil has exactly this index.
     assert viscosity_index(nu40 * 1e-6, nu100) == pytest.approx(index, abs=0.6)
-
-
-def test_dynamic_points_are_kept():
-    known = OilProperties(density=875.0)
-    oil = lubricant_from_dynamic_points("mine", (313.15, 0.040), (373.15, 0.0055), known)
-    assert oil.dynamic_viscosity(313.15) == pytest.approx(0.040, rel=1e-12)
-    assert oil.dynamic_viscosity(373.15) == pytest.approx(0.0055, rel=1e-12)
 
 
 def test_any_law_makes_a_lubricant_with_its_range():

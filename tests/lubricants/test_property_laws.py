@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 
 from babbitt.core.notices import InputError
-from babbitt.properties.lubricants import ConstantProperty, ExpansionDensity, LinearProperty, ShiftedLaw
+from babbitt.properties.lubricants import ConstantProperty, LinearProperty, ShiftedLaw
 
 temperatures = st.floats(275.0, 420.0)
 
@@ -26,18 +26,6 @@ def test_heat_capacity_of_the_study_oil_is_0464_kcal_per_kg_and_kelvin():
     assert heat_capacity(363.15) == pytest.approx(1942.0 + 3.9 * 40.0, abs=1e-9)
 
 
-@given(temperatures, temperatures)
-def test_expanding_liquid_keeps_its_mass(first, second):
-    law = ExpansionDensity(880.0, 288.15, 7e-4)
-    volume_ratio = (1 + 7e-4 * (first - 288.15)) / (1 + 7e-4 * (second - 288.15))
-    assert law(second) / law(first) == pytest.approx(volume_ratio, rel=1e-12)
-
-
-def test_expansion_is_the_line_with_slope_minus_alpha_rho_near_its_reference():
-    law = ExpansionDensity(880.0, 288.15, 7e-4)
-    assert (law(288.16) - law(288.14)) / 0.02 == pytest.approx(-880.0 * 7e-4, rel=1e-6)
-
-
 @given(temperatures, temperatures, st.floats(700.0, 1000.0))
 def test_shifted_law_meets_its_point_and_keeps_the_slope(known_at, temperature, value):
     reference = LinearProperty(901.0, 293.15, -0.63)
@@ -47,8 +35,8 @@ def test_shifted_law_meets_its_point_and_keeps_the_slope(known_at, temperature, 
 
 
 def test_shifting_a_shifted_law_starts_from_the_reference_again():
-    reference = ExpansionDensity(880.0, 288.15, 7e-4)
-    twice = ShiftedLaw.through(ShiftedLaw.through(reference, 293.15, 901.0), 293.15, 895.0)
+    reference = LinearProperty(901.0, 293.15, -0.63)
+    twice = ShiftedLaw.through(ShiftedLaw.through(reference, 293.15, 905.0), 293.15, 895.0)
     assert twice == ShiftedLaw.through(reference, 293.15, 895.0)
     assert twice.reference is reference
 
@@ -58,7 +46,6 @@ def test_shifting_a_shifted_law_starts_from_the_reference_again():
     [
         ConstantProperty(0.13),
         LinearProperty(895.0, 293.15, -0.63),
-        ExpansionDensity(880.0, 288.15, 7e-4),
         ShiftedLaw(LinearProperty(895.0, 293.15, -0.63), -6.0),
     ],
     ids=lambda law: type(law).__name__,
@@ -77,7 +64,6 @@ def test_an_array_gives_what_its_elements_give(law):
         (lambda: ConstantProperty(0.0), "value"),
         (lambda: LinearProperty(-895.0, 293.15, -0.63), "reference_value"),
         (lambda: LinearProperty(895.0, 293.15, math.nan), "slope"),
-        (lambda: ExpansionDensity(895.0, 293.15, 0.0), "expansion_coefficient"),
         (lambda: ShiftedLaw(ConstantProperty(1.0), math.inf), "offset"),
         (lambda: ShiftedLaw.through(ConstantProperty(1.0), 300.0, -2.0), "value"),
     ],

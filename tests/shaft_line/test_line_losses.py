@@ -11,7 +11,7 @@ from trawler_pads import PAD, SPEED, VISCOSITY
 from babbitt.kinds.shaft_line import inverse
 from babbitt.kinds.shaft_line.damped import damped_modes
 from babbitt.kinds.shaft_line.excitation import ThrustHarmonic
-from babbitt.kinds.shaft_line.inverse import admissible, ring_for_film_amplitude, ring_for_loss
+from babbitt.kinds.shaft_line.inverse import admissible, ring_for_loss
 from babbitt.kinds.shaft_line.line import Seating
 from babbitt.kinds.shaft_line.model import state_of
 from babbitt.kinds.shaft_line.natural import modes, undamped_frequencies
@@ -102,7 +102,7 @@ def test_the_other_sense_of_rotation_mirrors_the_pads():
 def test_attribution_names_the_runout_first(base):
     found = attribution(base)
     assert found.total == pytest.approx(base.losses.mean_bound)
-    assert found.dominant == "runout of the collar"
+    assert found.runout == max(found.runout, found.ripple, found.tilt, found.elasticity)
     assert found.tilt == pytest.approx(0.163, abs=0.003)
     assert found.elasticity == pytest.approx(0.022, abs=0.003)
 
@@ -143,15 +143,11 @@ def test_what_nothing_limits_is_told_as_far_as_it_was_sought(base):
     assert found.runout.sought > 1000.0 * 5e-6
 
 
-def test_rings_for_half_the_load_and_for_a_film(base):
+def test_rings_for_half_the_load(base):
     rings = usual_rings(base.duty, base, 12)
     half = ring_for_loss(base.duty, FILMS, 0.5 * base.losses.mean_bound, rings)
     assert half is not None
     assert half.bound == pytest.approx(0.5 * base.losses.mean_bound, rel=1e-4)
-    film = ring_for_film_amplitude(base.duty, FILMS, 0.55e-6, rings)
-    assert film is not None
-    assert film.film_amplitude == pytest.approx(0.55e-6, rel=1e-4)
-    assert film.stiffness == pytest.approx(3.6e8, rel=0.02)
     assert ring_for_loss(base.duty, FILMS, 0.01, rings) is None
 
 

@@ -3,7 +3,7 @@
 from babbitt.case.case_file import CaseFile
 from babbitt.case.case_hash import case_hash
 from babbitt.case.kinds import KINDS, any_case, kinds, template
-from babbitt.case.loading import case_from_dict, check_files, load_case, load_cases, located, parse_case
+from babbitt.case.loading import case_from_dict, load_case, load_cases, located, parse_case
 from babbitt.case.problems import CaseError, Problem
 from babbitt.case.schema import case_schema
 from babbitt.core.files.reading import Reach
@@ -18,7 +18,6 @@ __all__ = [
     "case_from_dict",
     "case_hash",
     "case_schema",
-    "check_files",
     "kinds",
     "load_case",
     "load_cases",

@@ -210,15 +210,6 @@ def load_cases(paths: Iterable[str | FilePath], reach: Reach = Reach.FOLDER) -> 
     return tuple(cases)
 
 
-def check_files(paths: Iterable[str | FilePath]) -> tuple[Problem, ...]:
-    """Give all problems of all files, none for files that can be used."""
-    try:
-        load_cases(paths)
-    except CaseError as error:
-        return error.problems
-    return ()
-
-
 def _case(given: Any, name: str, root: Node | None, files: NamedFiles) -> CaseFile:
     if not isinstance(given, dict):
         says = f"the file holds {shown(given)}"

@@ -10,15 +10,16 @@ from test_pad_tables import supported
 
 from babbitt.core.notices import InputError
 from babbitt.reynolds.model import Resolution
+from babbitt.reynolds.stability.rotor import critical_mass_of_rotor
 from babbitt.reynolds.tilting_pads.dynamics import (
     PadCoefficients,
+    condensed_at,
     full_coefficients,
     impedance,
     reduced_coefficients,
 )
 from babbitt.reynolds.tilting_pads.pivots import SpringPivot
 from babbitt.reynolds.tilting_pads.rotor import (
-    critical_mass_of_condensed,
     rotor_modes,
     threshold_cross_coupling,
     threshold_inertia,
@@ -89,7 +90,8 @@ def test_heavy_pads_flutter(mass, inertia, frequency):
 
 
 def test_symmetric_condensed_coefficients_know_no_critical_mass():
-    assert math.isinf(critical_mass_of_condensed(LIGHT))
+    condensed = condensed_at(LIGHT, 1.0)
+    assert math.isinf(critical_mass_of_rotor(condensed.stiffness, condensed.damping))
     assert math.isinf(threshold_mass(LIGHT, 1.0, 1e4).value)
 
 
@@ -124,7 +126,7 @@ def test_cross_stiffness_drives_a_forward_whirl_beyond_a_mass():
     assert worst.forward
     assert worst.whirl == pytest.approx(1.0)
     assert not rotor_modes(replace(driven, sense=-1.0), 1.1 * found.value)[0].forward
-    assert critical_mass_of_condensed(driven) == pytest.approx(found.value, rel=1e-7)
+    assert critical_mass_of_rotor(driven.stiffness, driven.damping) == pytest.approx(found.value, rel=1e-7)
 
 
 def test_an_undamped_journal_has_no_threshold():

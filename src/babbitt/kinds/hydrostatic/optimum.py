@@ -13,7 +13,7 @@ from babbitt.kinds.hydrostatic.geometry import RecessedJournal
 from babbitt.kinds.hydrostatic.lumped import land_interaction
 from babbitt.kinds.hydrostatic.restrictors import Capillary, CheckValve, Orifice, Restrictor, Slot
 
-__all__ = ["least_power_gap", "least_power_viscosity", "stiffest_ratio", "stiffest_ratio_at_given_restrictor"]
+__all__ = ["least_power_gap", "least_power_viscosity", "stiffest_ratio"]
 
 
 def stiffest_ratio(restrictor: Restrictor, journal: RecessedJournal | None = None) -> float | None:
@@ -44,18 +44,6 @@ def stiffest_ratio(restrictor: Restrictor, journal: RecessedJournal | None = Non
         return 0.5
     share = land_interaction(journal) * (1.0 - math.cos(2.0 * math.pi / journal.count))
     return ((1.0 + share) - math.sqrt(1.0 + share)) / share
-
-
-def stiffest_ratio_at_given_restrictor(restrictor: Restrictor) -> float | None:
-    """Pressure ratio of greatest stiffness of a pad where the restrictor is given and the gap is free.
-
-    >>> round(stiffest_ratio_at_given_restrictor(Orifice(0.4e-3, 870.0)), 6)
-    0.690693
-    """
-    law = restrictor.restrictor if isinstance(restrictor, CheckValve) else restrictor
-    if isinstance(law, Orifice):
-        return 2.0 - math.sqrt(12.0 / 7.0)  # root of 7 b^2 - 28 b + 16
-    return 2.0 / 3.0 if isinstance(law, Capillary | Slot) else None
 
 
 def least_power_gap(gap: float, pumping_power: float, land_friction_power: float) -> float:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,10 +11,9 @@ from babbitt.kinds.hydrostatic.closed_forms import Lands
 from babbitt.kinds.hydrostatic.gap_search import gap_for_load
 from babbitt.kinds.hydrostatic.impedance import static_coefficients
 from babbitt.kinds.hydrostatic.network import Feeding, NetworkState, solve_network
-from babbitt.numerics.roots import bracketed_root
 from babbitt.reynolds.recess.recess_film import RecessResponse
 
-__all__ = ["WIDEST", "PadState", "gap_under", "least_power_recess", "pad_at"]
+__all__ = ["WIDEST", "PadState", "gap_under", "pad_at"]
 
 Array = NDArray[np.float64]
 TYPICAL, WIDEST = 3e-5, 1.0
@@ -102,14 +100,3 @@ def gap_under(lands: Lands, feeding: Feeding, viscosity: float, load: float, thi
         return state.load, float(static_coefficients(state.response, state.network)[0][0, 0])
 
     return gap_for_load(carried, load, (thinnest, WIDEST), TYPICAL, 1e-12)
-
-
-def least_power_recess() -> float:
-    """Recess over outer radius of the round pad that needs least pumping power for given load and gap.
-
-    Root of 1 - r^2 = 4 r^2 ln(1/r).
-
-    >>> round(least_power_recess(), 6)
-    0.533543
-    """
-    return bracketed_root(lambda r: 1.0 - r * r + 4.0 * r * r * math.log(r), 0.3, 0.9)

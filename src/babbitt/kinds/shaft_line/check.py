@@ -23,15 +23,10 @@ from babbitt.kinds.thrust.pressure_limits import pressures_not_checked
 from babbitt.kinds.thrust.warnings import sharing_warnings
 from babbitt.kinds.thrust.work import MOST_WORK, WorkBoundError, bounded_work
 
-__all__ = ["line_check"]
+__all__ = ["line_solution"]
 
 METHOD = "frequency domain"
 SEPARATION_SOURCE = "usual practice for shaft vibration: 20 % from any excitation"
-
-
-def line_check(design: LineDesign) -> Result:
-    """Check a shaft line; see `line_solution`."""
-    return line_solution(design).result
 
 
 def line_solution(design: LineDesign) -> Solution:

@@ -31,7 +31,6 @@ ComplexArray = NDArray[np.complex128]
 
 POLE = 1e-12
 """``|sin kl|`` below which the joints of a rod do not fix its motion."""
-RESIDUAL = 1e-10
 
 
 @dataclass(frozen=True, eq=False)

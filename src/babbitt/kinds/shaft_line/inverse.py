@@ -20,7 +20,6 @@ __all__ = [
     "Admissible",
     "AdmissibleAmplitude",
     "admissible",
-    "ring_for_film_amplitude",
     "ring_for_loss",
 ]
 
@@ -163,13 +162,6 @@ def ring_for_loss(
         Stiffnesses between which it is sought, N/m.
     """
     return _stiffest(duty, films, rings, lambda point: point.bound - loss)
-
-
-def ring_for_film_amplitude(
-    duty: LineOperation, films: LoadCurve, amplitude: float, rings: tuple[float, ...]
-) -> RingPoint | None:
-    """The stiffest ring on which the film amplitude from runout falls to ``amplitude`` (m)."""
-    return _stiffest(duty, films, rings, lambda point: point.film_amplitude - amplitude)
 
 
 def _stiffest(

@@ -34,17 +34,6 @@ class Attribution:
     tilt: float
     elasticity: float
 
-    @property
-    def dominant(self) -> str:
-        """What takes the largest part."""
-        parts = {
-            "runout of the collar": self.runout,
-            "thrust ripple of the propeller": self.ripple,
-            "tilt of the housing": self.tilt,
-            "elasticity of the shaft": self.elasticity,
-        }
-        return max(parts, key=lambda name: parts[name])
-
 
 def attribution(state: LineState) -> Attribution:
     """Attribute the largest dynamic load of a line."""

@@ -5,7 +5,7 @@ from babbitt.properties.fits.clearance import (
     Clearance,
     RelativeClearance,
 )
-from babbitt.properties.fits.iso286 import standard_tolerance, tolerance_limits, tolerance_source
+from babbitt.properties.fits.iso286 import standard_tolerance, tolerance_limits
 from babbitt.properties.fits.operating import REFERENCE_TEMPERATURE, operating_relative_clearance
 from babbitt.properties.fits.sizes import Deviations, SizeLimits
 
@@ -19,5 +19,4 @@ __all__ = [
     "operating_relative_clearance",
     "standard_tolerance",
     "tolerance_limits",
-    "tolerance_source",
 ]

@@ -89,32 +89,6 @@ class Clearance:
         return clearance
 
     @classmethod
-    def from_relative(cls, value: float, diameter: float) -> Clearance:
-        """One known relative clearance psi = C/D, without tolerances.
-
-        Parameters
-        ----------
-        value : float
-            Relative clearance, dimensionless (1.5 permil is 0.0015).
-        diameter : float
-            Nominal bearing diameter in m.
-        """
-        return cls.from_diametral(value * diameter, diameter)
-
-    @classmethod
-    def from_relative_limits(cls, minimum: float, maximum: float, diameter: float) -> Clearance:
-        """Smallest and largest relative clearance; the mean lies halfway.
-
-        Parameters
-        ----------
-        minimum, maximum : float
-            Relative clearances psi = C/D, dimensionless.
-        diameter : float
-            Nominal bearing diameter in m.
-        """
-        return cls.from_diametral_limits(minimum * diameter, maximum * diameter, diameter)
-
-    @classmethod
     def from_sizes(cls, bore: SizeLimits, journal: SizeLimits) -> Clearance:
         """From the limits of size of bore and journal.
 

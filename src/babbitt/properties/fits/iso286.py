@@ -12,9 +12,6 @@ from importlib.resources import files
 from babbitt.core.notices import InputError
 from babbitt.properties.fits.sizes import Deviations
 
-LARGEST_SIZE = 0.630
-"""Largest nominal size covered, in m."""
-
 HOLE_LETTERS = ("C", "D", "E", "F", "G", "H", "JS")
 SHAFT_LETTERS = ("c", "d", "e", "f", "g", "h", "j", "js")
 GRADES = range(4, 13)
@@ -68,11 +65,6 @@ def _tables() -> _Tables:
             for grade, steps in raw["shaft_j"].items()
         },
     )
-
-
-def tolerance_source() -> str:
-    """Where the tabulated tolerances come from."""
-    return _tables().source
 
 
 def standard_tolerance(grade: int, nominal: float) -> float:

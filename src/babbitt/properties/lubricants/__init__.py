@@ -7,14 +7,12 @@ from babbitt.properties.lubricants.catalogue import catalogue, lubricant
 from babbitt.properties.lubricants.lubricant import Lubricant, PropertySources
 from babbitt.properties.lubricants.own_oils import (
     OilProperties,
-    lubricant_from_dynamic_points,
     lubricant_from_law,
     lubricant_from_points,
     lubricant_from_viscosity_index,
 )
 from babbitt.properties.lubricants.property_laws import (
     ConstantProperty,
-    ExpansionDensity,
     LinearProperty,
     PropertyLaw,
     ShiftedLaw,
@@ -40,7 +38,6 @@ __all__ = [
     "ConstantProperty",
     "ConstantViscosity",
     "Exponential",
-    "ExpansionDensity",
     "LinearProperty",
     "Lubricant",
     "OilProperties",
@@ -55,7 +52,6 @@ __all__ = [
     "Walther",
     "catalogue",
     "lubricant",
-    "lubricant_from_dynamic_points",
     "lubricant_from_law",
     "lubricant_from_points",
     "lubricant_from_viscosity_index",

@@ -166,27 +166,6 @@ def lubricant_from_points(
     return lubricant_from_law(name, through, properties, source=source)
 
 
-def lubricant_from_dynamic_points(
-    name: str,
-    colder: Point,
-    warmer: Point,
-    properties: OilProperties | None = None,
-    *,
-    source: str = "given by the user",
-    temperature_range: tuple[float, float] = OIL_TEMPERATURE_RANGE,
-) -> Lubricant:
-    """Build a lubricant from two dynamic viscosities (K, Pa s), by Walther's law for ν = η/ρ.
-
-    Parameters, errors and result as of `lubricant_from_points`.
-    """
-    known = properties or OilProperties()
-    density, _ = _law_of("mineral_oil_density", known.density, known.density_temperature, known.density_slope)
-    kinematic = [(temperature, eta / density(temperature)) for temperature, eta in (colder, warmer)]
-    return lubricant_from_points(
-        name, kinematic[0], kinematic[1], properties, source=source, temperature_range=temperature_range
-    )
-
-
 def lubricant_from_viscosity_index(
     name: str,
     nu40: float,

@@ -87,45 +87,6 @@ class LinearProperty:
 
 
 @dataclass(frozen=True)
-class ExpansionDensity:
-    r"""Density of a liquid that expands evenly.
-
-    .. math:: \rho = \frac{\rho_\mathrm{ref}}{1 + \alpha_V (T - T_\mathrm{ref})}
-
-    Parameters
-    ----------
-    reference_density : float
-        In kg/m³.
-    reference_temperature : float
-        In K, usually 288.15 (15 °C).
-    expansion_coefficient : float
-        Coefficient of cubic expansion in 1/K, about 7·10⁻⁴ for mineral oils.
-    """
-
-    reference_density: float
-    reference_temperature: float
-    expansion_coefficient: float
-
-    def __post_init__(self) -> None:
-        require_positive(
-            "ExpansionDensity",
-            reference_density=self.reference_density,
-            reference_temperature=self.reference_temperature,
-            expansion_coefficient=self.expansion_coefficient,
-        )
-
-    def __call__(self, temperature: Value) -> Value:
-        """Density in kg/m³ at a temperature in K; float or array of any shape."""
-        # Below the temperature where the expanded volume would vanish the formula has no meaning.
-        vanishing = self.reference_temperature - 1.0 / self.expansion_coefficient
-        return evaluate(self._formula, temperature, above=max(vanishing, 0.0), law="the expansion law of density")
-
-    def _formula(self, m: Any, temperature: Any) -> Any:
-        expansion = self.expansion_coefficient * (temperature - self.reference_temperature)
-        return self.reference_density / (1.0 + expansion)
-
-
-@dataclass(frozen=True)
 class ShiftedLaw:
     """A reference law plus a constant, so that it meets one known value.
 

@@ -21,7 +21,6 @@ from babbitt.properties.materials.experience_tables import (
     FilmThicknessTable,
     experience_limits,
     parse_experience_limits,
-    read_experience_limits,
 )
 from babbitt.properties.materials.sourced import SourcedText, SourcedValue
 from babbitt.properties.materials.structural_material import StructuralMaterial
@@ -45,7 +44,6 @@ __all__ = [
     "published_metal_temperature",
     "pressure_fed_temperature_limit",
     "parse_experience_limits",
-    "read_experience_limits",
     "self_cooled_temperature_limit",
     "specific_load_limit",
     "structural_material",

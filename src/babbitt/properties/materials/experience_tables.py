@@ -9,7 +9,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
 from importlib.resources import files
-from pathlib import Path
 from typing import Any
 
 from babbitt.core.files.bounded_text import loads_toml
@@ -103,31 +102,6 @@ class ExperienceLimits:
 def experience_limits() -> ExperienceLimits:
     """The tables that ship with the package."""
     return _shipped()
-
-
-def read_experience_limits(path: Path) -> ExperienceLimits:
-    """Tables of the user's own, in the form of the shipped ``limits.toml``.
-
-    Parameters
-    ----------
-    path : Path
-        TOML file.
-
-    Returns
-    -------
-    ExperienceLimits
-        In SI.
-
-    Raises
-    ------
-    InputError
-        E001 if the file cannot be read, E003 if it is not of this form.
-    """
-    try:
-        text = path.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        raise InputError("E001", f"the limits file {path} cannot be read: {error}") from None
-    return parse_experience_limits(text, str(path))
 
 
 def parse_experience_limits(text: str, name: str = "<text>") -> ExperienceLimits:

@@ -27,7 +27,6 @@ __all__ = [
     "RockerContact",
     "SpringPivot",
     "TablePivot",
-    "contact_radius",
     "displacement_of",
     "stiffness_of",
 ]
@@ -267,11 +266,6 @@ def stiffness_of(pivot: Pivot, load: float) -> float:
     if slope < 0.0:
         return math.nan
     return 1.0 / slope
-
-
-def contact_radius(pivot: PointContact, load: float) -> float:
-    """Radius of the contact circle, m: (3 P R*/(4 E*))^(1/3), Johnson, eq. 4.22."""
-    return math.cbrt(0.75 * load * pivot.effective_radius / pivot.effective_modulus)
 
 
 def check_positive(part: object, *names: str) -> None:

@@ -16,13 +16,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.core.notices import InputError
-from babbitt.reynolds.stability.rotor import critical_mass_of_rotor
-from babbitt.reynolds.tilting_pads.dynamics import PadCoefficients, condensed_at
+from babbitt.reynolds.tilting_pads.dynamics import PadCoefficients
 
 __all__ = [
     "Mode",
     "Threshold",
-    "critical_mass_of_condensed",
     "rotor_modes",
     "threshold_cross_coupling",
     "threshold_inertia",
@@ -222,9 +220,3 @@ def first_unstable(modes_at: Callable[[float], tuple[Mode, ...]], least: float, 
 def growing(modes: tuple[Mode, ...]) -> Mode | None:
     """The motion that grows most, or None."""
     return next((mode for mode in modes if not mode.stable), None)
-
-
-def critical_mass_of_condensed(coefficients: PadCoefficients, whirl_ratio: float = 1.0) -> float:
-    """Critical mass that condensed coefficients would give, kg: for comparison only (module docstring)."""
-    condensed = condensed_at(coefficients, whirl_ratio)
-    return critical_mass_of_rotor(condensed.stiffness, condensed.damping)

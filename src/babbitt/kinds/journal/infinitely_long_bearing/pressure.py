@@ -111,19 +111,6 @@ def divergence_form(gap: Gap, viscosity: Array) -> Pressure:
     return Pressure(nodes, np.full(gap.sectors.size, 0.5 * at_rupture), gap.start + angle, full, gap.start)
 
 
-def full_film(gap: Gap, viscosity: Array) -> Pressure:
-    """Film that never breaks, with pressure zero at both ends of the widest gap (Sommerfeld), for comparison.
-
-    Parameters as of `divergence_form`.
-    """
-    sector = 0.5 * (viscosity[1:] + viscosity[:-1])
-    weight = sector / gap.sectors**3
-    couette, poiseuille = np.cumsum(gap.sectors * weight), np.cumsum(weight)
-    level = couette[-1] / poiseuille[-1]
-    nodes = np.concatenate(([0.0], 6.0 * gap.step * (couette - level * poiseuille)))
-    return Pressure(nodes, np.full(gap.sectors.size, 0.5 * level), 2.0 * math.pi, np.ones(gap.sectors.size))
-
-
 def published_form(gap: Gap, viscosity: Array) -> Pressure:
     """The form without the derivative of viscosity, ``H³ P'' + 3 H² H' P' = 6 μ H'``, by central differences.
 

@@ -30,8 +30,6 @@ if TYPE_CHECKING:
 
 FILM_AS_DRAWN = 0.16
 """Thickness of the film as drawn, in radii of the bore."""
-JOURNAL_AS_DRAWN = 0.55
-"""Radius of the journal as drawn: the film is drawn thick, inwards."""
 NOTHING = 1e-6
 """Share of the heat below which a path counts as taking none."""
 PLACES, DEPTHS = 361, 24

@@ -14,8 +14,6 @@ from babbitt.reynolds.tilting_pads.pedestal import Pedestal
 
 __all__ = ["pad_inputs"]
 
-OF_ALL = "all"
-
 
 def pad_inputs(case: PadCase) -> Iterator[InputGroup]:
     """Groups of inputs."""
