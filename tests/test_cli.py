@@ -111,7 +111,7 @@ def test_mistakes_on_the_command_line(run, tmp_path, arguments, words):
 
 
 @pytest.mark.parametrize("what", ["lubricants", "materials", "kinds", "cases"])
-def test_lists_show_what_is_on_board(run, what):
+def test_lists_show_what_is_included(run, what):
     status, out, _ = run("list", what)
     assert status == 0
     expected = {"lubricants": "ISO VG 46", "materials": "B83", "kinds": "machine", "cases": "reverse_gear"}

@@ -128,7 +128,7 @@ main()
 """
 
 
-@pytest.mark.parametrize("module", ["typer", "babbitt.cli.telling", "pydantic", "numpy", "rich.table"])
+@pytest.mark.parametrize("module", ["typer", "babbitt.cli.info", "pydantic", "numpy", "rich.table"])
 def test_an_interrupt_while_modules_are_loaded_is_one_line(folder, module):
     ended = launched(folder, module, "solve", "case.yaml", "--json", "out.json", program=AT_IMPORT)
     assert (ended.returncode, ended.stderr) == (130, b"interrupted\n")

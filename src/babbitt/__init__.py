@@ -36,6 +36,13 @@ if TYPE_CHECKING:
         load_case,
         parse_case,
     )
+    from babbitt.api.catalogue import (
+        explain,
+        lubricants,
+        materials,
+        published_cases,
+        validate,
+    )
     from babbitt.api.clearances import (
         diametral_clearance,
         fit,
@@ -144,13 +151,6 @@ if TYPE_CHECKING:
         LongFilm,
         Segments,
     )
-    from babbitt.api.on_board import (
-        explain,
-        lubricants,
-        materials,
-        published_cases,
-        validate,
-    )
     from babbitt.api.own_bore import (
         Gap,
     )
@@ -239,7 +239,7 @@ _NAMES = {
         "UnevenPockets Walls WornBore"
     ),
     "babbitt.api.methods": "Film Iso7902 LongFilm Segments",
-    "babbitt.api.on_board": "explain lubricants materials published_cases validate",
+    "babbitt.api.catalogue": "explain lubricants materials published_cases validate",
     "babbitt.api.own_bore": "Gap",
     "babbitt.api.own_viscosity": "viscosity_law",
     "babbitt.api.thrust_parts": (

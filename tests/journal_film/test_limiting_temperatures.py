@@ -118,7 +118,7 @@ def test_outlet_temperatures_are_not_held_against_the_general_limit_of_bushes() 
         assert "C108" not in found
 
 
-def test_every_metal_on_board_has_a_limiting_temperature() -> None:
+def test_every_metal_included_has_a_limiting_temperature() -> None:
     for metal in bearing_metals():
         limit = metal_temperature_limit(metal)
         assert "assumption, as" not in limit.source, metal.name

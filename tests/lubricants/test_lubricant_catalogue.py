@@ -34,7 +34,7 @@ def index_of(entry):
     return viscosity_index(nu(entry, 40) * 1e-6, nu(entry, 100) * 1e-6)
 
 
-def test_everything_promised_is_on_board():
+def test_everything_promised_is_included():
     names = {entry.name for entry in catalogue()}
     assert names == {
         *(f"ISO VG {n}" for n in VG_CLASSES),

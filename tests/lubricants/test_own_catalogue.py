@@ -69,7 +69,7 @@ def folder(tmp_path, monkeypatch):
     forget()
 
 
-def test_entries_are_added_to_those_on_board(folder):
+def test_entries_are_added_to_those_included(folder):
     (folder / "lubricants.toml").write_text(OIL)
     (folder / "materials.toml").write_text(METAL)
     oil = bb.lubricant("ho-46")
@@ -215,7 +215,7 @@ def test_what_the_variable_names_must_be_there(folder, monkeypatch):
         assert "ISO VG 46" in bb.lubricants()
 
 
-def test_a_name_that_is_left_out_is_not_on_board(folder):
+def test_a_name_that_is_left_out_is_not_included(folder):
     (folder / "lubricants.toml").write_text(OIL.replace("46.0", "-46.0"))
     with pytest.warns(UserWarning, match="is left out"), pytest.raises(InputError, match="House oil"):
         bb.lubricant("House oil")

@@ -62,12 +62,12 @@ COMMON_STRUCTURES = """
 
 
 @pytest.mark.parametrize("name", COMMON_METALS.split())
-def test_common_bearing_metals_are_on_board(name):
+def test_common_bearing_metals_are_included(name):
     assert bearing_metal(name).name == name
 
 
 @pytest.mark.parametrize("name", COMMON_STRUCTURES.split())
-def test_common_structural_materials_are_on_board(name):
+def test_common_structural_materials_are_included(name):
     assert structural_material(name).name == name
 
 

@@ -10,7 +10,7 @@ import plane_slider
 import pytest
 from plane_slider import view
 
-from babbitt.api.on_board import explain
+from babbitt.api.catalogue import explain
 from babbitt.case import CaseError, case_schema, kinds, parse_case, template
 from babbitt.core import kind as registry
 from babbitt.core.notices import words

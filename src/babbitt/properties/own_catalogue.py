@@ -102,7 +102,7 @@ def own_entries(
     key: str,
     read: Callable[[Mapping[str, Any], str], EntryT],
     spelled: Callable[[str], str],
-    on_board: Iterable[EntryT],
+    shipped: Iterable[EntryT],
 ) -> tuple[EntryT, ...]:
     """The entries of one's own that can be used.
 
@@ -115,7 +115,7 @@ def own_entries(
         Makes an entry of its table and of its origin, or raises `InputError`.
     spelled : callable
         How names are compared.
-    on_board : iterable
+    shipped : iterable
         Entries whose names are taken.
 
     Warns
@@ -129,7 +129,7 @@ def own_entries(
     if not isinstance(listed, list):
         _warn(own.file, f"{key} is no list of tables; write [[{key}]] before each entry")
         return ()
-    taken = {spelled(name) for one in on_board for name in (one.name, *one.aliases)}
+    taken = {spelled(name) for one in shipped for name in (one.name, *one.aliases)}
     found: list[EntryT] = []
     for number, table in enumerate(listed, 1):
         try:

@@ -55,7 +55,7 @@ class CatalogueLubricant(Part):
     )
 
     @rule
-    def _on_board(self) -> Iterator[Issue]:
+    def _included(self) -> Iterator[Issue]:
         yield from refused(("name",), lambda: lubricant(self.name))
 
     def lubricant(self) -> Lubricant:

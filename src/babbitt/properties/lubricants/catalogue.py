@@ -63,7 +63,7 @@ def lubricant(name: str) -> Lubricant:
     """
     entry = _index().get(_key(name))
     if entry is None:
-        raise InputError("E005", _not_on_board(name))
+        raise InputError("E005", _not_included(name))
     return entry
 
 
@@ -78,9 +78,9 @@ def catalogue() -> tuple[Lubricant, ...]:
     """
     file = _file()
     shared = file["property_laws"]
-    on_board = tuple(_lubricant(_with_family(file["families"], entry), shared) for entry in file["lubricants"])
+    shipped = tuple(_lubricant(_with_family(file["families"], entry), shared) for entry in file["lubricants"])
     own = own_tables("lubricants.toml")
-    return (*on_board, *own_entries(own, "lubricants", partial(_own_lubricant, own), _key, on_board))
+    return (*shipped, *own_entries(own, "lubricants", partial(_own_lubricant, own), _key, shipped))
 
 
 def _own_lubricant(own: OwnTables | None, entry: Table, origin: str) -> Lubricant:
@@ -121,7 +121,7 @@ def _key(name: str) -> str:
     return "".join(letter for letter in name.casefold() if letter.isalnum())
 
 
-def _not_on_board(name: str) -> str:
+def _not_included(name: str) -> str:
     near = nearest_names(_key(name), _index())
     hint = f"The nearest is '{_index()[near[0]].name}'." if near else "No name in the catalogue is near it."
     return (

@@ -97,7 +97,7 @@ def list_(
 @app.command()
 def explain(code: Annotated[str, typer.Argument(metavar="CODE", help="Such as W101 or C104.")]) -> None:
     """Explain a code of an error, warning or check, and what to do about it."""
-    from babbitt.api.on_board import explain as explained
+    from babbitt.api.catalogue import explain as explained
 
     found = explained(code)
     print(f"{code.strip().upper()}  {found.title}\n\n{found.meaning}\n\nWhat to do: {found.remedy}")
