@@ -190,8 +190,8 @@ def _require_one_count(shapes: dict[str, tuple[int, ...]]) -> None:
     """Refuse arrays of different lengths, by name; one bearing goes with any number."""
     counts = {name: shape[0] for name, shape in shapes.items() if shape and shape[0] != 1}
     if len(set(counts.values())) > 1:
-        told = ", ".join(f"{name} {count}" for name, count in counts.items())
-        raise InputError("E101", f"the numbers of bearings differ: {told}")
+        listed = ", ".join(f"{name} {count}" for name, count in counts.items())
+        raise InputError("E101", f"the numbers of bearings differ: {listed}")
 
 
 def _member(choices: type[Choice], name: str, given: Choice | str) -> Choice:

@@ -79,8 +79,8 @@ def content_of(part: Part) -> dict[str, Any]:
     if known is not None:
         return dict(known)
     fields = type(part).model_fields
-    told = part.model_fields_set | {"kind"}
-    kept = {name: value for name, value in vars(part).items() if name in told}
+    written = part.model_fields_set | {"kind"}
+    kept = {name: value for name, value in vars(part).items() if name in written}
     return {
         name: _content(value, fields[name].rebuild_annotation())
         for name, value in kept.items()

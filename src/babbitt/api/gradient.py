@@ -169,9 +169,9 @@ def gradient_of(
             errors[name][path] = _given_back(np.abs(near - far))
     found = Gradient(slopes, errors, widths, reasons)
     if found.doubtful:
-        told = "; ".join(f"{quantity} over {field}" for quantity, field in found.doubtful)
+        listed = "; ".join(f"{quantity} over {field}" for quantity, field in found.doubtful)
         warnings.warn(
-            f"slopes that change by more than {AGREEMENT:.0%} with half the step: {told}; their errors are in "
+            f"slopes that change by more than {AGREEMENT:.0%} with half the step: {listed}; their errors are in "
             "`errors`, other steps can be given by steps=",
             stacklevel=3,
         )

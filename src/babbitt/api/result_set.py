@@ -278,14 +278,14 @@ class ResultSet:
             for name, values in self._given.items()
         )
         counts = {one: sum(result.verdict is one for result in self._results) for one in Verdict}
-        told = ", ".join(f"{count} {verdict.value}" for verdict, count in counts.items() if count)
+        counted = ", ".join(f"{count} {verdict.value}" for verdict, count in counts.items() if count)
         first = self._results[0]
         return (
             f"{first.name}  ({first.kind}, {first.method}): {len(self)} points over {over}\n"
-            f"  {told}\n"
+            f"  {counted}\n"
             f"  {len(self.names)} quantities by name in .names, such as table[{self.names[0]!r}]"
             if self.names
-            else f"{first.name}: {len(self)} points over {over}, {told}"
+            else f"{first.name}: {len(self)} points over {over}, {counted}"
         )
 
     def _axis_names(self) -> tuple[str, ...]:

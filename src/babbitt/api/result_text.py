@@ -24,10 +24,10 @@ LONGEST = 160
 def key_values(result: Result) -> list[tuple[str, str]]:
     """The results that matter most, each with its value and unit, in the order of the report."""
     wanted = [name for name in view_of(result).key_results if name in result.values] or list(result.values)
-    told = [name for name in wanted if name in QUANTITIES and name != "wall_time"]
+    known = [name for name in wanted if name in QUANTITIES and name != "wall_time"]
     return [
         (label(name, result.kind), written(name, value))
-        for name in told
+        for name in known
         if math.isfinite(value := result.values[name])
     ]
 

@@ -232,14 +232,14 @@ def todays_field(cls: type[Part], steps: Sequence[str]) -> tuple[tuple[str, ...]
 
 def in_former_words(cls: type[Part], content: Mapping[str, Any]) -> dict[str, Any]:
     """The content of one part with former words where it has them: what hashes are made of, so that they last."""
-    told = dict(content)
+    renamed = dict(content)
     for former, one in _steps(cls.former_words):
-        values = list(values_at(told, one.path))
-        if not values or (one.kind and not _is_alone(told, one)):
+        values = list(values_at(renamed, one.path))
+        if not values or (one.kind and not _is_alone(renamed, one)):
             continue
-        told = without_value(told, one.path[:-1] if one.kind else one.path)
-        told = with_value(told, former, values[0] if one.scale == 1.0 else values[0] / one.scale)
-    return told
+        renamed = without_value(renamed, one.path[:-1] if one.kind else one.path)
+        renamed = with_value(renamed, former, values[0] if one.scale == 1.0 else values[0] / one.scale)
+    return renamed
 
 
 def _steps(words: FormerWords) -> Iterator[tuple[tuple[str, ...], Moved]]:

@@ -38,12 +38,12 @@ def _content(value: Any) -> Any:
         case Part():
             fields, content = type(value).model_fields, vars(value)
             pairs = ((name, _content(content[name]), fields[name]) for name in fields)
-            told = {
+            given = {
                 name: own
                 for name, own, field in pairs
                 if field.is_required() or _rounded(own) != _rounded(_content(field.default))
             }
-            return in_former_words(type(value), told)
+            return in_former_words(type(value), given)
         case tuple():
             return [_content(one) for one in value]
         case _:

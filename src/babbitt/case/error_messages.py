@@ -182,7 +182,7 @@ def _say(cls: type[Part], path: Path, details: ErrorDetails) -> tuple[str, str, 
 def _say_branch(cls: type[Part], path: Path, given: Any) -> tuple[str, str, str]:
     kinds = _branches(cls, str(path[0]))
     if not isinstance(given, Mapping):
-        short = [f"{told.words}, or " for told in metadata_of(cls, str(path[0]), Shorthand)]
+        short = [f"{form.words}, or " for form in metadata_of(cls, str(path[0]), Shorthand)]
         return f"{shown(given)} is not allowed", f"{''.join(short)}a mapping with kind: {', '.join(kinds)}", ""
     if "kind" not in given:
         return "kind is missing", ", ".join(kinds), ""

@@ -251,10 +251,10 @@ def problems_of(
     root : Node, optional
         The document, for the lines.
     """
-    told = [(details["loc"], details["ctx"]) for details in found]
+    contexts = [(details["loc"], details["ctx"]) for details in found]
     return tuple(
         _problem(name, root, given, path, one["says"], one["allowed"], one["hint"], one["code"])
-        for path, one in told
+        for path, one in contexts
     )
 
 

@@ -239,34 +239,34 @@ def at_most_one(part: Part, *names: str) -> Iterator[Issue]:
 
 
 def _lines(part: Part, given: Any) -> list[InitErrorDetails]:
-    return [_line(told, given) for told in _issues(part)]
+    return [_line(issue, given) for issue in _issues(part)]
 
 
 def _issues(part: Part) -> Iterator[Issue]:
-    """Ask every rule; what a rule meets as refused is told at the part, where no rule tells it at its field."""
+    """Ask every rule; what one meets as refused is reported at the part, where no rule reports it at its field."""
     said, refusals = set(), {}
     for one in type(part).rules:
         try:
-            for told in as_far_as_usable(one(part)):
-                said.add(told.says)
-                yield told
+            for issue in as_far_as_usable(one(part)):
+                said.add(issue.says)
+                yield issue
         except InputError as error:
             refusals[error.message] = Issue((), error.message, code=error.code)
-    yield from (told for message, told in refusals.items() if message not in said)
+    yield from (issue for message, issue in refusals.items() if message not in said)
 
 
-def _line(told: Issue, given: Any) -> InitErrorDetails:
-    context: dict[str, Any] = {"says": told.says, "allowed": told.allowed, "hint": told.hint}
-    context |= {"code": told.code, "missing": told.missing}
-    return InitErrorDetails(type=PydanticCustomError(ERROR_TYPE, "{says}", context), loc=told.path, input=given)
+def _line(issue: Issue, given: Any) -> InitErrorDetails:
+    context: dict[str, Any] = {"says": issue.says, "allowed": issue.allowed, "hint": issue.hint}
+    context |= {"code": issue.code, "missing": issue.missing}
+    return InitErrorDetails(type=PydanticCustomError(ERROR_TYPE, "{says}", context), loc=issue.path, input=given)
 
 
 def _at_written(details: ErrorDetails, reading: Reading) -> InitErrorDetails:
     """Tell a finding at the word that the file has."""
-    told: dict[str, Any] = dict(details["ctx"])
+    context: dict[str, Any] = dict(details["ctx"])
     if remark := reading.remark(details["loc"]):
-        told["hint"] = "; ".join(filter(None, (told["hint"], remark)))
-    error = PydanticCustomError(ERROR_TYPE, "{says}", told)
+        context["hint"] = "; ".join(filter(None, (context["hint"], remark)))
+    error = PydanticCustomError(ERROR_TYPE, "{says}", context)
     return InitErrorDetails(type=error, loc=reading.as_written(details["loc"]), input=details["input"])
 
 

@@ -8,7 +8,7 @@ from babbitt.core.notices import Notice
 from babbitt.core.result import Check
 from babbitt.design.conditions import CheckedProblem
 
-__all__ = ["FILM_CHECKS", "NO_BOUNDS", "TEMPERATURE_CHECKS", "Bounds", "bounds_of", "certain", "unjudged"]
+__all__ = ["FILM_CHECKS", "NO_BOUNDS", "TEMPERATURE_CHECKS", "Bounds", "bounds_of", "certain", "undecided"]
 
 Bounds = Mapping[str, Notice]
 """Codes of checks whose value flatters the bearing, each with the reason why keeping the limit says nothing."""
@@ -37,7 +37,7 @@ def certain(checks: Iterable[Check], bounds: Bounds) -> tuple[Check, ...]:
     return tuple(check for check in checks if not _says_nothing(check, bounds))
 
 
-def unjudged(checks: Iterable[Check], bounds: Bounds) -> tuple[Notice, ...]:
+def undecided(checks: Iterable[Check], bounds: Bounds) -> tuple[Notice, ...]:
     """Tell the reasons of those left out by `certain`."""
     return tuple(bounds[check.code] for check in checks if _says_nothing(check, bounds))
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 
 from babbitt.core.notices import Notice
 from babbitt.core.result import Bound, Check
-from babbitt.design.bounds import NO_BOUNDS, Bounds, bounds_of, certain, unjudged
+from babbitt.design.bounds import NO_BOUNDS, Bounds, bounds_of, certain, undecided
 from babbitt.design.conditions import CheckedProblem, surface_speed
 from babbitt.properties.materials import (
     ExperienceLimit,
@@ -49,8 +49,8 @@ def limit_checks(
 def checks_not_made(
     case: CheckedProblem, values: Mapping[str, float], bounds: Bounds = NO_BOUNDS
 ) -> tuple[Notice, ...]:
-    """The checks of the design that lack data or a value to judge, each with what is missing."""
-    return (*_not_made(case, values), *unjudged(_every_check(case, values), {**bounds_of(case), **bounds}))
+    """The checks of the design that lack data or a value to compare, each with what is missing."""
+    return (*_not_made(case, values), *undecided(_every_check(case, values), {**bounds_of(case), **bounds}))
 
 
 def _every_check(case: CheckedProblem, values: Mapping[str, float]) -> Iterator[Check]:

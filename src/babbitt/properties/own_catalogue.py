@@ -82,13 +82,13 @@ def own_tables(name: str) -> OwnTables | None:
     UserWarning
         For a file that cannot be read or is no TOML, and where what `VARIABLE` names is missing.
     """
-    told = os.environ.get(VARIABLE, "")
-    home = Path(told).expanduser() if told else _settings_folder()
+    chosen = os.environ.get(VARIABLE, "")
+    home = Path(chosen).expanduser() if chosen else _settings_folder()
     file = home / name if home.is_dir() else home
     try:
         return OwnTables(file, loads_toml(read_regular(file, LARGEST).decode("utf-8-sig")))
     except UnreadableFileError as error:
-        if not error.missing or (told and file == home):
+        if not error.missing or (chosen and file == home):
             _warn(file, error.says)
     except UnicodeDecodeError:
         _warn(file, "is not a text file in UTF-8")
@@ -140,9 +140,9 @@ def own_entries(
                 raise InputError("E003", f"name: '{known[0]}' is in the catalogue already")
         except (InputError, *FAULTS) as error:
             named = table.get("name") if isinstance(table, Mapping) else None
-            told = f"'{named[:LONGEST_NAME]}'" if isinstance(named, str) else f"{number}"
+            label = f"'{named[:LONGEST_NAME]}'" if isinstance(named, str) else f"{number}"
             says = error.message if isinstance(error, InputError) else str(error)
-            _warn(own.file, f"entry {told} of {key} is left out: {says}")
+            _warn(own.file, f"entry {label} of {key} is left out: {says}")
             continue
         taken |= {spelled(one) for one in (name, *entry.aliases)}
         found.append(entry)

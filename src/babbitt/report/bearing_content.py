@@ -9,7 +9,7 @@ from typing import Any
 from babbitt.core.notices import Effect, explanations
 from babbitt.core.quantities import QUANTITIES
 from babbitt.report import findings
-from babbitt.report import verdict as judge
+from babbitt.report import verdict as verdicts
 from babbitt.report.chapters import Chapter, Member
 from babbitt.report.check_content import check_content, compared_checks, solved_checks, sources_of
 from babbitt.report.coefficient_temperatures import beside_coefficient
@@ -59,8 +59,8 @@ def bearing_content(chapter: Chapter) -> Data:
         "name": plain_text(chapter.name),
         "clearances": [format_members([member.clearance]) for member in chapter.members] if several else [],
         "shown": format_members([shown.clearance]) if several and not view.of_every_state else "",
-        "verdict": judge.worst_verdict(chapter.results).value,
-        "unchecked": judge.unchecked(result),
+        "verdict": verdicts.worst_verdict(chapter.results).value,
+        "unchecked": verdicts.unchecked(result),
         "lacking": [
             {"code": group.code, "title": group.title, "message": group.message}
             for group in findings.lacking(chapter.results)

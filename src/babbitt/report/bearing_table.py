@@ -14,7 +14,7 @@ from rich.text import Text
 
 from babbitt.core.quantities import QUANTITIES, Quantity
 from babbitt.core.result import Check, Result, Verdict
-from babbitt.report import verdict as judge
+from babbitt.report import verdict as verdicts
 from babbitt.report.coefficient_temperatures import beside_coefficient
 from babbitt.report.meanings import meaning
 from babbitt.report.text import plain_text
@@ -45,7 +45,7 @@ def bearing_table(result: Result) -> RenderableType:
     heading = Text(plain_text(result.name), style="bold")
     heading.append(f"   {result.method}   ", style="dim")
     heading.append(word.value, style=STYLES[word])
-    heading.append(f"   {judge.unchecked(result)}" if result.not_checked else "")
+    heading.append(f"   {verdicts.unchecked(result)}" if result.not_checked else "")
     if word is Verdict.NO_SOLUTION:
         return heading
     table = engineers_table()
@@ -162,11 +162,11 @@ def _checks(checks: Sequence[Check]) -> RenderableType:
     table.add_column("verdict", no_wrap=True)
     table.add_column("source", overflow="fold")
     for check in checks:
-        word = judge.check_word(check)
+        word = verdicts.check_word(check)
         table.add_row(
             check.code,
-            Text(judge.comparison(check)),
-            judge.margin(check),
+            Text(verdicts.comparison(check)),
+            verdicts.margin(check),
             Text(word.value, style=CHECK_STYLES[word]),
             Text(plain_text(check.source)),
         )

@@ -7,7 +7,7 @@ from typing import Any
 
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Bound, Check, Result
-from babbitt.report import verdict as judge
+from babbitt.report import verdict as verdicts
 from babbitt.report.chapters import Chapter
 from babbitt.report.columns import ABSENT
 from babbitt.report.labels import label
@@ -34,14 +34,14 @@ def solved_checks(result: Result) -> tuple[Check, ...]:
 
 def check_content(check: Check, sources: Sequence[str] = ()) -> Data:
     """One check; its source as the place in a list of `sources`, counted from 1."""
-    value, limit = judge.value_and_limit(check)
+    value, limit = verdicts.value_and_limit(check)
     return {
         **_what(check),
         "value": value,
         "sign": SIGNS[check.bound],
         "limit": limit,
-        "margin": judge.margin(check).replace("-", "−"),
-        "verdict": judge.check_word(check).value,
+        "margin": verdicts.margin(check).replace("-", "−"),
+        "verdict": verdicts.check_word(check).value,
         "source": str(1 + sources.index(plain_text(check.source))) if sources else "",
     }
 
@@ -78,8 +78,8 @@ def _what(check: Check) -> Data:
 def _compared(check: Check | None) -> Data:
     if check is None:
         return {"said": ABSENT, "verdict": ""}
-    value, limit = (judge.number(check.quantity, number) for number in (check.value, check.limit))
+    value, limit = (verdicts.number(check.quantity, number) for number in (check.value, check.limit))
     return {
         "said": f"{value} {SIGNS[check.bound] if check.ok else BROKEN[check.bound]} {limit}",
-        "verdict": judge.check_word(check).value,
+        "verdict": verdicts.check_word(check).value,
     }

@@ -111,12 +111,12 @@ def compared_rows(compared: Sequence[str], variants: Sequence[Variant]) -> Itera
     """What is put side by side of some variants."""
     for name in compared:
         results = [variant.result for variant in variants]
-        told = [result.values.get(name) if result.outcome.solved else None for result in results]
+        known = [result.values.get(name) if result.outcome.solved else None for result in results]
         nothing = {None, 0.0} if name in SILENT_AT_ZERO else {None}
-        if set(told) <= nothing:
+        if set(known) <= nothing:
             continue
-        quantity = QUANTITIES[name].suited(*(value for value in told if value is not None))
-        cells = ("–" if value is None else quantity.format(value) for value in told)
+        quantity = QUANTITIES[name].suited(*(value for value in known if value is not None))
+        cells = ("–" if value is None else quantity.format(value) for value in known)
         said = meaning(name, variants[0].result.kind)
         yield Row(f"{said}, {quantity.symbol}", quantity.display.label, tuple(cells))
     for said, check_of in MARGINS.items():

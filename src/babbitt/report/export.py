@@ -105,7 +105,7 @@ def _notices(notices: Iterable[Notice]) -> list[dict[str, Any]]:
 
 def _warnings(notices: Iterable[Notice]) -> list[dict[str, Any]]:
     effects = [notice.effect.name.lower() for notice in notices]
-    return [{**told, "effect": effect} for told, effect in zip(_notices(notices), effects, strict=True)]
+    return [{**notice, "effect": effect} for notice, effect in zip(_notices(notices), effects, strict=True)]
 
 
 def _finite(values: Mapping[str, float]) -> dict[str, float]:

@@ -150,10 +150,10 @@ def not_checked(results: Sequence[Result]) -> tuple[Group, ...]:
     )
 
 
-def _gathered(results: Sequence[Result], told: Callable[[Result], Iterable[Notice]]) -> tuple[Group, ...]:
+def _gathered(results: Sequence[Result], notices_of: Callable[[Result], Iterable[Notice]]) -> tuple[Group, ...]:
     found: dict[str, list[tuple[Result, str]]] = {}
     for result in results:
-        for notice in told(result):
+        for notice in notices_of(result):
             found.setdefault(notice.code, []).append((result, plain_text(notice.message)))
     groups = []
     for code, notices in sorted(found.items()):

@@ -70,8 +70,8 @@ def write_sweep_plot(sweep: CaseSweep, path: Path) -> None:
 
 def sweep_figure(sweep: CaseSweep) -> Figure:
     """At most four panels over the field, a line per bearing; what the file itself has in the field is marked."""
-    names, judged = sweep.names, _tells_stability(sweep)
-    entries = len(names) + judged
+    names, shows_stability = sweep.names, _shows_stability(sweep)
+    entries = len(names) + shows_stability
     legend = 4.5 * math.ceil(entries / 3) if entries > 1 else 0.0
     height = 100.0 + legend
     figure, axes = Sheet(166.0, height, 2, 2, across=16.0, between=5.0).panels(sharex=True)
@@ -89,7 +89,7 @@ def sweep_figure(sweep: CaseSweep) -> Figure:
 
         handles = axes[0][0].get_lines()[: len(names)]
         labels = [plain_text(name).replace("$", r"\$") for name in names]
-        if judged:
+        if shows_stability:
             handles = [
                 *handles,
                 Line2D([], [], color=INK, marker="o", markersize=2.4, markerfacecolor="white", **NOT_STABLE),
@@ -106,15 +106,15 @@ def _panel(panel: Axes, sweep: CaseSweep, choice: tuple[str, ...], *, titled: bo
     x = np.arange(len(sweep.values.texts), dtype=float) if numbers is None else np.array(numbers)
     if numbers is None:
         panel.set_xticks(x, sweep.values.texts)
-    order, judged = np.argsort(x), _tells_stability(sweep)
+    order, shows_stability = np.argsort(x), _shows_stability(sweep)
     curves = [_curve(sweep, bearing, name, order) for bearing in sweep.names]
     for line, (y, lasts) in enumerate(curves):
-        panel.plot(x[order], np.where(lasts, y, np.nan), **_look(line, x.size, judged=judged))
+        panel.plot(x[order], np.where(lasts, y, np.nan), **_look(line, x.size, shows_stability=shows_stability))
     for line, (y, lasts) in enumerate(curves):
         if lasts.all():
             continue
         beside = np.convolve(~lasts, (1, 1, 1), mode="same") > 0
-        own = _look(line, x.size, judged=judged)
+        own = _look(line, x.size, shows_stability=shows_stability)
         panel.plot(x[order], np.where(beside, y, np.nan), **{**own, **NOT_STABLE, "marker": ""})
         panel.plot(x[order], np.where(lasts, np.nan, y), **{**own, "linestyle": "", "markerfacecolor": "white"})
     if sweep.present is not None and x.min() <= sweep.present <= x.max():
@@ -137,9 +137,9 @@ def _curve(sweep: CaseSweep, bearing: str, name: str, order: Order) -> tuple[Arr
     return in_engineers_unit(name, y[order]), lasts[order]
 
 
-def _look(line: int, points: int, *, judged: bool) -> dict[str, Any]:
+def _look(line: int, points: int, *, shows_stability: bool) -> dict[str, Any]:
     """Colour, dashes and markers of a bearing; of a steady state without dashes."""
-    if judged:
+    if shows_stability:
         marker = {
             "marker": MARKERS[line % len(MARKERS)],
             "markersize": 2.4,
@@ -151,6 +151,6 @@ def _look(line: int, points: int, *, judged: bool) -> dict[str, Any]:
     return LINES[line % len(LINES)] | {"marker": MARKERS[line // len(LINES) % len(MARKERS)], "markersize": 2.4}
 
 
-def _tells_stability(sweep: CaseSweep) -> bool:
+def _shows_stability(sweep: CaseSweep) -> bool:
     """Whether some state of the sweep is said not to be stable."""
     return any(result.settings.get("stable") == "no" for _, result in sweep.rows())

@@ -50,12 +50,12 @@ class Summary:
     @property
     def sentence(self) -> str:
         """The summary in words."""
-        unjudged = [f"{self.suspect} set aside"] if self.suspect else []
+        set_aside = [f"{self.suspect} set aside"] if self.suspect else []
         if self.shown:
-            unjudged.append(f"{self.shown} shown without judgement")
+            set_aside.append(f"{self.shown} shown without judgement")
         counted = f"{self.values} values, {self.judged} judged"
-        if unjudged:
-            counted += f" ({', '.join(unjudged)})"
+        if set_aside:
+            counted += f" ({', '.join(set_aside)})"
         if self.worst is None:
             return f"{counted}."
         largest = f"largest deviation {self.largest_share:.2f} of its tolerance ({self.worst.label})"

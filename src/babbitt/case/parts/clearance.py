@@ -177,8 +177,8 @@ def _of_what(given: Any) -> tuple[str, str] | None:
 
 
 def _fit(given: Any) -> Any:
-    if is_bare(given) and (told := _of_what(given)) is not None:
-        what, forms = told
+    if is_bare(given) and (meant := _of_what(given)) is not None:
+        what, forms = meant
         says = f"'{str(given).strip()[:40]}' does not say that it is the clearance {what}"
         allowed = f"a fit such as H7/e8, or a mapping with kind: {', '.join(CLEARANCE_KINDS)}"
         raise QuantityError(says, allowed, f"write {forms}")

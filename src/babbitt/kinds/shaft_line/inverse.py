@@ -33,7 +33,7 @@ SHOWN_LENGTH, SHOWN_FORCE = 1e-7, 100.0
 SHORTER = 50
 """Steps by which what is found is lowered at most, until it keeps them."""
 
-Judge = Callable[[LineState], Excess]
+LimitMargin = Callable[[LineState], Excess]
 
 
 @dataclass(frozen=True)
@@ -75,14 +75,14 @@ class Admissible:
     ripple: AdmissibleAmplitude | None
 
 
-def admissible(duty: LineOperation, films: LoadCurve, judge: Judge) -> Admissible:
+def admissible(duty: LineOperation, films: LoadCurve, margin: LimitMargin) -> Admissible:
     """Largest runout, tilt and ripple that keep all limits.
 
     Parameters
     ----------
     duty : LineOperation
     films : LoadCurve
-    judge : callable
+    margin : callable
         Says by how much a state misses its worst check, see
         `babbitt.kinds.shaft_line.admissible_amplitude.limit_margin`.
     """
@@ -91,20 +91,20 @@ def admissible(duty: LineOperation, films: LoadCurve, judge: Judge) -> Admissibl
     runout = ripple = None
     if duty.runout:
         runout = _largest(
-            lambda a: judge(state_of(duty.with_runout(a / duty.runout), films, share)), duty.runout, SHOWN_LENGTH
+            lambda a: margin(state_of(duty.with_runout(a / duty.runout), films, share)), duty.runout, SHOWN_LENGTH
         )
     if duty.ripple:
         ripple = _largest(
-            lambda a: judge(state_of(duty.with_ripple(a / duty.ripple), films, share)), duty.ripple, SHOWN_FORCE
+            lambda a: margin(state_of(duty.with_ripple(a / duty.ripple), films, share)), duty.ripple, SHOWN_FORCE
         )
     return Admissible(
-        runout, _largest(lambda e: _judged(duty.with_tilt(e), films, judge), tilt, SHOWN_LENGTH), ripple
+        runout, _largest(lambda e: _margin_of(duty.with_tilt(e), films, margin), tilt, SHOWN_LENGTH), ripple
     )
 
 
-def _judged(duty: LineOperation, films: LoadCurve, judge: Judge) -> Excess:
+def _margin_of(duty: LineOperation, films: LoadCurve, margin: LimitMargin) -> Excess:
     try:
-        return judge(state_of(duty, films))
+        return margin(state_of(duty, films))
     except NoPadFilmError:
         return NO_FILM
 

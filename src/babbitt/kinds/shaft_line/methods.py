@@ -33,7 +33,7 @@ class FrequencyDomain(Method):
         from babbitt.kinds.thrust.design import operating_state
         from babbitt.kinds.thrust.failures import NoPadFilmError
 
-        with suppress(NoPadFilmError):  # told as no solution
+        with suppress(NoPadFilmError):  # reported as no solution
             static = operating_state(problem.thrust)
             state_of(problem.duty, static.films, static.share)
 

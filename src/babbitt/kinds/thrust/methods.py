@@ -32,7 +32,7 @@ class ThrustFilm(Method):
         from babbitt.kinds.thrust.design import operating_state
         from babbitt.kinds.thrust.failures import NoPadFilmError
 
-        with suppress(NoPadFilmError):  # told as no solution
+        with suppress(NoPadFilmError):  # reported as no solution
             operating_state(problem)
 
 

@@ -186,6 +186,6 @@ def _laws(heights: Array, states: tuple[PadState, ...], before: PowerLaws | None
     if before is not None:
         warm = np.array([state.heat is not None for state in states])
         bent = np.log(heights / before.heights)
-        told = -np.log(loads / before.loads) / np.where(np.abs(bent) > BENT, bent, 1.0)
-        powers = np.where(warm, np.where(np.abs(bent) > BENT, told, before.powers), powers)
+        slopes = -np.log(loads / before.loads) / np.where(np.abs(bent) > BENT, bent, 1.0)
+        powers = np.where(warm, np.where(np.abs(bent) > BENT, slopes, before.powers), powers)
     return PowerLaws(heights, loads, np.clip(powers, *POWERS))

@@ -9,7 +9,7 @@ from time import perf_counter
 from babbitt.core.notices import InputError, Notice
 from babbitt.core.result import Bound, Check, Outcome, Result
 from babbitt.core.solution import Solution
-from babbitt.design.bounds import Bounds, certain, unjudged
+from babbitt.design.bounds import Bounds, certain, undecided
 from babbitt.design.checks import checks_not_made, limit_checks
 from babbitt.design.heat_balance import Equilibrium
 from babbitt.kinds.tilting_pad_journal.cross_coupling import SOUGHT, CrossCoupling, cross_coupling_of
@@ -121,7 +121,7 @@ def pad_solution(case: PadCase) -> Solution:
             *checks_not_made(case, values, bounds),
             *stability_not_checked(case, values),
             *cross_coupling_not_checked(case, values),
-            *unjudged(heat, bounds),
+            *undecided(heat, bounds),
         ),
         assumptions=(*case.lubricant.assumptions, *case.assumptions, *assumptions_of(case)),
         settings=settings_of(case, dynamics),

@@ -210,10 +210,10 @@ def spread(assumption: Assumption, low: Variant | None, asked: Variant, high: Va
         return
     said = []
     for name in MOVED:
-        told = [values.get(name) for _, values in columns]
-        if not any(told):  # films of one temperature have no highest
+        known = [values.get(name) for _, values in columns]
+        if not any(known):  # films of one temperature have no highest
             continue
-        quantity = QUANTITIES[name].suited(*(one for one in told if one is not None))
-        cells = ", ".join("–" if one is None else quantity.format(one) for one in told)
+        quantity = QUANTITIES[name].suited(*(one for one in known if one is not None))
+        cells = ", ".join("–" if one is None else quantity.format(one) for one in known)
         said.append(f"{quantity.symbol} {cells} {quantity.display.label}")
     yield f"{assumption.name} {', '.join(value for value, _ in columns)}: {'; '.join(said)}."

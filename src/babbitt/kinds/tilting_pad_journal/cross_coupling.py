@@ -43,7 +43,7 @@ POINTS = 24
 
 @dataclass(frozen=True)
 class CrossCouplingMargin:
-    """What one kind of coefficients tells.
+    """Margin by one kind of coefficients.
 
     Attributes
     ----------
@@ -106,7 +106,7 @@ def cross_coupling_of(case: PadCase, full: PadCoefficients) -> CrossCoupling | N
 
 
 def margin_of(chain: PadCoefficients, mass: float, anticipated: float) -> CrossCouplingMargin:
-    """What is told by coefficients of a rotor of ``mass`` in kg per bearing."""
+    """Margin by coefficients of a rotor of ``mass`` in kg per bearing."""
     each = anticipated / BEARINGS
     found = threshold_cross_coupling(chain, mass, SOUGHT[0] * each, SOUGHT[1] * each)
     without, driven = decrements_over(chain, mass, (0.0, anticipated))

@@ -13,7 +13,7 @@ from babbitt.reynolds.tilting_pads.solve import fold_of
 __all__ = ["NEAR_FLUTTER", "PadMargin", "loading_preload", "pad_margins"]
 
 NEAR_FLUTTER = 0.05
-"""Distance of the eccentricity ratio at the pivot from that at which the pad unloads, below which it is told."""
+"""Eccentricity ratio at the pivot above that at which the pad unloads, below which it is reported."""
 
 
 @dataclass(frozen=True)

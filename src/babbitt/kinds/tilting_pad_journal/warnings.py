@@ -37,7 +37,7 @@ SETTLING = "W146"
 """Of a balance left open by less than a thousandth."""
 
 OIL_INVENTED_FROM = 0.05
-"""Mass balance error above which films that begin anew without oil are told."""
+"""Mass balance error above which films that begin anew without oil are reported."""
 
 HOTTEST = ("maximum_temperature", "trailing_temperature", "outlet_temperature", "effective_temperature")
 """Temperatures of the oil, of which the first known counts as the hottest."""

@@ -179,6 +179,6 @@ def _families(name: str) -> tuple[AlloyFamily, ...]:
 def _lowest(entries: Sequence[Mapping[str, Any]]) -> SourcedValue:
     """The lowest of several temperatures, its source and what the others say, in K."""
     first, *others = sorted(entries, key=lambda entry: float(entry["value"]))
-    told = "; ".join(f"{entry['value']} °C: {entry['source']}" for entry in others)
-    source = f"{first['source']} (others: {told})" if told else str(first["source"])
+    listed = "; ".join(f"{entry['value']} °C: {entry['source']}" for entry in others)
+    source = f"{first['source']} (others: {listed})" if listed else str(first["source"])
     return SourcedValue(float(first["value"]) + ZERO_CELSIUS, source)

@@ -235,7 +235,7 @@ def condensed_at(coefficients: PadCoefficients, whirl_ratio: float) -> Condensed
 def reduced_coefficients(coefficients: PadCoefficients, whirl_ratio: float) -> PadCoefficients:
     """The journal alone, with the stiffness and damping of one whirl ratio at every frequency.
 
-    What is told of stability by these is an approximation: `rotor` says why.
+    What these say about stability is an approximation: `rotor` says why.
     """
     condensed = condensed_at(coefficients, whirl_ratio)
     return replace(

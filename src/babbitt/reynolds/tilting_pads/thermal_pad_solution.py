@@ -16,7 +16,7 @@ __all__ = ["PROBE", "PadTemperatures", "ThermalTiltingPadSolution"]
 Array = NDArray[np.float64]
 
 PROBE = 0.75
-"""Share of the arc of a pad, from its leading edge, at which the temperature of its bore is told for a probe."""
+"""Share of the arc of a pad, from its leading edge, at which a probe would read the temperature of its bore."""
 
 
 @dataclass(frozen=True, eq=False)

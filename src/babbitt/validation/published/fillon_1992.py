@@ -67,7 +67,7 @@ def hottest(model: str, rpm: float) -> float:
 
 @lru_cache
 def run() -> tuple[Comparison, ...]:
-    """Compare the highest temperature of every model at the speeds that are told."""
+    """Compare the highest temperature of every model at the speeds that are given."""
     return tuple(row for model in CHOICES for row in _compared(model))
 
 

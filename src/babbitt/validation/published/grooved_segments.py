@@ -168,7 +168,7 @@ def _statements() -> Iterator[Comparison]:
 
 def _equal_load() -> Iterator[Comparison]:
     """Not published: what the same model says under the same load."""
-    told = "not published: under the same load the groove heats the rigid film"
+    why = "not published: under the same load the groove heats the rigid film"
     plain = loaded("none")
     yield Comparison("ε", "ungrooved, 6.5 MPa", 0.66, plain.eccentricity_ratio, Within(absolute=0.005), "",
                      "own reference, not published", 2)  # fmt: skip
@@ -179,10 +179,10 @@ def _equal_load() -> Iterator[Comparison]:
         state = loaded("through", angle)
         place = f"through groove at {angle}°, 6.5 MPa"
         yield Comparison("ε", place, eccentricity, state.eccentricity_ratio, Within(absolute=0.005), "",
-                         "own reference, not published", 3, remark=told)  # fmt: skip
+                         "own reference, not published", 3, remark=why)  # fmt: skip
         leaving = state.outlet_temperature - ZERO_CELSIUS
         yield Comparison("t_out", place, outlet, leaving, Within(absolute=1.0), "°C",
-                         "own reference, not published", 0, remark=told)  # fmt: skip
+                         "own reference, not published", 0, remark=why)  # fmt: skip
 
 
 def draw(figure: Figure) -> None:

@@ -76,55 +76,55 @@ def _clearances() -> Iterator[Comparison]:
         fold = fold_clearance(footstep(gap))
         ours = float("nan") if fold is None else fold / MICRO
         yield Comparison("δ_f", f"h = {gap} µm", published, ours, Within(absolute=0.01), "µm", "prototype", 3)
-    told = data["critical_clearance"]
+    study = data["critical_clearance"]
     for found, name in zip(critical_clearances(footstep()), ("hot", "cold"), strict=True):
         yield Comparison(
-            "δ_cr", name, told[f"{name}_um"], found.clearance / MICRO, Within(absolute=6e-4), "µm", "prototype", 3
+            "δ_cr", name, study[f"{name}_um"], found.clearance / MICRO, Within(absolute=6e-4), "µm", "prototype", 3
         )
         yield Comparison(
-            "θ₁′ at δ_cr", name, told[f"{name}_C"], found.temperature - ZERO_CELSIUS, Within(absolute=6e-3), "°C",
+            "θ₁′ at δ_cr", name, study[f"{name}_C"], found.temperature - ZERO_CELSIUS, Within(absolute=6e-3), "°C",
             "prototype", 2,
         )  # fmt: skip
         flow = found.groove_flow / CUBIC_MILLIMETRE
-        published = told[f"{name}_flow_mm3_s"]
+        published = study[f"{name}_flow_mm3_s"]
         yield Comparison("Q_k at δ_cr", name, published, flow, Within(relative=3e-4), "mm³/s", "prototype")
 
 
 def _constant_viscosity() -> Iterator[Comparison]:
-    told = reference_data("screw_heel")["constant_viscosity"]
+    study = reference_data("screw_heel")["constant_viscosity"]
     step = replace(footstep(), oil=replace(footstep().oil, exponent=0.0))
     (grooved,), (plain,) = steady_states(step), steady_states(smooth(step))
     wide = steady_states(smooth(replace(step, face_gap=5e-3)))[0]
     rows = (
-        ("p₁", "α = 0, grooved", "MPa", told["rim_pressure_MPa"], grooved.rim_pressure / MEGA, 1e-6),
-        ("Q_k", "α = 0, grooved", "mm³/s", told["groove_flow_mm3_s"],
+        ("p₁", "α = 0, grooved", "MPa", study["rim_pressure_MPa"], grooved.rim_pressure / MEGA, 1e-6),
+        ("Q_k", "α = 0, grooved", "mm³/s", study["groove_flow_mm3_s"],
          grooved.groove_flow / CUBIC_MILLIMETRE, 1e-6),
-        ("Q_l", "α = 0, grooved", "mm³/s", told["leakage_mm3_s"], grooved.leakage / CUBIC_MILLIMETRE, 1e-6),
-        ("Q₂", "α = 0, grooved", "mm³/s", told["face_flow_mm3_s"], grooved.face_flow / CUBIC_MILLIMETRE, 1e-6),
-        ("T", "α = 0, grooved", "N", told["load_N"], grooved.load, 1e-6),
-        ("Q", "α = 0, smooth", "mm³/s", told["smooth_flow_mm3_s"], plain.leakage / CUBIC_MILLIMETRE, 1e-6),
-        ("p₁", "α = 0, smooth", "MPa", told["smooth_rim_pressure_MPa"], plain.rim_pressure / MEGA, 1e-6),
-        ("T", "α = 0, smooth", "N", told["smooth_load_N"], plain.load, 1e-6),
-        ("p₁ − p_a", "α = 0, dead-end groove", "MPa", told["dead_end_rise_MPa"],
+        ("Q_l", "α = 0, grooved", "mm³/s", study["leakage_mm3_s"], grooved.leakage / CUBIC_MILLIMETRE, 1e-6),
+        ("Q₂", "α = 0, grooved", "mm³/s", study["face_flow_mm3_s"], grooved.face_flow / CUBIC_MILLIMETRE, 1e-6),
+        ("T", "α = 0, grooved", "N", study["load_N"], grooved.load, 1e-6),
+        ("Q", "α = 0, smooth", "mm³/s", study["smooth_flow_mm3_s"], plain.leakage / CUBIC_MILLIMETRE, 1e-6),
+        ("p₁", "α = 0, smooth", "MPa", study["smooth_rim_pressure_MPa"], plain.rim_pressure / MEGA, 1e-6),
+        ("T", "α = 0, smooth", "N", study["smooth_load_N"], plain.load, 1e-6),
+        ("p₁ − p_a", "α = 0, dead-end groove", "MPa", study["dead_end_rise_MPa"],
          GrooveChannel(step).dead_end_rise / MEGA, 1e-4),
-        ("T", "h → ∞, smooth", "N", told["largest_load_N"], wide.load, 1e-4),
+        ("T", "h → ∞, smooth", "N", study["largest_load_N"], wide.load, 1e-4),
     )  # fmt: skip
     for symbol, place, unit, published, ours, relative in rows:
         yield Comparison(symbol, place, published, ours, Within(relative=relative), unit, "closed form")
 
 
 def _narrow_grooves() -> Iterator[Comparison]:
-    told, annulus = reference_data("screw_heel")["narrow_groove"], NarrowGrooveAnnulus(footstep())
+    study, annulus = reference_data("screw_heel")["narrow_groove"], NarrowGrooveAnnulus(footstep())
     mu = footstep().oil.viscosity
 
     def power(rise: float) -> float:
         return mu * float(annulus.wall_power(np.asarray(annulus.dragged_flow - annulus.conductance * rise / mu)))
 
     rows = (
-        ("Q₀", "mm³/s", told["dragged_flow_mm3_s"], annulus.dragged_flow / CUBIC_MILLIMETRE),
-        ("G", "m³/(s Pa)", told["conductance_m3_s_Pa"], annulus.conductance / mu),
-        ("P at Δp = 0", "W", told["friction_W"], power(0.0)),
-        ("P at Δp = 0.5 MPa", "W", told["friction_at_half_MPa_W"], power(0.5e6)),
+        ("Q₀", "mm³/s", study["dragged_flow_mm3_s"], annulus.dragged_flow / CUBIC_MILLIMETRE),
+        ("G", "m³/(s Pa)", study["conductance_m3_s_Pa"], annulus.conductance / mu),
+        ("P at Δp = 0", "W", study["friction_W"], power(0.0)),
+        ("P at Δp = 0.5 MPa", "W", study["friction_at_half_MPa_W"], power(0.5e6)),
     )
     for symbol, unit, published, ours in rows:
         yield Comparison(
@@ -140,12 +140,12 @@ def _warm(clearance: float, conductance: float) -> tuple[SteadyState, SteadyStat
 
 
 def _warm_films() -> Iterator[Comparison]:
-    told = reference_data("screw_heel")["warm_films"]
-    plain, grooved = _warm(20.0, told["conductance_W_K"])
+    study = reference_data("screw_heel")["warm_films"]
+    plain, grooved = _warm(20.0, study["conductance_W_K"])
     yield Comparison(
         "T",
         "metal 10 W/K, grooved",
-        told["grooved_load_N"],
+        study["grooved_load_N"],
         grooved.load,
         Within(absolute=0.1),
         "N",
@@ -153,12 +153,12 @@ def _warm_films() -> Iterator[Comparison]:
         1,
     )
     yield Comparison(
-        "T", "metal 10 W/K, smooth", told["smooth_load_N"], plain.load, Within(absolute=0.1), "N", "prototype", 1
+        "T", "metal 10 W/K, smooth", study["smooth_load_N"], plain.load, Within(absolute=0.1), "N", "prototype", 1
     )
     for clearance, conductance, gain, ratio in (
-        (20.0, told["conductance_W_K"], told["load_gain_percent"], told["power_ratio"]),
-        (10.0, told["conductance_W_K"], told["load_gain_at_10_um_percent"], told["power_ratio_at_10_um"]),
-        (20.0, told["conductance_for_10_percent_W_K"], 10.0, told["power_ratio_there"]),
+        (20.0, study["conductance_W_K"], study["load_gain_percent"], study["power_ratio"]),
+        (10.0, study["conductance_W_K"], study["load_gain_at_10_um_percent"], study["power_ratio_at_10_um"]),
+        (20.0, study["conductance_for_10_percent_W_K"], 10.0, study["power_ratio_there"]),
     ):
         plain, grooved = _warm(clearance, conductance)
         place = f"metal {conductance:g} W/K, δ = {clearance:g} µm"

@@ -93,8 +93,8 @@ class HydrostaticFile(FilmChoices, CaseFile):
 
     @rule
     def _shape_can_be_made(self) -> Iterator[Issue]:
-        told = list(self.misfits())
-        yield from told or refused(self.shaped_by, self.shape)
+        issues = list(self.misfits())
+        yield from issues or refused(self.shaped_by, self.shape)
 
     @rule
     def _oil_reaches(self) -> Iterator[Issue]:

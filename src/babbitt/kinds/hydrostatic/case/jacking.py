@@ -62,8 +62,8 @@ class JackingPocketCase(FilmChoices, CaseFile):
 
     @rule
     def _can_be_made(self) -> Iterator[Issue]:
-        told = [*self._misfits(), *self._useless_pockets()]
-        yield from told or refused(("pockets",), self.design)
+        issues = [*self._misfits(), *self._useless_pockets()]
+        yield from issues or refused(("pockets",), self.design)
 
     def _misfits(self) -> Iterator[Issue]:
         if not (is_given(self, "lift_gap") or is_given(self, "pump_flow")):

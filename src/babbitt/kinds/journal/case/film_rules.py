@@ -33,7 +33,7 @@ def position_is_near_the_bearing(bearing: JournalBearing) -> Iterator[Issue]:
             continue
         try:
             clearance = bearing.clearance.at_20_degrees(bearing.diameter)
-        except InputError:  # told by its own rule
+        except InputError:  # reported by its own rule
             return
         play = clearance.relative(bearing.diameter).maximum * bearing.diameter / 2.0
         away = math.hypot(duty.position.x, duty.position.y)

@@ -256,8 +256,8 @@ class JournalBearing(LoadAndSpeed, SharedInputs, FilmChoices, Iso7902Choices):
             yield from supply_element.issues_of(self.supply_element, width)
         for index, point in enumerate(self.operating_points):
             if point.supply_element is not None:
-                for told in supply_element.issues_of(point.supply_element, width):
-                    yield told.under("operating_points", index)
+                for issue in supply_element.issues_of(point.supply_element, width):
+                    yield issue.under("operating_points", index)
 
     @rule
     def _one_dimension_suffices(self) -> Iterator[Issue]:
@@ -364,5 +364,5 @@ def _one_of(bearing: JournalBearing, names: tuple[str, ...]) -> Iterator[Issue]:
     yield from at_most_one(bearing, *names)
     for index, point in enumerate(points):
         issues = at_most_one(point, *names) if on_bearing else exactly_one(point, *names)
-        for told in issues:
-            yield told.under("operating_points", index)
+        for issue in issues:
+            yield issue.under("operating_points", index)

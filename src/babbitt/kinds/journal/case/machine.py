@@ -61,9 +61,9 @@ class SeveralBearings(SharedInputs, JournalFile):
 
     @rule
     def _nothing_is_missing(self) -> Iterator[Issue]:
-        # What all bearings lack is told once, at the machine.
-        told: dict[tuple[Path, str], Issue] = {}
+        # What all bearings lack is reported once, at the machine.
+        reported: dict[tuple[Path, str], Issue] = {}
         for index, bearing in enumerate(self.bearings):
             for issue in as_far_as_usable(issues_of(bearing, self, "bearings", index)):
-                told.setdefault((issue.path, issue.says), issue)
-        yield from told.values()
+                reported.setdefault((issue.path, issue.says), issue)
+        yield from reported.values()

@@ -44,14 +44,14 @@ def comparison_figure(comparison: Comparison) -> Figure:
     """Film, power, flow and temperatures by every method; below, temperatures around a journal where one of them
     finds these."""
     solved = [one for one in comparison.methods if is_shown(one)]
-    told = [name for name in SHOWN if any(name in one.result.values for one in solved)]
+    named = [name for name in SHOWN if any(name in one.result.values for one in solved)]
     around = any(_has_own_temperatures(one) for one in solved)
     lines = max(0, math.ceil(len(solved) / NAMES_IN_A_ROW) - 2)  # of the legend below, beyond two
     between = 17.0 + 4.2 * lines
     rows, height = (2, 112.0 + 4.2 * lines) if around else (1, 60.0)
-    figure, axes = Sheet(166.0, height, rows, len(told) + 1, left=29.0, across=5.0, between=between).panels()
+    figure, axes = Sheet(166.0, height, rows, len(named) + 1, left=29.0, across=5.0, between=between).panels()
     figure.subplots_adjust(top=1.0 - 7.0 / height)
-    for panel, name in zip(axes[0], told, strict=False):
+    for panel, name in zip(axes[0], named, strict=False):
         _bars(panel, solved, name)
     _temperatures(axes[0][-1], solved)
     for panel in axes[0][1:]:

@@ -11,7 +11,7 @@ from babbitt.core.notices import Notice
 from babbitt.core.progress import ProgressCallback, no_progress
 from babbitt.core.result import Bound, Check, Matrix, Outcome, Result
 from babbitt.core.solution import Solution
-from babbitt.design.bounds import certain, unjudged
+from babbitt.design.bounds import certain, undecided
 from babbitt.design.checks import checks_not_made, clearance_check, limit_checks
 from babbitt.design.conditions import PrescribedLoad, contact_film
 from babbitt.design.failure import failure_of
@@ -165,7 +165,7 @@ def film_solution(case: FilmCase, watch: ProgressCallback = no_progress) -> Solu
             checks = (*certain(limits, flattered), *whirl_checks(case, whirl), clearance_check(case, values))
             not_made = (
                 *checks_not_made(case, values),
-                *unjudged(limits, flattered),
+                *undecided(limits, flattered),
                 *slope_not_asked(frozen, slope),
                 *((no_mass,) if no_mass else ()),
             )

@@ -49,8 +49,8 @@ def warnings_of_solution(
                 "factor": ROUGHNESS_FACTOR,
                 "roughness": combined,
             })  # fmt: skip
-    told = {notice.code for notice in outside}
-    yield from (notice for notice in warnings_about_film(case, values) if notice.code not in told)
+    codes = {notice.code for notice in outside}
+    yield from (notice for notice in warnings_about_film(case, values) if notice.code not in codes)
     yield from warnings_about_running(case, values, checks)
 
 

@@ -135,7 +135,7 @@ class ThrustBearingInputs(ThrustFilmChoices):
         try:
             pad = self._pad()
         except InputError:
-            return  # told of the radii and angles themselves
+            return  # reported for the radii and angles themselves
         fault = pivot_fault(replace(pad, turbulence=None))
         if fault is None:
             return

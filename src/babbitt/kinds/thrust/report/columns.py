@@ -24,4 +24,4 @@ COLUMNS = (
     column_of("friction_power", 8),
     column_of("total_flow", 9),
 )
-"""Of thrust bearings and shaft lines: each film, load and temperature that is judged with its limit."""
+"""Of thrust bearings and shaft lines: each film, load and temperature that is compared with its limit."""

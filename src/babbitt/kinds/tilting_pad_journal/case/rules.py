@@ -115,9 +115,9 @@ def pads_have_room(case: TiltingPadJournalCase) -> Iterator[Issue]:
     from babbitt.kinds.tilting_pad_journal.case.build import pad_bearing
 
     if any(inertia_of_mass(case, number) > 0.0 for number in range(case.pads.count)):
-        return  # told of the inertia itself
+        return  # reported for the inertia itself
     if any(clearances_fit(case)):
-        return  # told of the clearance itself
+        return  # reported for the clearance itself
     yield from refused(("pads", "extent"), lambda: pad_bearing(case, "mean", case.sense).film(1.0, case.sense))
 
 
