@@ -28,7 +28,7 @@ from babbitt.kinds.hydrostatic.model import Duty, HydrostaticCase, Oil, Recesses
 from babbitt.kinds.hydrostatic.network import Feeding
 from babbitt.kinds.hydrostatic.restrictors import Capillary
 from babbitt.kinds.hydrostatic.single_recess import gap_under, pad_at
-from babbitt.kinds.hydrostatic.state import SearchOutcome, rest_under
+from babbitt.kinds.hydrostatic.state import SearchOutcome, equilibrium_under
 from babbitt.kinds.hydrostatic.supply import FixedPressure
 from babbitt.kinds.hydrostatic.surfaces import FilmOil, journal_surface, ring_surface
 
@@ -50,7 +50,7 @@ QUICK_RING = HydrostaticCase(
 
 def journal(load: float, grid: Grid) -> None:
     oil = FilmOil(0.02, SPEED, 5e6)
-    state = rest_under(
+    state = equilibrium_under(
         lambda own: journal_surface(JOURNAL, oil, own), FEEDING, np.array([0.0, -load]), np.zeros(2), grid, 5e-7
     )
     if not state.solved:
@@ -61,7 +61,7 @@ def journal(load: float, grid: Grid) -> None:
 def ring() -> None:
     oil = FilmOil(0.02, 1000.0 * math.pi / 30.0, 3e6)
     load = np.array([-25e3, 200.0, 0.0])
-    state = rest_under(
+    state = equilibrium_under(
         lambda own: ring_surface(RING, 48e-6, oil, own), RING_FEEDING, load, np.zeros(3), ENGINEERING, 1e-6
     )
     impedance(state.response, state.network, OIL, 0.0)

@@ -27,7 +27,7 @@ from babbitt.kinds.hydrostatic.jacking_model import JackingCase
 from babbitt.kinds.hydrostatic.lines import ENGINEERING, REFERENCE, Grid
 from babbitt.kinds.hydrostatic.model import OperatingConditions
 from babbitt.kinds.hydrostatic.restrictors import CheckValve, ConstantFlow, FlowValve, Orifice
-from babbitt.kinds.hydrostatic.state import SearchOutcome, rest_under, state_at
+from babbitt.kinds.hydrostatic.state import SearchOutcome, equilibrium_under, state_at
 from babbitt.kinds.hydrostatic.supply import Pump
 
 FINE = Grid(288, 8)
@@ -170,7 +170,7 @@ def test_compressible_recesses(hertz, stiffness, damping):
 )
 def test_equilibrium_at_rest(first, angle, place):
     load = 10e3 * np.array([math.cos(math.radians(angle)), math.sin(math.radians(angle))])
-    state = rest_under(journal_film(journal(first)), feeding(), load, np.zeros(2), ENGINEERING, 1e-7)
+    state = equilibrium_under(journal_film(journal(first)), feeding(), load, np.zeros(2), ENGINEERING, 1e-7)
     assert state.solved
     assert state.at / CLEARANCE == pytest.approx(place, abs=1e-4)
     assert state.force == pytest.approx(-load, abs=1e-5)
@@ -178,7 +178,7 @@ def test_equilibrium_at_rest(first, angle, place):
 
 
 def hybrid(load, restrictor=CAPILLARY, grid=ENGINEERING):
-    return rest_under(
+    return equilibrium_under(
         journal_film(journal(), SPEED), feeding(restrictor), np.array([0.0, -load]), np.zeros(2), grid, 1e-7
     )
 
@@ -300,7 +300,7 @@ def test_level_thrust_ring():
 
 def test_thrust_ring_under_a_load():
     load = np.array([-25e3, 200.0, 0.0])
-    state = rest_under(
+    state = equilibrium_under(
         ring_film(RING, speed=1000.0 * math.pi / 30.0), RING_FEEDING, load, np.zeros(3), REFERENCE, 1e-7
     )
     assert 50e-6 + state.at[0] == pytest.approx(48.0371e-6, rel=1e-3)
@@ -347,7 +347,7 @@ def test_lift_grows_with_the_flow_and_pressure_falls():
 
 
 def test_load_beyond_the_film_is_overload():
-    state = rest_under(
+    state = equilibrium_under(
         journal_film(journal()), feeding(), np.array([0.0, -30e3]), np.zeros(2), Grid(64, 4), 0.5e-6
     )
     assert state.ending is SearchOutcome.OVERLOADED

@@ -57,7 +57,7 @@ def fan():
 
 
 EDGES = {"opposite": 160.0, "side": 70.0, "both_sides": 50.0}
-"""Degrees from the downstream edge of a hollow to the load."""
+"""Degrees from the downstream edge of a feed to the load."""
 
 
 def pressed_at_place(found, element, edge=None):

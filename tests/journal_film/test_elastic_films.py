@@ -16,7 +16,7 @@ from babbitt.kinds.journal.film.elastic_film import (
     distortion_by,
     elastic_film,
     elastic_thermal_film,
-    warm_displacement,
+    thermal_displacement,
 )
 from babbitt.kinds.journal.film.field import journal_gap, pressure_on
 from babbitt.reynolds.deformation.compliance import (
@@ -194,5 +194,5 @@ def test_heat_alone_distorts_a_bore_that_pressure_does_not_move(heat: FilmHeat) 
     assert found.outcome is Outcome.CONVERGED
     own = distortion_by(growth, found.solution)
     assert np.abs(own - found.displacement).max() < 1.1e-4 * found.solution.film.minimum_film_thickness
-    assert (warm_displacement((), growth, found.solution) == own).all()
+    assert (thermal_displacement((), growth, found.solution) == own).all()
     assert beside.displacement == pytest.approx(found.displacement, abs=1e-9)

@@ -10,9 +10,13 @@ from film_bearings import answer, film
 from babbitt.core.notices import Effect, explanations
 from babbitt.kinds.journal.film.bore import Arc, LobedBore
 from babbitt.kinds.journal.film.elastic_film import displacement_under
-from babbitt.kinds.journal.film.equilibria import RestingPlace, RestingPlaces, find_equilibria
+from babbitt.kinds.journal.film.equilibria import EquilibriumPoint, EquilibriumPoints, find_equilibria
 from babbitt.kinds.journal.film.isothermal import operating_film
-from babbitt.kinds.journal.film.other_equilibria import resting_places, resting_values, warnings_about_rest
+from babbitt.kinds.journal.film.other_equilibria import (
+    equilibrium_points,
+    equilibrium_values,
+    warnings_about_equilibria,
+)
 from babbitt.reynolds.equilibrium.position import film_at_position
 from babbitt.reynolds.equilibrium.solve import solve_journal
 from babbitt.reynolds.model import (
@@ -121,8 +125,8 @@ def test_places_of_which_one_is_missing_have_no_verdict():
     assert found.complete
     assert len(held) == 2
     shown = held[0].film
-    assert "W134" not in {notice.code for notice in warnings_about_rest(shown, found)}
-    assert "W134" in {notice.code for notice in warnings_about_rest(shown, RestingPlaces(held))}
+    assert "W134" not in {notice.code for notice in warnings_about_equilibria(shown, found)}
+    assert "W134" in {notice.code for notice in warnings_about_equilibria(shown, EquilibriumPoints(held))}
     assert explanations()["W134"].effect is Effect.NO_VERDICT
 
 
@@ -130,12 +134,12 @@ def test_a_thinner_film_where_only_a_heavy_journal_stays_is_held_against_the_lim
     shown, other = (place.film for place in find_equilibria(SLOW, (0.0, 0.0)).places if place.index == 1)
     k, c = np.diag([2e8, 4e8]), np.array([[1e6, 2e6], [2e6, 1e6]])
     thin = 0.5 * shown.minimum_film_thickness
-    heavy = RestingPlace(replace(other, stiffness=k, damping=c, minimum_film_thickness=thin))
+    heavy = EquilibriumPoint(replace(other, stiffness=k, damping=c, minimum_film_thickness=thin))
     assert heavy.stable_masses == StableMasses(pytest.approx(9e4), math.inf)
     assert growth_rates([8e4, 1e5], k, c)[1] < 0.0 < growth_rates([8e4, 1e5], k, c)[0]
-    assert resting_values(RestingPlaces((RestingPlace(shown), heavy)))["least_resting_film"] == thin
-    never = RestingPlace(replace(heavy.film, damping=-c))
-    assert "least_resting_film" not in resting_values(RestingPlaces((RestingPlace(shown), never)))
+    assert equilibrium_values(EquilibriumPoints((EquilibriumPoint(shown), heavy)))["least_resting_film"] == thin
+    never = EquilibriumPoint(replace(heavy.film, damping=-c))
+    assert "least_resting_film" not in equilibrium_values(EquilibriumPoints((EquilibriumPoint(shown), never)))
 
 
 def test_a_saddle_is_not_shown_and_the_other_places_are_named():
@@ -225,7 +229,7 @@ def test_a_thinner_film_elsewhere_is_held_against_the_limit():
 def test_every_place_settles_beside_its_own_bore_and_supplies(answers):
     one = film(**SADDLE | answers, equilibria="all")
     state = operating_film(one).film
-    places = resting_places(one, state).places
+    places = equilibrium_points(one, state).places
     assert len(places) > 1
     load = np.array([0.0, 300.0])
     for place in places:

@@ -21,8 +21,8 @@ PLAIN = {
 }
 
 
-def turned(hollows, by):
-    return [hollow | {"angle": f"{float(hollow['angle'].split()[0]) + by} deg"} for hollow in hollows]
+def turned(feeds, by):
+    return [feed | {"angle": f"{float(feed['angle'].split()[0]) + by} deg"} for feed in feeds]
 
 
 def rotated(matrix, by):
@@ -87,8 +87,8 @@ def test_turning_everything_turns_the_answer(feed):
 
 @pytest.mark.parametrize("feed", FEEDS.values(), ids=FEEDS)
 def test_the_mirror_image_turns_the_other_way(feed):
-    def mirrored(hollows):
-        return [hollow | {"angle": f"{180.0 - float(hollow['angle'].split()[0])} deg"} for hollow in hollows]
+    def mirrored(feeds):
+        return [feed | {"angle": f"{180.0 - float(feed['angle'].split()[0])} deg"} for feed in feeds]
 
     other = feed | {name: mirrored(feed[name]) for name in ("grooves", "pockets") if feed.get(name)}
     here, there = answer(**feed), answer(**other, speed="-3000 rpm")

@@ -11,7 +11,7 @@ from babbitt.reynolds.model import FilmStart
 
 
 def angles(case):
-    return [round(math.degrees(math.remainder(hollow.angle, 2.0 * math.pi)), 9) for hollow in case.bearing.hollows]
+    return [round(math.degrees(math.remainder(feed.angle, 2.0 * math.pi)), 9) for feed in case.bearing.feeds]
 
 
 def by_rule(**given):
@@ -29,24 +29,24 @@ def test_uneven_pockets_stand_where_they_are(speed, sense):
     }
     case = by_rule(supply_element=element, load_angle="0 deg", speed=speed)
     assert angles(case) == [-75.0 * sense, 104.0 * sense]  # the entry side lies before the load
-    assert all(hollow.width == pytest.approx(0.08) for hollow in case.bearing.hollows)
+    assert all(feed.width == pytest.approx(0.08) for feed in case.bearing.feeds)
     assert any("true angles" in said for said in case.assumptions)
 
 
 def test_pockets_begin_where_the_arc_ends():
     element = {"kind": "pocket", "width": "80 mm", "place": "both_sides"}
     case = by_rule(supply_element=element, span="150 deg")
-    first, second = case.bearing.hollows
+    first, second = case.bearing.feeds
     assert first.angle + first.extent / 2.0 == pytest.approx(math.radians(-90.0 - 75.0))
     assert second.angle - second.extent / 2.0 == pytest.approx(math.radians(-90.0 + 75.0))
     assert math.degrees(first.extent) == pytest.approx(20.0)
     wide = by_rule(supply_element=element | {"extent": "30 deg"}, span="150 deg")
-    assert math.degrees(wide.bearing.hollows[0].extent) == pytest.approx(30.0)
+    assert math.degrees(wide.bearing.feeds[0].extent) == pytest.approx(30.0)
 
 
 @pytest.mark.parametrize(("kind", "around"), [("groove_180", 180.0), ("groove_360", 360.0)])
 def test_circumferential_grooves_are_pockets(kind, around):
-    (groove,) = by_rule(supply_element={"kind": kind, "width": "8 mm"}, span="180 deg").bearing.hollows
+    (groove,) = by_rule(supply_element={"kind": kind, "width": "8 mm"}, span="180 deg").bearing.feeds
     assert math.degrees(groove.extent) == pytest.approx(around)
     assert math.degrees(groove.angle) == pytest.approx(90.0)
     assert groove.width == pytest.approx(0.008)
@@ -54,7 +54,7 @@ def test_circumferential_grooves_are_pockets(kind, around):
 
 def test_holes_share_the_width_and_keep_their_area():
     element = {"kind": "hole", "diameter": "10 mm", "place": "opposite", "number": 3}
-    holes = by_rule(supply_element=element, span="360 deg").bearing.hollows
+    holes = by_rule(supply_element=element, span="360 deg").bearing.feeds
     assert [round(1e3 * hole.axial_position, 9) for hole in holes] == [-40.0, 0.0, 40.0]
     assert all(hole.width * hole.extent * 0.1 == pytest.approx(math.pi / 4.0 * 0.01**2) for hole in holes)
 
@@ -80,14 +80,14 @@ def codes(case):
 @pytest.mark.parametrize("span", ["90 deg", "180 deg"])
 def test_an_element_stands_at_its_place_whatever_the_span(element, span):
     around, arc = (by_rule(supply_element=element, span=one) for one in ("360 deg", span))
-    assert arc.bearing.hollows == around.bearing.hollows
+    assert arc.bearing.feeds == around.bearing.feeds
     assert "W183" in codes(arc)
     assert "W183" not in codes(around)
 
 
 def test_holes_at_both_sides_begin_where_the_arc_ends():
     case = by_rule(supply_element=HOLE | {"place": "both_sides"}, span="150 deg")
-    first, second = case.bearing.hollows
+    first, second = case.bearing.feeds
     assert first.angle + first.extent / 2.0 == pytest.approx(math.radians(-90.0 - 75.0))
     assert second.angle - second.extent / 2.0 == pytest.approx(math.radians(-90.0 + 75.0))
     assert codes(case) == []
@@ -154,12 +154,12 @@ def test_pockets_without_grooves_close_the_ring():
 
 def test_own_hollows_replace_the_element():
     element = {"kind": "hole", "diameter": "10 mm", "place": "opposite"}
-    assert film(supply_element=element, span="360 deg").bearing.hollows == film().bearing.hollows
+    assert film(supply_element=element, span="360 deg").bearing.feeds == film().bearing.feeds
 
 
 def test_a_slot_lies_along_the_shaft():
-    (hollow,) = by_rule(supply_element=SLOT, span="360 deg").bearing.hollows
-    assert hollow.width == pytest.approx(0.060)
+    (feed,) = by_rule(supply_element=SLOT, span="360 deg").bearing.feeds
+    assert feed.width == pytest.approx(0.060)
     for length, width in (("96 mm", "80 mm"), ("80 mm", "80 mm")):
         with pytest.raises(CaseError, match="one around the bore is a pocket"):
             by_rule(supply_element=SLOT | {"length": length}, width=width, span="360 deg")

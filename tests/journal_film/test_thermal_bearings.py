@@ -29,7 +29,7 @@ from babbitt.kinds.journal.film.temperature_field import (
 from babbitt.kinds.journal.film.thermal_film import following_stiffness, thermal_operating_film
 from babbitt.properties.fits import operating_relative_clearance
 from babbitt.report.bearing_table import bearing_table
-from babbitt.report.coefficient_temperatures import beside_coefficient
+from babbitt.report.coefficient_temperatures import temperature_remark
 from babbitt.reynolds.stability.routh import critical_mass
 from babbitt.study.comparison import compare_methods
 
@@ -164,8 +164,8 @@ def test_temperatures_that_follow_soften_or_stiffen_but_keep_the_sign(full):
         assert f"force in x over move in x, temperatures {kind}" in shown
         assert "force in y over speed in x, temperatures frozen" in shown
         assert "rigid rotor whirls, temperatures frozen" in shown
-        assert beside_coefficient("stiffness_xx", one) == f", temperatures {kind}"
-    assert beside_coefficient("load", found) == ""
+        assert temperature_remark("stiffness_xx", one) == f", temperatures {kind}"
+    assert temperature_remark("load", found) == ""
 
 
 def test_whirl_leaves_the_temperatures_no_time(full):

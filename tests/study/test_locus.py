@@ -9,7 +9,7 @@ import film_bearings
 import numpy as np
 import pytest
 
-from babbitt.kinds.journal.film.isothermal import is_dear, operating_film
+from babbitt.kinds.journal.film.isothermal import is_expensive, operating_film
 from babbitt.kinds.journal.study.film_points import film_points
 from babbitt.kinds.journal.study.locus import locus_over_load, locus_over_speed
 
@@ -32,7 +32,7 @@ def bearing(name):
 @pytest.mark.parametrize("name", BEARINGS)
 def test_the_locus_passes_through_the_operating_point(name):
     case, state = bearing(name)
-    tolerance = 5e-3 if is_dear(state) else 1e-5  # that of a draft grid
+    tolerance = 5e-3 if is_expensive(state) else 1e-5  # that of a draft grid
     for found, over in ((locus_over_load(case, state), "loads"), (locus_over_speed(case, state), "speeds")):
         middle = found.loads.size // 2
         assert found.loads[middle] == pytest.approx(state.load)

@@ -24,7 +24,7 @@ from babbitt.kinds.thrust.failures import ThermalRunawayError
 from babbitt.kinds.thrust.load_curve import carrying
 from babbitt.kinds.thrust.pad import Pivot
 from babbitt.kinds.thrust.pad_attitude import attitude_at_rest
-from babbitt.kinds.thrust.thermal import PadOil, warm_pad
+from babbitt.kinds.thrust.thermal import PadOil, thermal_pad
 from babbitt.properties.lubricants import ConstantViscosity, OilProperties, lubricant, lubricant_from_law
 
 VG_100 = lubricant("ISO VG 100")
@@ -47,7 +47,7 @@ STEP = replace(PAD, pivot=Pivot.FIXED, face=SteppedFace(40e-6, 0.6))
     ids=["point", "resolved", "line", "crown", "taper", "step"],
 )
 def test_energy_oil_moments_and_load_are_balanced(pad, resolved):
-    state = warm_pad(pad, replace(OIL, resolved=resolved), SPEED, 50e-6, LOAD).state
+    state = thermal_pad(pad, replace(OIL, resolved=resolved), SPEED, 50e-6, LOAD).state
     assert state.heat.heat.balance_error < 1e-8
     assert state.film.mass_balance_error < 1e-9
     assert state.load == pytest.approx(LOAD, rel=1e-8)
@@ -60,7 +60,7 @@ def test_energy_oil_moments_and_load_are_balanced(pad, resolved):
 def test_oil_that_hardly_warms_leaves_the_isothermal_pad():
     """A heat capacity without bound: the film of the fresh oil, its tilt and its coefficients."""
     steady = replace(VG_100, fixed_volumetric_heat_capacity=1e14)
-    warm = warm_pad(PAD, PadOil(steady, 318.15, 0.75), SPEED, 50e-6).state
+    warm = thermal_pad(PAD, PadOil(steady, 318.15, 0.75), SPEED, 50e-6).state
     plain = pad_state(PAD, 50e-6, VG_100.dynamic_viscosity(318.15), SPEED)
     assert warm.heat.maximum - 318.15 < 1e-3
     assert warm.load == pytest.approx(plain.load, rel=1e-3)
@@ -106,27 +106,27 @@ def test_beside_the_global_balance_films_are_thicker_and_energy_is_kept():
 
 
 def test_more_hot_oil_carried_over_thins_the_film():
-    states = [warm_pad(PAD, replace(OIL, carry_over=c), SPEED, 50e-6, LOAD).state for c in (0.0, 0.5, 0.9)]
+    states = [thermal_pad(PAD, replace(OIL, carry_over=c), SPEED, 50e-6, LOAD).state for c in (0.0, 0.5, 0.9)]
     assert states[0].heat.inlet < states[1].heat.inlet < states[2].heat.inlet
     assert states[0].height > states[1].height > states[2].height
 
 
 def test_the_mean_over_the_width_is_near_the_resolved_film():
-    mean, resolved = (warm_pad(PAD, replace(OIL, resolved=r), SPEED, 50e-6, LOAD).state for r in (False, True))
+    mean, resolved = (thermal_pad(PAD, replace(OIL, resolved=r), SPEED, 50e-6, LOAD).state for r in (False, True))
     assert mean.height == pytest.approx(resolved.height, rel=0.03)
     assert resolved.heat.maximum > mean.heat.maximum  # the outer radius runs faster
     assert mean.heat.trailing - 318.15 == pytest.approx(resolved.heat.trailing - 318.15, rel=0.08)
 
 
 def test_grid_of_the_pad():
-    heights = [warm_pad(PAD, OIL, SPEED, 50e-6, LOAD, intervals=n).state.height for n in (32, 64, 128)]
+    heights = [thermal_pad(PAD, OIL, SPEED, 50e-6, LOAD, intervals=n).state.height for n in (32, 64, 128)]
     assert abs(heights[2] - heights[1]) < 0.7 * abs(heights[1] - heights[0])
     assert heights[1] == pytest.approx(heights[2], rel=5e-3)
 
 
 def test_stiffness_at_frozen_temperatures_is_the_derivative_of_the_force():
     """The sector's stiffness against forces of displaced pads whose temperatures are held."""
-    found = warm_pad(PAD, OIL, SPEED, 50e-6, LOAD)
+    found = thermal_pad(PAD, OIL, SPEED, 50e-6, LOAD)
     state, sector = found.state, found.sector
     to_film = PAD.from_pivot()
     motion = np.array([state.height, state.slope_x, state.slope_y])
@@ -176,7 +176,7 @@ def test_the_check_tells_temperatures_of_every_pad():
 
 def test_a_film_hotter_than_the_oil_bears_is_a_runaway():
     with pytest.raises(ThermalRunawayError):
-        warm_pad(PAD, OIL, SPEED, 20e-6, 2e6)
+        thermal_pad(PAD, OIL, SPEED, 20e-6, 2e6)
     result = thrust_check(design(Oil(VG_100, None, 318.15, 0.75, own_temperatures=True), PrescribedThrust(500e6)))
     assert result.outcome is Outcome.THERMAL_RUNAWAY
     assert not result.values
@@ -185,9 +185,9 @@ def test_a_film_hotter_than_the_oil_bears_is_a_runaway():
 
 def test_a_table_begins_where_it_is_asked():
     films = carrying(PAD, OIL.fresh_viscosity, SPEED)
-    assert films.height_for(LOAD) > warm_pad(PAD, OIL, SPEED, 50e-6, LOAD).state.height
+    assert films.height_for(LOAD) > thermal_pad(PAD, OIL, SPEED, 50e-6, LOAD).state.height
     with pytest.raises(InputError, match="positive"):
-        warm_pad(PAD, OIL, SPEED, 0.0)
+        thermal_pad(PAD, OIL, SPEED, 0.0)
 
 
 TILTED = design(Oil(VG_100, None, 318.15, 0.75, own_temperatures=True), tilt=30e-6)

@@ -154,7 +154,7 @@ class SolvedFilm:
         """
         rows, shape = _rows(x, y, vx, vy)
         found = self._positions.forces(rows)
-        self._judge(found, rows, contact is not None)
+        self._check_outcomes(found, rows, contact is not None)
         if contact is not None and found.outside.any():
             found.force[found.outside] = contact(*rows[found.outside].T)
         return np.asarray(found.force.reshape(*shape, 2))
@@ -183,7 +183,7 @@ class SolvedFilm:
         """
         rows, shape = _rows(x, y, vx, vy)
         found = self._positions.coefficients(rows)
-        self._judge(found, rows, False)
+        self._check_outcomes(found, rows, False)
         if self._case.cavitation is Cavitation.HALF_SOMMERFELD:
             raise InputError(
                 "E004", f"{self._case.name}: a half-Sommerfeld film has no stiffness and damping; choose another "
@@ -191,7 +191,7 @@ class SolvedFilm:
             )  # fmt: skip
         return found.stiffness.reshape(*shape, 2, 2), found.damping.reshape(*shape, 2, 2)
 
-    def _judge(self, found: PositionForces, rows: Array, contact: bool) -> None:
+    def _check_outcomes(self, found: PositionForces, rows: Array, contact: bool) -> None:
         if found.settled.all():
             return
         if found.outside.any() and not contact:

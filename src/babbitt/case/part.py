@@ -131,12 +131,12 @@ class Part(BaseModel):
 
     @model_validator(mode="wrap")
     @classmethod
-    def _tell_all(cls, given: Any, handler: ModelWrapValidatorHandler[Self], info: ValidationInfo) -> Self:
+    def _report_all(cls, given: Any, handler: ModelWrapValidatorHandler[Self], info: ValidationInfo) -> Self:
         if not isinstance(given, Mapping):
-            return cls._told(given, handler, info)
+            return cls._with_every_issue(given, handler, info)
         reading = read_given(cls, given)
         try:
-            part = cls._told(reading.given, handler, info)
+            part = cls._with_every_issue(reading.given, handler, info)
             if not reading.twice and not reading.unknown:
                 return part
             lines = []
@@ -147,7 +147,7 @@ class Part(BaseModel):
         raise ValidationError.from_exception_data(cls.__name__, lines)
 
     @classmethod
-    def _told(cls, given: Any, handler: ModelWrapValidatorHandler[Self], info: ValidationInfo) -> Self:
+    def _with_every_issue(cls, given: Any, handler: ModelWrapValidatorHandler[Self], info: ValidationInfo) -> Self:
         """Read the part from the words of today, and tell all that is wrong with it."""
         try:
             part = handler(given)

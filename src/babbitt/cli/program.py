@@ -34,9 +34,9 @@ def run() -> NoReturn:
             status = ended.code
         sys.stdout.flush()
     except BabbittError as error:
-        status = _told(error)
+        status = _reported(error)
     except OSError as error:  # standard output cannot take the results, such as a full disk
-        status = _told(InputError("E007", f"cannot write to standard output: {error.strerror or error}"))
+        status = _reported(InputError("E007", f"cannot write to standard output: {error.strerror or error}"))
     sys.exit(status)  # type: ignore[arg-type]
 
 
@@ -52,7 +52,7 @@ def _warned(
     print(printable_lines(f"babbitt: {message}"), file=sys.stderr)
 
 
-def _told(error: BabbittError) -> int:
+def _reported(error: BabbittError) -> int:
     print(printable_lines(error.message), file=sys.stderr)
     print(f"({error.code}: babbitt explain {error.code})", file=sys.stderr)
     return UNUSABLE_INPUT

@@ -11,7 +11,7 @@ import typer
 
 from babbitt.cli.app import NO_SOLUTION, NOT_PASSED, AllowOutside, Files, app, reach
 from babbitt.cli.interruption import INTERRUPTED, raised_interrupts
-from babbitt.cli.upgrading import tell_former_places
+from babbitt.cli.upgrading import report_former_places
 from babbitt.core.files.printing import printable
 
 __all__ = ["check", "compare", "export", "solve", "sweep"]
@@ -48,7 +48,7 @@ def solve(
         for path, case in zip(files, cases, strict=True):
             require_films(str(path), case)
     for path, case in zip(files, cases, strict=True):
-        tell_former_places(path, case)
+        report_former_places(path, case)
     machines, targets = [], []
     problems: list[Problem] = []
     for path, case, target in zip(files, cases, plan.targets, strict=True):
@@ -122,7 +122,7 @@ def compare(
     from babbitt.study.comparison import compare_methods
 
     case = load_case(file, reach(allow_outside))
-    tell_former_places(file, case)
+    report_former_places(file, case)
     require_distinct([path for path in (report, plots) if path is not None], inputs_of([file], case.files))
     if report is not None or plots is not None:
         from babbitt.report.drawing import require_extra
@@ -245,7 +245,7 @@ def export(
     from babbitt.study.table_target import chosen_problem, require_target
 
     case = load_case(file, reach(allow_outside))
-    tell_former_places(file, case)
+    report_former_places(file, case)
     problem, method = chosen_problem(case, file, bearing)
     taken = speeds_of(speeds)
     name, clockwise = problem.name, method.is_clockwise(problem)

@@ -14,7 +14,7 @@ from babbitt.core.files.printing import printable
 if TYPE_CHECKING:
     from babbitt.case import CaseFile
 
-__all__ = ["tell_former_places", "upgrade"]
+__all__ = ["report_former_places", "upgrade"]
 
 
 @app.command()
@@ -50,7 +50,7 @@ def upgrade(
         print(f"wrote {printable(output)}", file=sys.stderr)
 
 
-def tell_former_places(file: Path, case: CaseFile) -> None:
+def report_former_places(file: Path, case: CaseFile) -> None:
     """Say in one line, on standard error, that a file is not written as files are today, if it is not."""
     from babbitt.case.upgrade import former_places
 

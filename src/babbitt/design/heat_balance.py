@@ -105,7 +105,7 @@ class FilmAtTemperature(Protocol):
 
 
 FilmT = TypeVar("FilmT")
-WarmFilmT = TypeVar("WarmFilmT", bound=FilmAtTemperature)
+FilmAtTemperatureT = TypeVar("FilmAtTemperatureT", bound=FilmAtTemperature)
 
 
 @dataclass(frozen=True)
@@ -157,8 +157,8 @@ def coolest_temperature(case: CheckedProblem) -> float:
 
 
 def find_equilibrium(
-    case: CheckedProblem, film_at: Callable[[float], WarmFilmT], policy: SearchPolicy = FINE_SEARCH
-) -> Equilibrium[WarmFilmT]:
+    case: CheckedProblem, film_at: Callable[[float], FilmAtTemperatureT], policy: SearchPolicy = FINE_SEARCH
+) -> Equilibrium[FilmAtTemperatureT]:
     """Find the coolest temperature at which oil and housing of a case carry the friction heat away.
 
     Parameters
@@ -169,7 +169,7 @@ def find_equilibrium(
         As of `coolest_equilibrium`.
     """
 
-    def surplus(_: float, film: WarmFilmT) -> float:
+    def surplus(_: float, film: FilmAtTemperatureT) -> float:
         return film.friction_power - sum(heat_paths(film, case))
 
     return coolest_equilibrium(film_at, surplus, coolest_temperature(case), policy)

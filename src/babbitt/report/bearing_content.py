@@ -12,7 +12,7 @@ from babbitt.report import findings
 from babbitt.report import verdict as verdicts
 from babbitt.report.chapters import Chapter, Member
 from babbitt.report.check_content import check_content, compared_checks, solved_checks, sources_of
-from babbitt.report.coefficient_temperatures import beside_coefficient
+from babbitt.report.coefficient_temperatures import temperature_remark
 from babbitt.report.columns import ABSENT, is_fed
 from babbitt.report.drawing import Drawing
 from babbitt.report.expression import text
@@ -153,7 +153,7 @@ def _key_results(chapter: Chapter) -> list[Data]:
             quantity = QUANTITIES[name].suited(*values)
             rows.append(
                 {
-                    "label": label(name, result.kind) + beside_coefficient(name, result),
+                    "label": label(name, result.kind) + temperature_remark(name, result),
                     "symbol": symbol_node(quantity.symbol),
                     "values": [quantity.format(value) if math.isfinite(value) else ABSENT for value in values],
                     "unit": quantity.display.label,

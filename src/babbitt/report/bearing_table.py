@@ -15,7 +15,7 @@ from rich.text import Text
 from babbitt.core.quantities import QUANTITIES, Quantity
 from babbitt.core.result import Check, Result, Verdict
 from babbitt.report import verdict as verdicts
-from babbitt.report.coefficient_temperatures import beside_coefficient
+from babbitt.report.coefficient_temperatures import temperature_remark
 from babbitt.report.meanings import meaning
 from babbitt.report.text import plain_text
 from babbitt.report.verdict import CheckWord
@@ -56,7 +56,7 @@ def bearing_table(result: Result) -> RenderableType:
     for name, value in result.values.items():
         quantity = QUANTITIES.get(name)
         if quantity is not None and math.isfinite(value) and name != "wall_time":
-            said = meaning(name, result.kind) + beside_coefficient(name, result)
+            said = meaning(name, result.kind) + temperature_remark(name, result)
             shown = quantity.suited(value)
             table.add_row(said, shown.symbol, shown.format(value), shown.display.label)
     for name, reason in result.missing.items():

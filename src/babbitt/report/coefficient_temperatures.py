@@ -5,7 +5,7 @@ from __future__ import annotations
 from babbitt.core.quantities import AXES
 from babbitt.core.result import Result
 
-__all__ = ["beside_coefficient"]
+__all__ = ["temperature_remark"]
 
 HELD = {
     **{f"{name}_{axes}": name for name in ("stiffness", "damping") for axes in AXES},
@@ -16,7 +16,7 @@ HELD = {
 """Results, and of what in the settings they have their temperatures."""
 
 
-def beside_coefficient(name: str, result: Result) -> str:
+def temperature_remark(name: str, result: Result) -> str:
     """Whether temperatures are frozen or follow the motion; empty but for coefficients of a film with its own.
 
     Examples
@@ -24,7 +24,7 @@ def beside_coefficient(name: str, result: Result) -> str:
     >>> from babbitt.core.result import Outcome, Result
     >>> settings = {"damping_temperatures": "frozen"}
     >>> own = Result("a", "journal_bearing", "film", Outcome.CONVERGED, {}, settings=settings)
-    >>> beside_coefficient("damping_xx", own), beside_coefficient("load", own)
+    >>> temperature_remark("damping_xx", own), temperature_remark("load", own)
     (', temperatures frozen', '')
     """
     held = result.settings.get(f"{HELD.get(name, '')}_temperatures", "")

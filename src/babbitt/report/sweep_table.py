@@ -23,7 +23,7 @@ from babbitt.report.verdict import missed_codes
 from babbitt.study.case_sweep import CaseSweep
 
 REFUSED = "refused"
-NOT_TOLD = ("wall_time", "iterations")
+NOT_REPORTED = ("wall_time", "iterations")
 """Results that tell of the run and differ from run to run."""
 
 
@@ -115,7 +115,7 @@ def sweep_rows(sweep: CaseSweep) -> list[list[Cell]]:
         for _, result in rows
         if result.outcome.solved
         for name in result.values
-        if name in QUANTITIES and name not in NOT_TOLD
+        if name in QUANTITIES and name not in NOT_REPORTED
     )
     unit = f" [{sweep.values.unit}]" if sweep.values.unit and sweep.values.numbers is not None else ""
     heading: list[Cell] = [f"{sweep.path}{unit}", "bearing", "status"]

@@ -35,7 +35,7 @@ SMALLEST_SHARE = 1e-6
 lies at exponentially small flows."""
 SAMPLES = 600
 """Of the logarithmic and of the linear grid each."""
-WARM_SAMPLES = 250
+THERMAL_SAMPLES = 250
 """Of each grid of narrow-groove theory, whose residual is smooth."""
 _COARSE = np.geomspace(SMALLEST_SHARE, 1.0, 160)
 TOUCHING = 1e-12
@@ -66,7 +66,7 @@ def steady_states(footstep: Footstep, method: Method = Method.SUPERPOSITION) -> 
     """
     if method is Method.NARROW_GROOVE:
         _refuse_options_of_the_study(footstep.options)
-        return _warm_states(footstep)
+        return _thermal_states(footstep)
     if footstep.groove is None:
         return (_smooth_state(footstep),)
     if cold_groove_drains(footstep):
@@ -249,23 +249,23 @@ def _superposed(
     )
 
 
-def _warm_states(footstep: Footstep) -> tuple[SteadyState, ...]:
+def _thermal_states(footstep: Footstep) -> tuple[SteadyState, ...]:
     """States by narrow-groove theory: an odd number, since the residual has opposite signs at the ends."""
     model = ThermalFilms(footstep)
-    roots = crossings(model.residual, *_warm_grid(model), 1e-22)
-    states = sorted((_of_warm(model, root) for root in roots), key=lambda state: -state.rim_temperature)
-    names = _warm_names(footstep, len(states))
+    roots = crossings(model.residual, *_temperature_grid(model), 1e-22)
+    states = sorted((_thermal_state_of(model, root) for root in roots), key=lambda state: -state.rim_temperature)
+    names = _names_of_thermal_states(footstep, len(states))
     return tuple(replace(state, name=name) for state, name in zip(states, names, strict=True))
 
 
-def _warm_names(footstep: Footstep, number: int) -> Iterable[StateName]:
+def _names_of_thermal_states(footstep: Footstep, number: int) -> Iterable[StateName]:
     """Names of states, the hottest first."""
     if number == 1:
         return (StateName.SMOOTH if footstep.groove is None else StateName.ONLY,)
     return (StateName.HOT, *[StateName.MIDDLE] * (number - 2), StateName.COLD)
 
 
-def _warm_grid(model: ThermalFilms) -> tuple[Array, Array]:
+def _temperature_grid(model: ThermalFilms) -> tuple[Array, Array]:
     """Flows towards the rim, from more leakage than the supply drives to that without pressure, and R there."""
     step, annulus = model.footstep, model.annulus
     cold = float(model.viscosity(number(step.oil.temperature)))
@@ -275,12 +275,12 @@ def _warm_grid(model: ThermalFilms) -> tuple[Array, Array]:
     while float(model.residual(number(low))) <= 0.0:
         low = high - 2.0 * (high - low)
     # The temperatures change fastest where hardly anything flows, hence a grid that is logarithmic from zero.
-    fine = np.geomspace(1e-7, 1.0, WARM_SAMPLES)
-    flows = np.unique(np.concatenate((low * fine, [0.0], np.linspace(low, high, WARM_SAMPLES), high * fine)))
+    fine = np.geomspace(1e-7, 1.0, THERMAL_SAMPLES)
+    flows = np.unique(np.concatenate((low * fine, [0.0], np.linspace(low, high, THERMAL_SAMPLES), high * fine)))
     return flows, model.residual(flows)
 
 
-def _of_warm(model: ThermalFilms, root: float) -> SteadyState:
+def _thermal_state_of(model: ThermalFilms, root: float) -> SteadyState:
     """Everything of a state by narrow-groove theory; the unknown is the flow of the clearance towards the rim."""
     footstep = model.footstep
     at: ThermalFilmPair = model.state(number(root))

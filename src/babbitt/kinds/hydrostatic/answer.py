@@ -17,7 +17,7 @@ from babbitt.kinds.hydrostatic.lumps import Lumps, journal_lumps, ring_lumps
 from babbitt.kinds.hydrostatic.model import HydrostaticCase
 from babbitt.kinds.hydrostatic.network import NetworkState
 from babbitt.kinds.hydrostatic.single_recess import WIDEST, gap_under, pad_at
-from babbitt.kinds.hydrostatic.state import RecessState, SearchOutcome, ending_of, rest_under, state_at
+from babbitt.kinds.hydrostatic.state import RecessState, SearchOutcome, ending_of, equilibrium_under, state_at
 from babbitt.kinds.hydrostatic.surfaces import FilmOil, journal_surface, pad_surface, ring_surface
 from babbitt.reynolds.recess.recess_film import RecessResponse, RecessSurface
 
@@ -111,7 +111,7 @@ def answer(case: HydrostaticCase) -> Answer:
         if math.isinf(found):
             return without_gap(case, found)
         gap = found if found > 0.0 else case.rest_gap
-    state = rest_under(
+    state = equilibrium_under(
         builder(case, gap), case.feeding, load_vector(case), start, GRIDS[case.accuracy], THINNEST * gap
     )
     return of_film(state, gap)

@@ -14,7 +14,7 @@ from babbitt.kinds.hydrostatic.lines import Grid
 from babbitt.kinds.hydrostatic.network import Feeding, NetworkState, solve_network
 from babbitt.reynolds.recess.recess_film import RecessFilm, RecessResponse, RecessSurface
 
-__all__ = ["SearchOutcome", "RecessState", "ending_of", "rest_under", "state_at"]
+__all__ = ["SearchOutcome", "RecessState", "ending_of", "equilibrium_under", "state_at"]
 
 Array = NDArray[np.float64]
 Build = Callable[[Grid], RecessSurface]
@@ -163,7 +163,7 @@ def ending_of(network: NetworkState, settled: bool = True) -> SearchOutcome:
     return SearchOutcome.SOLVED if network.converged and settled else SearchOutcome.NOT_CONVERGED
 
 
-def rest_under(
+def equilibrium_under(
     build: Build, feeding: Feeding, load: Array, start: Array, grid: Grid, thinnest: float
 ) -> RecessState:
     """Position at which the film carries a load.

@@ -307,7 +307,7 @@ class _Films:
         pushed, outside = self._forces(motion, self.rates(motion))
         return np.maximum(self.state.share.loads + (pushed - self.held)[..., 0], 0.0), outside
 
-    def _rest(self, motion: Array) -> Array:
+    def _nonlinear_part(self, motion: Array) -> Array:
         """What the linear film leaves of forces and moments, N and N m."""
         rate = self.rates(motion)
         change = self._forces(motion, rate)[0] - self.held
@@ -321,7 +321,7 @@ class _Films:
 
     def missed(self, motion: Array, amplitude: float) -> Array:
         """A motion less the answer of the line to the forces that it causes."""
-        return motion - self._answer(amplitude, np.fft.rfft(self._rest(motion), axis=0))
+        return motion - self._answer(amplitude, np.fft.rfft(self._nonlinear_part(motion), axis=0))
 
     def _answer(self, amplitude: float, rest: ComplexArray) -> Array:
         moved = self.line.motions(amplitude * self.thrust, amplitude * self.runout, rest)

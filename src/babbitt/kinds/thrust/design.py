@@ -286,7 +286,7 @@ def warm_films(
     try:
         found, together = balanced(balance, films, speed, pads_on)
     except ConcavePadError as failure:
-        raise _hollow(balance, films, bearing, speed, duty) or failure from None
+        raise _concave(balance, films, bearing, speed, duty) or failure from None
     middle = replace(
         pads_on(found)[0], balance=PadTemperatures(together.inlet, together.trailing - together.inlet)
     )
@@ -294,7 +294,7 @@ def warm_films(
     return BalancedFilms(found, balance, middle, capacity), together
 
 
-def _hollow(
+def _concave(
     balance: HeatBalance,
     films: LoadCurve,
     bearing: ThrustBearing,

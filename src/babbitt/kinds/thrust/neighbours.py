@@ -25,7 +25,7 @@ from babbitt.kinds.thrust.failures import UnsettledPadError
 from babbitt.kinds.thrust.pad_attitude import PadAttitude, attitude_at_rest
 from babbitt.kinds.thrust.sharing import Share
 from babbitt.kinds.thrust.state import PadState, condensed
-from babbitt.kinds.thrust.thermal import InitialState, PadOil, warm_pad
+from babbitt.kinds.thrust.thermal import InitialState, PadOil, thermal_pad
 from babbitt.kinds.thrust.thermal_films import ThermalLoadCurve
 from babbitt.numerics.anderson import AndersonOptions, fixed_point
 
@@ -139,7 +139,9 @@ def share_with_neighbours(
         nonlocal pads
         try:
             pads = [
-                warm_pad(films.pad, _fed_at(oil, inlet), films.angular_speed, float(height), None, pad, lean=lean)
+                thermal_pad(
+                    films.pad, _fed_at(oil, inlet), films.angular_speed, float(height), None, pad, lean=lean
+                )
                 for inlet, height, pad, lean in zip(inlets, heights, pads, leans, strict=True)
             ]
         except UnbalancedPadError:

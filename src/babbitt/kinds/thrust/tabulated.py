@@ -108,8 +108,8 @@ class TabulatedFilms:
             along = slopes[1] * share if near is None else near.slope_y
             return leaning_state(self.pad, height, self.viscosity, self.angular_speed, along, lean)
         guess = (slopes[0] * share, slopes[1] * share)
-        hollow = self.pad.crown < 0.0 and self.pad.free_tilts
-        if hollow and height < self.heights[1] * (1.0 - SAME) and height < self.thinnest[0] * (1.0 - NARROW):
+        concave = self.pad.crown < 0.0 and self.pad.free_tilts
+        if concave and height < self.heights[1] * (1.0 - SAME) and height < self.thinnest[0] * (1.0 - NARROW):
             raise ConcavePadError(self.pad.crown, self.thinnest[1])
         try:
             return pad_state(self.pad, height, self.viscosity, self.angular_speed, guess)

@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     from babbitt.reynolds.heat.heat_model import FilmHeat
     from babbitt.reynolds.sector.thermal_sector import ThermalSectorState
 
-__all__ = ["PadOil", "InitialState", "warm_pad"]
+__all__ = ["PadOil", "InitialState", "thermal_pad"]
 
 Array = NDArray[np.float64]
 
@@ -114,7 +114,7 @@ class InitialState:
     sector: ThermalSectorState
 
 
-def warm_pad(
+def thermal_pad(
     pad: ThrustPad,
     oil: PadOil,
     angular_speed: float,
@@ -196,14 +196,14 @@ def _cold_slopes(
 
 def _at_rest(pad: ThrustPad, sector: ThermalSectorState, motion: Array, load: float | None) -> Array:
     """Passes until film, temperatures and pad rest; then the pad alone, exactly, at frozen temperatures."""
-    ended = damped_newton(_Resting(pad, sector, load), motion, MOST_PASSES, most_halvings=HALVINGS)
+    ended = damped_newton(_PadEquilibrium(pad, sector, load), motion, MOST_PASSES, most_halvings=HALVINGS)
     if not ended.status:
         raise UnsettledPadError
     return ended.at
 
 
 @dataclass(eq=False)
-class _Resting:
+class _PadEquilibrium:
     """A pad that is to rest in a film that heats itself; see `babbitt.numerics.damped_newton.NewtonProblem`."""
 
     pad: ThrustPad

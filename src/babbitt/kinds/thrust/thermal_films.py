@@ -16,7 +16,7 @@ from babbitt.kinds.thrust.pad import ThrustPad
 from babbitt.kinds.thrust.pad_attitude import PARALLEL, PadTilt
 from babbitt.kinds.thrust.state import PadState
 from babbitt.kinds.thrust.tabulated import TabulatedFilms
-from babbitt.kinds.thrust.thermal import InitialState, PadOil, warm_pad
+from babbitt.kinds.thrust.thermal import InitialState, PadOil, thermal_pad
 
 __all__ = ["ThermalLoadCurve", "own_temperatures", "thermal_load_curve"]
 
@@ -92,7 +92,7 @@ class ThermalLoadCurve:
         near = min(self.starts, key=lambda start: abs(np.log(start.state.load / load)))
         begin = float(near.state.height * (near.state.load / load) ** 0.6)
         try:
-            return warm_pad(self.pad, self.oil, self.angular_speed, begin, load, near).state.height
+            return thermal_pad(self.pad, self.oil, self.angular_speed, begin, load, near).state.height
         except (InputError, NoPadFilmError):
             return begin
 
@@ -101,7 +101,7 @@ class ThermalLoadCurve:
         if abs(height / self.middle.state.height - 1.0) < SAME and not any(lean):
             return self.middle.state
         start = min(self.starts, key=lambda start: abs(np.log(start.state.height / height)))
-        return warm_pad(self.pad, self.oil, self.angular_speed, height, None, start, lean=lean).state
+        return thermal_pad(self.pad, self.oil, self.angular_speed, height, None, start, lean=lean).state
 
     def at(self, viscosity: float, angular_speed: float) -> ThermalLoadCurve:
         """The same films at another speed; viscosity is their own."""
@@ -130,11 +130,11 @@ def thermal_load_curve(
         E202 if no tilt balances the pad.
     ThermalRunawayError
     """
-    first = warm_pad(pad, oil, angular_speed, height, load)
+    first = thermal_pad(pad, oil, angular_speed, height, load)
     heat = first.state.heat
     assert heat is not None
     oil = replace(oil, property_temperature=0.5 * (heat.inlet + heat.trailing))
-    return ThermalLoadCurve(warm_pad(pad, oil, angular_speed, first.state.height, load, first))
+    return ThermalLoadCurve(thermal_pad(pad, oil, angular_speed, first.state.height, load, first))
 
 
 def _outward(start: InitialState, heights: Iterable[float]) -> list[InitialState]:
@@ -144,7 +144,7 @@ def _outward(start: InitialState, heights: Iterable[float]) -> list[InitialState
     for height in heights:
         oil, pad = near.oil, near.state.pad
         try:
-            new = warm_pad(pad, oil, near.state.angular_speed, float(height), None, near)
+            new = thermal_pad(pad, oil, near.state.angular_speed, float(height), None, near)
         except (InputError, NoPadFilmError):
             break
         if not (new.state.load - near.state.load) * (near.state.height - height) > 0.0:

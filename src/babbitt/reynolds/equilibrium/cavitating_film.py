@@ -57,14 +57,17 @@ def equilibrium_from(
     wanted = np.asarray(load) * scales.sense / scales.force
     at = None if start is None else np.asarray(start) * scales.sense / scales.length
     if film.is_surface:
-        from babbitt.reynolds.surface.surface_equilibrium import rest_ring, rest_ring_near
+        from babbitt.reynolds.surface.surface_equilibrium import (
+            find_surface_equilibrium,
+            find_surface_equilibrium_near,
+        )
         from babbitt.reynolds.surface.surface_solution import mirrored, ring_solution
 
         seen = mirrored(film) if film.angular_speed < 0.0 else film
         settled = (
-            rest_ring(seen, scales.pressure, wanted, resolution, max_steps)
+            find_surface_equilibrium(seen, scales.pressure, wanted, resolution, max_steps)
             if at is None
-            else rest_ring_near(seen, scales.pressure, wanted, resolution, max_steps, at)
+            else find_surface_equilibrium_near(seen, scales.pressure, wanted, resolution, max_steps, at)
         )
         return ring_solution(film, scales, settled, begun)
     bearing, axial = kernel_bearing(film, scales), kernel_operator(resolution.axial_unknowns)

@@ -49,7 +49,7 @@ class ThermalTrail:
     ) -> ThermalFilm:
         """Film under a load, as `solve_thermal_journal` finds it, but from the last one."""
         begun, asked = time.perf_counter(), posed(film, load)
-        found = None if self.last is None else _beside(self.last, asked, heat, resolution)
+        found = None if self.last is None else _continued_from(self.last, asked, heat, resolution)
         if found is None or found.status != CONVERGED:
             found = search(asked.seen, heat, asked.scales, asked.load, resolution)
         return self._noted(asked, found, begun)
@@ -79,7 +79,9 @@ class ThermalTrail:
         return answer(asked.frame, asked.seen, asked.scales, found, begun)
 
 
-def _beside(last: ThermalEquilibrium, asked: Posed, heat: FilmHeat, resolution: Resolution) -> ThermalEquilibrium:
+def _continued_from(
+    last: ThermalEquilibrium, asked: Posed, heat: FilmHeat, resolution: Resolution
+) -> ThermalEquilibrium:
     """Where a film rests that is close to the last one, on its lines."""
     warm = _continued(last, asked, heat, resolution, last.warm.density)
     if last.mixed:

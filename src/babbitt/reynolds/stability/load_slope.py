@@ -134,7 +134,7 @@ def confirmed_coefficients(
         return found, None
     ring, scales = nodes.ring, nodes.scales
     frozen = ring.sample.stiffness.copy(), ring.sample.damping.copy()
-    slope, check = _slope_beside(_NearbyFilms(found, nodes, bore_gain), frozen)
+    slope, check = _slope_near(_NearbyFilms(found, nodes, bore_gain), frozen)
     if slope is None:
         return found, check
     c, s = math.cos(nodes.frame.angle), math.sin(nodes.frame.angle)
@@ -154,7 +154,7 @@ def _nodes_of(found: FilmSolution, resolution: Resolution) -> RestingNodes:
     return RestingNodes(ring_at(seen, scales.pressure, at, np.zeros(2), resolution), frame, scales)
 
 
-def _slope_beside(beside: _NearbyFilms, frozen: Pair) -> tuple[Pair | None, SlopeCheck]:
+def _slope_near(beside: _NearbyFilms, frozen: Pair) -> tuple[Pair | None, SlopeCheck]:
     """Slope that takes the place of the frozen coefficients, None where they are confirmed or none is settled."""
     step = STEP * beside.nodes.ring.gap
     before, last = _slope(beside, step), None

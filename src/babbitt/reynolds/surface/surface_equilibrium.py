@@ -42,8 +42,8 @@ __all__ = [
     "PseudoTime",
     "SurfaceEquilibrium",
     "coarse_ring",
-    "rest_ring",
-    "rest_ring_near",
+    "find_surface_equilibrium",
+    "find_surface_equilibrium_near",
     "ring_at",
     "ring_from",
 ]
@@ -246,7 +246,7 @@ class _Carrying:
         return self.rule.move(self.sample, self.residual, room)
 
 
-def rest_ring(
+def find_surface_equilibrium(
     film: JournalFilm, unit: float, load: Array, resolution: Resolution, max_steps: int
 ) -> SurfaceEquilibrium:
     """Equilibrium under a dimensionless load: a fast and a patient attempt, then both from a finer ring."""
@@ -264,7 +264,7 @@ def thick_enough(settled: SurfaceEquilibrium) -> SurfaceEquilibrium:
     return replace(settled, status=NO_FILM) if thin else settled
 
 
-def rest_ring_near(
+def find_surface_equilibrium_near(
     film: JournalFilm, unit: float, load: Array, resolution: Resolution, max_steps: int, at: Array
 ) -> SurfaceEquilibrium:
     """Equilibrium under a dimensionless load from a position close to it, on lines drawn for that position."""

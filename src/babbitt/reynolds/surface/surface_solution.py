@@ -255,7 +255,7 @@ def couette_shear(settled: SurfaceEquilibrium, viscosity: Array) -> Array:
         thinness = fa / ha + fb / hb
     half = 0.5 * surface.step[:, None]
     shear = np.asarray(surface.speed * viscosity * half * thinness * liquid(work.fill[:n])[:, surface.node])
-    shear[_in_hollow(settled, (np.arange(n) + 1) % work.pressure.shape[0])] = 0.0
+    shear[_in_feed(settled, (np.arange(n) + 1) % work.pressure.shape[0])] = 0.0
     return shear
 
 
@@ -278,10 +278,10 @@ def true_pressures(surface: Surface, reduced: Array) -> Array:
     return pressure_of(surface.piezo, reduced) if surface.piezo.size else reduced
 
 
-def _in_hollow(settled: SurfaceEquilibrium, after: NDArray[np.int64]) -> NDArray[np.bool_]:
-    """Whether a piece of the surface, one interval long and one axial element wide, lies in a hollow.
+def _in_feed(settled: SurfaceEquilibrium, after: NDArray[np.int64]) -> NDArray[np.bool_]:
+    """Whether a piece of the surface, one interval long and one axial element wide, lies in a feed.
 
-    Elements end at the edges of hollows, so a piece lies in one when every node around it is held by a supply; the
+    Elements end at the edges of feeds, so a piece lies in one when every node around it is held by a supply; the
     nodes on the sides of a groove as wide as the bearing are held by the surroundings instead.
     """
     ring = settled.sample.ring

@@ -40,7 +40,7 @@ def film_case(inputs: Inputs, at: Point, thermal: str | None = None) -> FilmCase
     layout = film_layout(bearing, point, inputs.width, math.copysign(1.0, speed))
     return FilmCase(
         name=at.name,
-        bearing=_film_bearing(inputs, at, layout.hollows),
+        bearing=_film_bearing(inputs, at, layout.feeds),
         duty=duty(inputs, point),
         journal_speed=speed,
         lubricant=inputs.lubricant,
@@ -77,7 +77,7 @@ def film_case(inputs: Inputs, at: Point, thermal: str | None = None) -> FilmCase
     )
 
 
-def _film_bearing(inputs: Inputs, at: Point, hollows: tuple[FeedSize, ...]) -> FilmBearing:
+def _film_bearing(inputs: Inputs, at: Point, feeds: tuple[FeedSize, ...]) -> FilmBearing:
     bearing, materials = inputs.bearing, inputs.materials
     of_bearing, of_journal = expansions(inputs)
     misalignment = bearing.misalignment
@@ -87,7 +87,7 @@ def _film_bearing(inputs: Inputs, at: Point, hollows: tuple[FeedSize, ...]) -> F
         relative_clearance=at.clearance,
         expansion_bearing=of_bearing,
         expansion_journal=of_journal,
-        hollows=hollows,
+        feeds=feeds,
         bore=bearing.bore.bore() if bearing.bore is not None else RoundBore(),
         film_start=bearing.film_starts(),
         misalignment=(misalignment.x, misalignment.y) if misalignment is not None else (0.0, 0.0),

@@ -59,8 +59,8 @@ class GrooveInput(FedPart):
     pressure: FeedPressure | None = Field(None, description=PRESSURE)
     flow: SupplyFlow | None = Field(None, description=FLOW)
 
-    def hollow(self, diameter: float) -> FeedSize:
-        """Give the hollow of the film."""
+    def feed(self, diameter: float) -> FeedSize:
+        """Give the feed of the film."""
         return FeedSize(self.angle, self.extent, pressure=self.pressure, flow=self.flow)
 
     def reach(self, diameter: float) -> tuple[float, float]:
@@ -91,8 +91,8 @@ class PocketInput(ClosablePart):
     pressure: FeedPressure | None = Field(None, description=PRESSURE)
     flow: PocketFlow | None = Field(None, description=POCKET_FLOW)
 
-    def hollow(self, diameter: float) -> FeedSize:
-        """Give the hollow of the film."""
+    def feed(self, diameter: float) -> FeedSize:
+        """Give the feed of the film."""
         return FeedSize(self.angle, self.extent, self.width, self.axial_position, self.pressure, self.flow)
 
     def reach(self, diameter: float) -> tuple[float, float]:
@@ -109,8 +109,8 @@ class SupplyHoleInput(ClosablePart):
     pressure: FeedPressure | None = Field(None, description=PRESSURE)
     flow: PocketFlow | None = Field(None, description=POCKET_FLOW)
 
-    def hollow(self, diameter: float) -> FeedSize:
-        """Give the hollow of the film, a square of the same area."""
+    def feed(self, diameter: float) -> FeedSize:
+        """Give the feed of the film, a square of the same area."""
         return FeedSize.hole(self.angle, self.diameter, diameter, self.axial_position, self.pressure, self.flow)
 
     def reach(self, diameter: float) -> tuple[float, float]:
@@ -294,39 +294,39 @@ __all__ = [
 ]
 
 
-def issues_of_hollows(
-    hollows: list[tuple[tuple[str | int, ...], GrooveInput | PocketInput | SupplyHoleInput]],
+def issues_of_feeds(
+    feeds: list[tuple[tuple[str | int, ...], GrooveInput | PocketInput | SupplyHoleInput]],
     width: float | None,
     diameter: float,
 ) -> Iterator[Issue]:
-    """Complain about hollows that reach beyond the bearing, overlap, do not go together, or leave no land.
+    """Complain about feeds that reach beyond the bearing, overlap, do not go together, or leave no land.
 
     Parameters
     ----------
-    hollows : list
+    feeds : list
         Each with its path in the case.
     width : float or None
         Of the bearing, m; None while unknown.
     diameter : float
         m.
     """
-    for path, hollow in hollows:
-        if width is not None and not isinstance(hollow, GrooveInput):
-            _, length = hollow.reach(diameter)
-            size = "diameter" if isinstance(hollow, SupplyHoleInput) else "width"
-            beyond = abs(hollow.axial_position) + length / 2.0
+    for path, feed in feeds:
+        if width is not None and not isinstance(feed, GrooveInput):
+            _, length = feed.reach(diameter)
+            size = "diameter" if isinstance(feed, SupplyHoleInput) else "width"
+            beyond = abs(feed.axial_position) + length / 2.0
             if length >= width:
                 says = f"{written(length, 'mm')} is not narrower than the bearing, {written(width, 'mm')}"
                 yield Issue((*path, size), says, f"less than {written(width, 'mm')}", "a groove spans the width")
             elif beyond > width / 2.0 * (1.0 + 1e-9):
                 room = written((width - length) / 2.0, "mm")
-                says = f"at {written(hollow.axial_position, 'mm')} it reaches {written(beyond, 'mm')} from the "
+                says = f"at {written(feed.axial_position, 'mm')} it reaches {written(beyond, 'mm')} from the "
                 says += f"mid-plane, beyond the bearing of {written(width, 'mm')}"
                 yield Issue((*path, "axial_position"), says, f"-{room} to {room}")
-    grooves = [(path, hollow) for path, hollow in hollows if isinstance(hollow, GrooveInput)]
-    for index, (path, hollow) in enumerate(hollows):
-        for other_path, other in hollows[:index]:
-            if _overlap(hollow, other, diameter):
+    grooves = [(path, feed) for path, feed in feeds if isinstance(feed, GrooveInput)]
+    for index, (path, feed) in enumerate(feeds):
+        for other_path, other in feeds[:index]:
+            if _overlap(feed, other, diameter):
                 says = f"it touches or overlaps {other_path[0]}[{other_path[1]}]"
                 yield Issue((*path, "angle"), says, "supplies with land between them, at least 1 deg for grooves")
                 break

@@ -169,12 +169,12 @@ def _issues_of_own_temperatures(bearing: JournalBearing) -> Iterator[Issue]:
     if bearing.bearing_speed:
         says = "the heat of a bearing that turns is not computed"
         yield Issue(("bearing_speed",), says, f"0 rpm, or {also}")
-    for path, hollow in bearing.hollows():
-        if hollow.flow:
+    for path, feed in bearing.feeds():
+        if feed.flow:
             says = "a film with its own temperatures is fed by pressure"
-            closable = "" if isinstance(hollow, GrooveInput) else "0 L/min (a blind pocket), or "
+            closable = "" if isinstance(feed, GrooveInput) else "0 L/min (a blind pocket), or "
             yield Issue((*path, "flow"), says, f"{closable}a pressure, or {also}")
-    if bearing.carry_over < 1.0 and any(hollow.flow == 0.0 for _, hollow in bearing.hollows()):
+    if bearing.carry_over < 1.0 and any(feed.flow == 0.0 for _, feed in bearing.feeds()):
         says = "a closed pocket or hole (flow: 0 L/min) has no fresh oil that could flush out what the film brings"
         yield Issue(("carry_over",), says, "100 %, or leave it out")
 

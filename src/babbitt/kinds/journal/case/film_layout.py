@@ -41,15 +41,15 @@ ALMOST_A_TURN = math.radians(359.0)
 
 @dataclass(frozen=True)
 class FilmLayout:
-    """Hollows of the film, the assumptions behind them, and warnings."""
+    """Feeds of the film, the assumptions behind them, and warnings."""
 
-    hollows: tuple[FeedSize, ...]
+    feeds: tuple[FeedSize, ...]
     assumptions: tuple[str, ...] = ()
     warnings: tuple[Notice, ...] = ()
 
 
 def film_layout(bearing: JournalBearing, point: OperatingPoint | None, width: float, sense: float) -> FilmLayout:
-    """Give the hollows that feed the film of a bearing at an operating point.
+    """Give the feeds of the film of a bearing at an operating point.
 
     Parameters
     ----------
@@ -60,7 +60,7 @@ def film_layout(bearing: JournalBearing, point: OperatingPoint | None, width: fl
     sense : float
         1 if the journal turns counter-clockwise, -1 if not.
     """
-    given = bearing.hollows()
+    given = bearing.feeds()
     if bearing.film_starts() is FilmStart.WIDEST_GAP:
         return FilmLayout(
             (),
@@ -75,7 +75,7 @@ def film_layout(bearing: JournalBearing, point: OperatingPoint | None, width: fl
         )
     if given:
         return FilmLayout(
-            tuple(hollow.hollow(bearing.diameter) for _, hollow in given),
+            tuple(feed.feed(bearing.diameter) for _, feed in given),
             warnings=_not_used(bearing, point, ("supply_element", "span"), "own_feeds"),
         )
     return _by_rule(bearing, point, width, sense)
@@ -101,12 +101,12 @@ def _by_rule(bearing: JournalBearing, point: OperatingPoint | None, width: float
     unread = () if full else _not_used(bearing, point, ("span",), "unbroken")
     match element:
         case UnevenPockets():
-            hollows = tuple(
+            feeds = tuple(
                 FeedSize(load + turn, element.extent, element.width)
                 for turn in (-sense * element.entry_angle, sense * element.exit_angle)
             )
             said = ("The film has the pockets at their true angles, width and extent.",)
-            return FilmLayout(hollows, said, unread)
+            return FilmLayout(feeds, said, unread)
         case GrooveElement():
             around = 2.0 * HALF if element.kind == "groove_360" else HALF
             said = (f"The film has the groove of {written(element.width, 'mm')} around {written(around, 'deg')}.",)
@@ -115,14 +115,14 @@ def _by_rule(bearing: JournalBearing, point: OperatingPoint | None, width: float
             extent = next(_of_element(element, load, bearing.diameter, width)).extent
             side = QUARTER if full else span / 2.0 + extent / 2.0
             places = {"opposite": (HALF,), "side": (-sense * QUARTER,), "both_sides": (-side, side)}
-            hollows = tuple(
-                hollow
+            feeds = tuple(
+                feed
                 for turn in places[element.place]
-                for hollow in _of_element(element, load + turn, bearing.diameter, width)
+                for feed in _of_element(element, load + turn, bearing.diameter, width)
             )
             by_span = not full and element.place == "both_sides"
-            said = (*_said_of(element), *((_at_the_ends(element, span),) if by_span else ()))
-            return FilmLayout(hollows, said, () if by_span else unread)
+            said = (*_describe_element(element), *((_at_the_ends(element, span),) if by_span else ()))
+            return FilmLayout(feeds, said, () if by_span else unread)
 
 
 def _by_lines(load: float, span: float) -> FilmLayout:
@@ -132,8 +132,8 @@ def _by_lines(load: float, span: float) -> FilmLayout:
         return FilmLayout((FeedSize(load + HALF, 0.0),), (said,), (Notice("W184", "line"),))
     ends = f"The loaded arc of {written(span, 'deg')} ends at lines of supply as wide as the bearing"
     said = f"{ends}; behind them the rest of the bore carries film, too."
-    hollows = tuple(FeedSize(load + turn, 0.0) for turn in (-span / 2.0, span / 2.0))
-    return FilmLayout(hollows, (said,), (Notice("W184", "lines"),))
+    feeds = tuple(FeedSize(load + turn, 0.0) for turn in (-span / 2.0, span / 2.0))
+    return FilmLayout(feeds, (said,), (Notice("W184", "lines"),))
 
 
 def _of_element(element: SupplyElementInput, angle: float, diameter: float, width: float) -> Iterator[FeedSize]:
@@ -150,7 +150,7 @@ def _of_element(element: SupplyElementInput, angle: float, diameter: float, widt
             return
 
 
-def _said_of(element: SupplyElementInput) -> Iterator[str]:
+def _describe_element(element: SupplyElementInput) -> Iterator[str]:
     match element:
         case HoleElement():
             yield "A hole is a square of the same area in the film."

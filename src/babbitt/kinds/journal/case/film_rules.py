@@ -57,8 +57,8 @@ def changing_load_is_added_to_a_load(bearing: JournalBearing) -> Iterator[Issue]
         if prescribed:
             says = f"a changing load moves the journal, and {prescribed[0]} holds it"
             yield Issue((*path, prescribed[0]), says, "load or specific_load")
-    for path, hollow in bearing.hollows():
-        if hollow.flow is not None:
+    for path, feed in bearing.feeds():
+        if feed.flow is not None:
             says = "the orbit under a changing load does not count the oil that a supply of given flow delivers"
             yield Issue((*path, "flow"), says, "a pressure")
     if bearing.cavitation == "half_sommerfeld":
@@ -74,7 +74,7 @@ def half_sommerfeld_is_of_a_plain_ring(bearing: JournalBearing) -> Iterator[Issu
     says = "the half-Sommerfeld condition is for a plain closed ring"
     if bearing.film_start not in (None, "periodic"):
         yield Issue(("film_start",), f"{says}, where the film begins nowhere", "periodic")
-    elif bearing.hollows() or bearing.supply_element is not None:
+    elif bearing.feeds() or bearing.supply_element is not None:
         yield Issue(("cavitation",), f"{says}, and this bearing is fed", allowed)
     elif _is_special(bearing):
         yield Issue(("cavitation",), says, allowed)
@@ -106,7 +106,7 @@ def closed_ring_is_plain(bearing: JournalBearing) -> Iterator[Issue]:
     if bearing.span not in (None, 360):
         says = f"a film that closes around the journal has no ends; span is {bearing.span} deg"
         yield Issue(("film_start",), says, "groove, or span 360 deg")
-    if bearing.cavitation == "mass_conserving" and not bearing.hollows():
+    if bearing.cavitation == "mass_conserving" and not bearing.feeds():
         says = "a mass-conserving film that nothing feeds runs dry"
         yield Issue(("cavitation",), says, "reynolds, half_sommerfeld, or give pockets or holes")
 
@@ -125,7 +125,7 @@ def widest_gap_is_of_a_plain_bore(bearing: JournalBearing) -> Iterator[Issue]:
     """Complain about anything but a plain bore whose film starts at the widest gap."""
     if bearing.film_start != "widest_gap" or bearing.method != "film":
         return
-    if bearing.hollows():
+    if bearing.feeds():
         says = "a film that starts at the widest gap has no grooves, pockets or holes"
         yield Issue(("film_start",), says, "groove")
     if (bearing.bore is not None and bearing.bore.kind != "round") or bearing.misalignment is not None:
@@ -150,14 +150,10 @@ def widest_gap_is_of_a_plain_bore(bearing: JournalBearing) -> Iterator[Issue]:
 @rule
 def given_flows_are_counted(bearing: JournalBearing) -> Iterator[Issue]:
     """Complain about given flows in a film that does not count its oil."""
-    for path, hollow in bearing.hollows():
-        if hollow.flow is None:
+    for path, feed in bearing.feeds():
+        if feed.flow is None:
             continue
-        if (
-            hollow.flow == 0.0
-            and bearing.method == "film"
-            and all(not _feeds(one) for _, one in bearing.hollows())
-        ):
+        if feed.flow == 0.0 and bearing.method == "film" and all(not _feeds(one) for _, one in bearing.feeds()):
             says = "every pocket and hole is closed (flow: 0 L/min): nothing feeds the film"
             yield Issue((*path, "flow"), says, "a pressure for one of them, or one more that feeds the film")
             return
@@ -166,8 +162,8 @@ def given_flows_are_counted(bearing: JournalBearing) -> Iterator[Issue]:
             yield Issue((*path, "flow"), says, "cavitation: mass_conserving, or a pressure")
 
 
-def _feeds(hollow: GrooveInput | PocketInput | SupplyHoleInput) -> bool:
-    return hollow.flow is None or hollow.flow > 0.0
+def _feeds(feed: GrooveInput | PocketInput | SupplyHoleInput) -> bool:
+    return feed.flow is None or feed.flow > 0.0
 
 
 @rule

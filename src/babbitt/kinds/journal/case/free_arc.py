@@ -30,7 +30,7 @@ def free_arcs(bearing: JournalBearing, point: OperatingPoint | None) -> tuple[Fr
     bearing : JournalBearing
     point : OperatingPoint or None
     """
-    return (*_of_element(bearing, point), *_of_hollows(bearing, point))
+    return (*_of_element(bearing, point), *_of_feeds(bearing, point))
 
 
 def _of_element(bearing: JournalBearing, point: OperatingPoint | None) -> Iterator[FreeArc]:
@@ -47,15 +47,15 @@ def _of_element(bearing: JournalBearing, point: OperatingPoint | None) -> Iterat
     yield FreeArc(2.0 * (middle - extent / 2.0), f"{what} at {where}", certain=not ends_the_arc)
 
 
-def _of_hollows(bearing: JournalBearing, point: OperatingPoint | None) -> Iterator[FreeArc]:
+def _of_feeds(bearing: JournalBearing, point: OperatingPoint | None) -> Iterator[FreeArc]:
     speed = stating(SPEEDS, bearing, point)
     sense = math.copysign(1.0, speed.speed or speed.surface_speed or 1.0)
     before, behind = [], []
-    for path, given in bearing.hollows():
-        hollow = given.hollow(bearing.diameter)
-        if isinstance(given, SupplyHoleInput) or hollow.extent >= ALL_AROUND:
+    for path, given in bearing.feeds():
+        feed = given.feed(bearing.diameter)
+        if isinstance(given, SupplyHoleInput) or feed.extent >= ALL_AROUND:
             continue
-        turn, half = sense * (hollow.angle - bearing.load_angle) % TURN, hollow.extent / 2.0
+        turn, half = sense * (feed.angle - bearing.load_angle) % TURN, feed.extent / 2.0
         if min(turn, TURN - turn) <= half:
             return
         behind.append((turn - half, f"{path[0]}.{path[1]}"))

@@ -37,7 +37,7 @@ class Inputs:
     materials: Materials
     width: float
     shared_assumptions: tuple[str, ...]
-    shared_doubts: tuple[Notice, ...]
+    shared_warnings: tuple[Notice, ...]
 
 
 @dataclass(frozen=True)

@@ -25,7 +25,7 @@ from babbitt.kinds.journal.case.film_features import (
     MisalignmentInput,
     PocketInput,
     SupplyHoleInput,
-    issues_of_hollows,
+    issues_of_feeds,
 )
 from babbitt.kinds.journal.case.film_heat import (
     WallsInput,
@@ -267,7 +267,7 @@ class JournalBearing(LoadAndSpeed, SharedInputs, FilmChoices, Iso7902Choices):
     def _span_is_known(self) -> Iterator[Issue]:
         if self.method in one_dimension.METHODS:
             return
-        if self.method == "film" and (self.hollows() or self.film_starts() is not FilmStart.GROOVE):
+        if self.method == "film" and (self.feeds() or self.film_starts() is not FilmStart.GROOVE):
             return
         for point in self.operating_points or (None,):
             if self.span_at(point) is None:
@@ -289,8 +289,8 @@ class JournalBearing(LoadAndSpeed, SharedInputs, FilmChoices, Iso7902Choices):
             yield Issue(("characteristics",), says, "computed, or span 360 deg")
 
     @rule
-    def _hollows_fit(self) -> Iterator[Issue]:
-        yield from issues_of_hollows(self.hollows(), self.actual_width, self.diameter)
+    def _feeds_fit(self) -> Iterator[Issue]:
+        yield from issues_of_feeds(self.feeds(), self.actual_width, self.diameter)
 
     _standard_knows_the_bearing = standard_rules.standard_knows_the_bearing
     _tilt_leaves_a_film = film_shape_rules.tilt_leaves_a_film
@@ -320,18 +320,18 @@ class JournalBearing(LoadAndSpeed, SharedInputs, FilmChoices, Iso7902Choices):
         unfed = "periodic" if self.cavitation == "half_sommerfeld" else "groove"
         return FilmStart[(self.film_start or unfed).upper()]
 
-    def hollows(self) -> list[tuple[tuple[str | int, ...], GrooveInput | PocketInput | SupplyHoleInput]]:
+    def feeds(self) -> list[tuple[tuple[str | int, ...], GrooveInput | PocketInput | SupplyHoleInput]]:
         """Grooves, pockets and holes, each with its path in the case."""
         return [
-            ((name, index), hollow)
+            ((name, index), feed)
             for name in ("grooves", "pockets", "holes")
-            for index, hollow in enumerate(getattr(self, name))
+            for index, feed in enumerate(getattr(self, name))
         ]
 
     def feeds_itself(self) -> bool:
         """Whether every groove, pocket and hole of the film method has a pressure or a flow of its own."""
-        hollows = self.hollows() if self.method == "film" else []
-        return bool(hollows) and all(one.pressure is not None or one.flow is not None for _, one in hollows)
+        feeds = self.feeds() if self.method == "film" else []
+        return bool(feeds) and all(one.pressure is not None or one.flow is not None for _, one in feeds)
 
     def span_at(self, point: OperatingPoint | None) -> int | None:
         """Angular span in degrees at an operating point (None: the bearing as such), None while unknown."""

@@ -29,7 +29,7 @@ POCKET_EXTENT = math.radians(20.0)
 """Extent around the bore of a pocket that does not give its own. Assumption."""
 
 FeedSize = Annotated[float, si("m", "0.1 mm", "3 m")]
-"""Size of a hollow in the bearing surface."""
+"""Size of a feed in the bearing surface."""
 
 
 class HoleElement(Part):

@@ -38,7 +38,7 @@ def warnings_about(inputs: Inputs, point: OperatingPoint | None) -> tuple[Notice
     return (
         *_about_span(inputs.bearing, point),
         *_about_direction(inputs.bearing),
-        *_about_hollows(inputs.bearing),
+        *_about_feeds(inputs.bearing),
         *warnings_about_numbers(inputs, point),
     )
 
@@ -48,7 +48,7 @@ def warnings_about_numbers(inputs: Inputs, point: OperatingPoint | None) -> tupl
     bearing = inputs.bearing.model_copy(update={"operating_points": ()})
     at = () if point is None else ("operating_points", inputs.bearing.operating_points.index(point))
     numbers = about_grouped_digits(bearing), about_grouped_digits(point, *at)
-    return (*inputs.shared_doubts, *_about_fields_not_read(bearing), *numbers[0], *numbers[1])
+    return (*inputs.shared_warnings, *_about_fields_not_read(bearing), *numbers[0], *numbers[1])
 
 
 def _about_fields_not_read(bearing: JournalBearing) -> Iterator[Notice]:
@@ -62,14 +62,14 @@ def _about_direction(bearing: JournalBearing) -> Iterator[Notice]:
         yield Notice("W182", values={"load_angle": bearing.load_angle})
 
 
-def _about_hollows(bearing: JournalBearing) -> Iterator[Notice]:
+def _about_feeds(bearing: JournalBearing) -> Iterator[Notice]:
     """Tell that the standard does not read grooves, pockets and holes at angles in the bore."""
-    if given := dict.fromkeys(str(path[0]) for path, _ in bearing.hollows()):
+    if given := dict.fromkeys(str(path[0]) for path, _ in bearing.feeds()):
         yield Notice("W183", "supply_element", {"fields": tuple(given)})
-    for path, given_hollow in bearing.hollows():
-        hollow = given_hollow.hollow(bearing.diameter)
-        aside = abs(math.remainder(bearing.load_angle - hollow.angle, 2.0 * math.pi))
-        if aside <= 0.5 * hollow.extent:
+    for path, given_feed in bearing.feeds():
+        feed = given_feed.feed(bearing.diameter)
+        aside = abs(math.remainder(bearing.load_angle - feed.angle, 2.0 * math.pi))
+        if aside <= 0.5 * feed.extent:
             yield Notice("W143", "iso7902", {"load_angle": bearing.load_angle, "place": ".".join(map(str, path))})
 
 

@@ -210,7 +210,7 @@ def _cavitation_variants(film: FilmCase) -> tuple[Variant, ...]:
     """The same film with the conditions of rupture that the case does not ask for."""
     found = []
     for cavitation, (label, remark) in CAVITATION_LABELS.items():
-        unfed = film.bearing.film_start is not FilmStart.GROOVE and not film.bearing.hollows
+        unfed = film.bearing.film_start is not FilmStart.GROOVE and not film.bearing.feeds
         if cavitation is film.cavitation or (unfed and cavitation is Cavitation.MASS_CONSERVING):
             continue
         other = replace(film, cavitation=cavitation)

@@ -102,11 +102,11 @@ def grooved_films(
     plain = film_cases(_fed_at_a_pressure(bearing, case), case, "full")[index]
     if place is not None and design.groove is not None:
         for kind in dict.fromkeys((design.groove.kind, *GrooveKind)):
-            hollow, assumed = _hollow(replace(design.groove, kind=kind), place, design)
-            hollows = (*plain.bearing.hollows, hollow)
+            feed, assumed = _feed_of(replace(design.groove, kind=kind), place, design)
+            feeds = (*plain.bearing.feeds, feed)
             film = replace(
                 plain,
-                bearing=replace(plain.bearing, hollows=hollows),
+                bearing=replace(plain.bearing, feeds=feeds),
                 assumptions=(*plain.assumptions, *assumed),
             )
             yield (*LABELS[kind], film, place)
@@ -123,7 +123,7 @@ def _fed_at_a_pressure(bearing: JournalBearing, case: CaseFile) -> JournalBearin
     return bearing.model_copy(update={"supply": unpressurised, "assumptions": (*bearing.assumptions, said)})
 
 
-def _hollow(groove: Groove, place: float, design: SegmentCase) -> tuple[FeedSize, tuple[str, ...]]:
+def _feed_of(groove: Groove, place: float, design: SegmentCase) -> tuple[FeedSize, tuple[str, ...]]:
     """The groove as the film of finite width has it, and what was assumed of it."""
     extent = 2.0 * groove.width / design.bearing.diameter
     if groove.kind is GrooveKind.THROUGH:
@@ -140,7 +140,7 @@ def with_groove_angles(result: Result, film: FilmCase, place: float | None) -> R
         return result
     sense = math.copysign(1.0, film.journal_speed)
     from_gap = sense * (place - result.narrowest_gap_angle) + math.pi
-    pressure = film.bearing.hollows[-1].pressure  # that of a blind groove is found
+    pressure = film.bearing.feeds[-1].pressure  # that of a blind groove is found
     own = {
         "groove_angle_from_load": math.remainder(sense * (place - film.load_angle), TURN),
         "groove_angle_from_gap": from_gap % TURN,

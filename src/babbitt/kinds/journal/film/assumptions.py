@@ -40,21 +40,21 @@ def film_assumptions(case: FilmCase) -> Iterator[str]:
             "Supplies of given flow: oil that a flooded film does not draw returns without passing it; stiffness, "
             "damping and thresholds hold for the fills of the operating point; no oil is stored in grooves."
         )
-    if any(hollow.is_closed for hollow in case.bearing.hollows):
+    if any(feed.is_closed for feed in case.bearing.feeds):
         yield (
             "Closed pockets and holes (flow: 0 L/min) stand at the pressure at which their net flow vanishes, and "
             "all oil that reaches them goes on; in stiffness and damping their pressures follow the journal, for "
             "oil is incompressible."
         )
-    grooves = [hollow for hollow in case.bearing.hollows if hollow.width is None]
-    if any(hollow.pressure != 0.0 for hollow in grooves) and case.oil_supply is not None:
+    grooves = [feed for feed in case.bearing.feeds if feed.width is None]
+    if any(feed.pressure != 0.0 for feed in grooves) and case.oil_supply is not None:
         yield (
             f"The pressure of grooves as wide as the bearing falls to that of the sides over the last "
             f"{100.0 * END_DAM:g} % of the width at either end."
         )
     if case.bearing.side_pressures != (0.0, 0.0):
         yield "Oil that a side under pressure presses into the film is as warm as that of the supply."
-    if case.bearing.hollows:
+    if case.bearing.feeds:
         yield "Grooves, pockets and holes are deep: the oil in them is not sheared."
     if case.changing_load is not None:
         yield from orbit_assumptions(case)
@@ -100,7 +100,7 @@ def displacement_assumptions(case: FilmCase) -> Iterator[str]:
 
 def film_settings(case: FilmCase) -> dict[str, str]:
     """The choices that the numbers depend on."""
-    grooves = sum(hollow.width is None for hollow in case.bearing.hollows)
+    grooves = sum(feed.width is None for feed in case.bearing.feeds)
     orbit = {} if case.changing_load is None else {"orbit_cavitation": Cavitation.REYNOLDS.name.lower()}
     heat = {} if case.heat is None else coefficient_settings(case.heat)
     return (
@@ -115,7 +115,7 @@ def film_settings(case: FilmCase) -> dict[str, str]:
             "rotation": case.rotation.value,
             "bore": case.bearing.own_form or type(case.bearing.bore).__name__,
             "grooves": str(grooves),
-            "pockets": str(len(case.bearing.hollows) - grooves),
+            "pockets": str(len(case.bearing.feeds) - grooves),
             "friction_factor": f"{case.friction_factor:g}",
             "turbulence": case.turbulence.name if case.turbulence is not None else "laminar",
             "pressure_viscosity": case.pressure_viscosity.law.value
@@ -127,4 +127,4 @@ def film_settings(case: FilmCase) -> dict[str, str]:
 
 def _flows_given(case: FilmCase) -> bool:
     common = case.oil_supply is not None and case.oil_supply.flow is not None
-    return common or any(hollow.flow for hollow in case.bearing.hollows)
+    return common or any(feed.flow for feed in case.bearing.feeds)

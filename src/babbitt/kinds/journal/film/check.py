@@ -40,11 +40,11 @@ from babbitt.kinds.journal.film.orbit_results import (
     orbit_warnings,
 )
 from babbitt.kinds.journal.film.other_equilibria import (
+    equilibrium_checks,
+    equilibrium_points,
+    equilibrium_values,
     flattered_by_equilibrium,
-    resting_checks,
-    resting_places,
-    resting_values,
-    warnings_about_rest,
+    warnings_about_equilibria,
 )
 from babbitt.kinds.journal.film.thermal_failure import thermal_failure
 from babbitt.kinds.journal.film.thermal_film import film_within_ducts
@@ -136,7 +136,7 @@ def film_solution(case: FilmCase, watch: ProgressCallback = no_progress) -> Solu
         if state.fed is not None:
             arrays["supply_fill"] = (fills_of(case, state.fed),)
         if closed_pockets(case):
-            arrays["groove_angles"] = (tuple(hollow.angle for hollow in case.bearing.hollows),)
+            arrays["groove_angles"] = (tuple(feed.angle for feed in case.bearing.feeds),)
             arrays["groove_pressures"] = (supply_pressures(case, state.solution.film),)
         if outcome.solved:
             if case.tilt_coefficients:
@@ -157,10 +157,10 @@ def film_solution(case: FilmCase, watch: ProgressCallback = no_progress) -> Solu
             whirl = whirl_of(loaded, frozen) if case.cavitation is not Cavitation.HALF_SOMMERFELD else None
             values |= _running_values(loaded, state, whirl)
             values |= grid_errors(case, state) if case.error_estimate else {}
-            places = resting_places(case, state) if case.heat is None else None
-            values |= resting_values(places)
+            places = equilibrium_points(case, state) if case.heat is None else None
+            values |= equilibrium_values(places)
             no_mass = without_critical_mass(whirl)
-            limits = (*_limit_checks(case, values), *resting_checks(case, values))
+            limits = (*_limit_checks(case, values), *equilibrium_checks(case, values))
             flattered = flattered_by_equilibrium(case, state.solution)
             checks = (*certain(limits, flattered), *whirl_checks(case, whirl), clearance_check(case, values))
             not_made = (
@@ -174,7 +174,7 @@ def film_solution(case: FilmCase, watch: ProgressCallback = no_progress) -> Solu
                 values |= stiffness_values(state)
                 warnings = (*warnings, *warnings_about_heat(case, state, values, followed))
             if isinstance(case.duty, PrescribedLoad):
-                warnings = (*warnings, *warnings_about_rest(state.solution, places))
+                warnings = (*warnings, *warnings_about_equilibria(state.solution, places))
             orbit = orbit_of(case, state, watch)
             if orbit is not None:
                 outcome = orbit.outcome
@@ -298,11 +298,11 @@ def _warnings_about_holes(case: FilmCase, state: FilmState) -> Iterator[Notice]:
     supply, film = case.oil_supply, state.solution
     if supply is None or supply.flow is not None:
         return
-    numbered = zip(case.bearing.hollows, supply_numbers(case, film.film), strict=True)
+    numbered = zip(case.bearing.feeds, supply_numbers(case, film.film), strict=True)
     passed = [
-        (float(film.supply_flow[number]), hollow.bore_hole)
-        for hollow, number in numbered
-        if hollow.bore_hole is not None and hollow.pressure is None and hollow.flow is None
+        (float(film.supply_flow[number]), feed.bore_hole)
+        for feed, number in numbered
+        if feed.bore_hole is not None and feed.pressure is None and feed.flow is None
     ]
     if passed:
         flow, diameter = max(passed, key=lambda one: one[0] / one[1] ** 2)
@@ -312,7 +312,7 @@ def _warnings_about_holes(case: FilmCase, state: FilmState) -> Iterator[Notice]:
 
 def _warnings_about_grooves(case: FilmCase, state: FilmState, values: dict[str, float]) -> Iterator[Notice]:
     """Flow of grooves as wide as the bearing, and a load that points into one, or into a pocket."""
-    grooves = [hollow for hollow in case.bearing.hollows if hollow.width is None]
+    grooves = [feed for feed in case.bearing.feeds if feed.width is None]
     calm = without_pressure(state.solution.film, closed_pockets(case))
     if grooves and calm != state.solution.film:
         flow = values["supply_flow"]
@@ -322,13 +322,13 @@ def _warnings_about_grooves(case: FilmCase, state: FilmState, values: dict[str, 
             yield Notice("W121", "drawn" if state.solution.side_inflow > 0.0 else "less", {"less": -flow})
         else:
             yield Notice("W121", "more", {"supply_flow": flow})
-    for pocket in case.bearing.hollows:
+    for pocket in case.bearing.feeds:
         if pocket.width is None or pocket.flow is not None:
             continue
         land = 0.5 * (case.bearing.width - pocket.width) - abs(pocket.axial_position)
         if land < END_DAM * case.bearing.width:
             yield Notice("W121", "pocket", {"width": pocket.width, "land": land, "least": END_DAM})
-    for groove in case.bearing.hollows:
+    for groove in case.bearing.feeds:
         if groove.extent > ALMOST_A_TURN:  # no load could point beside it
             continue
         aside = abs(math.remainder(values["load_angle"] - groove.angle, 2.0 * math.pi))

@@ -35,7 +35,7 @@ __all__ = [
     "distortion_by",
     "elastic_film",
     "elastic_thermal_film",
-    "warm_displacement",
+    "thermal_displacement",
 ]
 
 Array = NDArray[np.float64]
@@ -94,7 +94,9 @@ def distortion_by(growth: RingGrowth, found: ThermalFilm) -> Array:
     return growth.distortion(bore, around)
 
 
-def warm_displacement(compliances: Sequence[Compliance], growth: RingGrowth | None, found: ThermalFilm) -> Array:
+def thermal_displacement(
+    compliances: Sequence[Compliance], growth: RingGrowth | None, found: ThermalFilm
+) -> Array:
     """Gain of the gap by pressure and uneven temperature of a film, m, shape (rows, columns) of ``bore_grid``."""
     total = displacement_under(compliances, found.film)
     return total if growth is None else total + distortion_by(growth, found)
@@ -144,7 +146,7 @@ def elastic_thermal_film(
     Parameters are those of `elastic_film`, without compliances too; `growth` distorts the bore by the temperature
     around it. Its mean growth belongs to the clearance and is not in the displacement.
     """
-    displaced = partial(warm_displacement, compliances, growth)
+    displaced = partial(thermal_displacement, compliances, growth)
     return _Settling(film, bore_grid(film), displaced, solve, lambda found: found.film).run(closeness, start)
 
 

@@ -26,7 +26,7 @@ from babbitt.reynolds.model import DRAFT, JournalFilm, Resolution
 from babbitt.reynolds.solution import FilmSolution
 from babbitt.reynolds.stability.routh import StableMasses, stable_masses
 
-__all__ = ["RestingPlace", "RestingPlaces", "find_equilibria", "same_place"]
+__all__ = ["EquilibriumPoint", "EquilibriumPoints", "find_equilibria", "same_place"]
 
 Array = NDArray[np.float64]
 
@@ -42,7 +42,7 @@ STEEP = 0.5 * math.pi
 
 
 @dataclass(frozen=True, eq=False)
-class RestingPlace:
+class EquilibriumPoint:
     """An equilibrium of the journal.
 
     Attributes
@@ -81,10 +81,10 @@ class RestingPlace:
 
 
 @dataclass(frozen=True, eq=False)
-class RestingPlaces:
+class EquilibriumPoints:
     """All equilibria found, and whether their indices sum to one, as they must if none was missed."""
 
-    places: tuple[RestingPlace, ...]
+    places: tuple[EquilibriumPoint, ...]
 
     @property
     def complete(self) -> bool:
@@ -97,7 +97,7 @@ def find_equilibria(
     load: tuple[float, float],
     resolution: Resolution = DRAFT,
     known: tuple[FilmSolution, ...] = (),
-) -> RestingPlaces:
+) -> EquilibriumPoints:
     """Look for every equilibrium of a journal under a load.
 
     Parameters
@@ -113,28 +113,28 @@ def find_equilibria(
 
     Returns
     -------
-    RestingPlaces
+    EquilibriumPoints
         Empty where nothing carries the load. Equilibria nearer to contact than the last of `DEPTHS` are found only
         if known, or if `babbitt.reynolds.equilibrium.solve.solve_journal` finds them.
     """
-    places = [RestingPlace(one) for one in known]
+    places = [EquilibriumPoint(one) for one in known]
 
     def add(found: FilmSolution | None) -> None:
         if found is not None and not any(same_place(film, found, place.film) for place in places):
-            places.append(RestingPlace(found))
+            places.append(EquilibriumPoint(found))
 
     coarse = _Mesh.of(film, np.asarray(load), DIRECTIONS)
     add_from = partial(_add_from, film, load, resolution, add)
     add_from(coarse.turning())
-    if RestingPlaces(tuple(places)).complete:
-        return RestingPlaces(tuple(places))
+    if EquilibriumPoints(tuple(places)).complete:
+        return EquilibriumPoints(tuple(places))
     carried = solve_journal(film, load, resolution)  # it looks closer to contact, on the loaded side
     add(carried if carried.outcome.solved else None)
     fine = _Mesh.of(film, np.asarray(load), 2 * DIRECTIONS)
     for starts in (fine.turning(), fine.steep(), coarse.everywhere() if places else ()):
-        if not RestingPlaces(tuple(places)).complete:
+        if not EquilibriumPoints(tuple(places)).complete:
             add_from(starts)
-    return RestingPlaces(tuple(places))
+    return EquilibriumPoints(tuple(places))
 
 
 def _add_from(

@@ -77,7 +77,7 @@ def grid_errors(case: FilmCase, state: FilmState) -> dict[str, float]:
     for fine in {finer(grid, times): None for times in REFINEMENTS}:
         better = _on_grid(case, state, fine)
         if better.outcome.solved:
-            rest = _rest(fine.intervals / grid.intervals)
+            rest = _whole_over_removed(fine.intervals / grid.intervals)
             estimates.append({name: rest * off for name, off in _differences(case, state, better)})
     if not estimates:
         return {}
@@ -85,7 +85,7 @@ def grid_errors(case: FilmCase, state: FilmState) -> dict[str, float]:
     return estimates[0] | largest
 
 
-def _rest(ratio: float) -> float:
+def _whole_over_removed(ratio: float) -> float:
     """The whole error over the part of it that a grid so many times as fine removes."""
     return ratio**2 / (ratio**2 - 1.0)
 

@@ -77,7 +77,7 @@ EXPENSIVE_GRID = 1500
 """Grid points of a film that is solved node by node, beyond which sweeps and orbits take a draft grid."""
 
 
-def is_dear(state: FilmState) -> bool:
+def is_expensive(state: FilmState) -> bool:
     """Whether a film takes so long that sweeps and orbits see it on a draft grid."""
     return bool(state.solution.film.is_surface and state.solution.pressure.size > EXPENSIVE_GRID)
 
@@ -140,7 +140,7 @@ def film_at_temperature(temperature: float, case: FilmCase, near: tuple[float, f
         film = film_of(case, psi, viscosity, pressure, density)
         flows = given_flows(case, film)
         if not flows:
-            return resting_film(case, film, near), None
+            return equilibrium_film(case, film, near), None
         fed = starved_film(case, film, flows, near)
         return fed.solution, fed
 
@@ -169,7 +169,7 @@ def friction_of(case: FilmCase, solution: FilmSolution) -> tuple[float, float]:
     return friction_between(case, solution.friction_torque - pressure, pressure)
 
 
-def resting_film(case: FilmCase, film: JournalFilm, near: tuple[float, float] | None = None) -> FilmSolution:
+def equilibrium_film(case: FilmCase, film: JournalFilm, near: tuple[float, float] | None = None) -> FilmSolution:
     """Film that carries the load of the case, or that stands at its prescribed position."""
     return _accepted(_settled(case, partial(_in_given_bore, case, near), film))
 

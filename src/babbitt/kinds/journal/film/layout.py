@@ -1,4 +1,4 @@
-"""From a bearing to its film: full-width grooves cut the bore into lands, narrower hollows are pockets."""
+"""From a bearing to its film: full-width grooves cut the bore into lands, narrower feeds are pockets."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ def film_of(
     viscosity : float
         Pa s.
     element_pressure : float
-        Gauge pressure of every hollow that has none of its own, Pa.
+        Gauge pressure of every feed that has none of its own, Pa.
     density : float or None
         kg/m3; only a turbulent film needs it.
 
@@ -71,8 +71,8 @@ def film_of(
     """
     bearing = case.bearing
     clearance = 0.5 * relative_clearance * bearing.diameter
-    grooves = [hollow for hollow in bearing.hollows if hollow.width is None]
-    pockets = [(hollow, hollow.width) for hollow in bearing.hollows if hollow.width is not None]
+    grooves = [feed for feed in bearing.feeds if feed.width is None]
+    pockets = [(feed, feed.width) for feed in bearing.feeds if feed.width is not None]
     return JournalFilm(
         diameter=bearing.diameter,
         width=bearing.width,
@@ -83,7 +83,7 @@ def film_of(
         cavitation=case.cavitation,
         film_start=_start(case, grooves),
         cavitation_pressure=case.cavitation_pressure,
-        pockets=tuple(_pocket(hollow, width, element_pressure) for hollow, width in pockets),
+        pockets=tuple(_pocket(feed, width, element_pressure) for feed, width in pockets),
         misalignment=bearing.misalignment,
         turbulence=_turbulence(case, relative_clearance, density),
         pressure_viscosity=case.pressure_viscosity.at(viscosity) if case.pressure_viscosity is not None else None,
@@ -96,23 +96,22 @@ def film_of(
 
 
 def supply_numbers(case: FilmCase, film: JournalFilm) -> tuple[int, ...]:
-    """Which supply of the film (see ``FilmSolution.supply_flow``) each hollow of the bearing is."""
-    hollows = case.bearing.hollows
+    """Which supply of the film (see ``FilmSolution.supply_flow``) each feed of the bearing is."""
+    feeds = case.bearing.feeds
     grooves = _ordered_grooves(case)
     behind = [grooves[(land + 1) % len(grooves)] for land in film.land_order if grooves]
-    pockets = [hollow for hollow in hollows if hollow.width is not None]
+    pockets = [feed for feed in feeds if feed.width is not None]
     return tuple(
-        behind.index(hollow) if hollow.width is None else len(grooves) + pockets.index(hollow)
-        for hollow in hollows
+        behind.index(feed) if feed.width is None else len(grooves) + pockets.index(feed) for feed in feeds
     )
 
 
 def given_flows(case: FilmCase, film: JournalFilm) -> tuple[PrescribedFlow, ...]:
     """Flows that the supplies of a film are given: their own, and that of the oil supply shared by all others."""
-    numbered = list(zip(case.bearing.hollows, supply_numbers(case, film), strict=True))
-    given = [PrescribedFlow((number,), hollow.flow) for hollow, number in numbered if hollow.flow]
+    numbered = list(zip(case.bearing.feeds, supply_numbers(case, film), strict=True))
+    given = [PrescribedFlow((number,), feed.flow) for feed, number in numbered if feed.flow]
     if case.oil_supply is not None and case.oil_supply.flow is not None:
-        members = tuple(number for hollow, number in numbered if hollow.pressure is None and hollow.flow is None)
+        members = tuple(number for feed, number in numbered if feed.pressure is None and feed.flow is None)
         given += [PrescribedFlow(members, case.oil_supply.flow)] if members else []
     return tuple(given)
 
@@ -124,7 +123,7 @@ def with_flow_of_ducts(case: FilmCase, flow: float) -> FilmCase | None:
     """
     supply = case.oil_supply
     counted = case.cavitation is Cavitation.MASS_CONSERVING and case.heat is None and case.changing_load is None
-    fed = any(hollow.pressure is None and hollow.flow is None for hollow in case.bearing.hollows)
+    fed = any(feed.pressure is None and feed.flow is None for feed in case.bearing.feeds)
     if supply is None or not (counted and fed) or case.bearing.film_start is FilmStart.WIDEST_GAP or flow <= 0.0:
         return None
     return replace(case, oil_supply=replace(supply, pressure=0.0, flow=flow, tubes=(), holes=()))
@@ -132,17 +131,17 @@ def with_flow_of_ducts(case: FilmCase, flow: float) -> FilmCase | None:
 
 def fed_all_around(case: FilmCase) -> bool:
     """Whether nothing but grooves around the whole bore feeds the film: they send no oil into it by shear."""
-    fed = [hollow for hollow in case.bearing.hollows if not hollow.is_closed]
-    return bool(fed) and all(hollow.extent >= ALL_AROUND for hollow in fed)
+    fed = [feed for feed in case.bearing.feeds if not feed.is_closed]
+    return bool(fed) and all(feed.extent >= ALL_AROUND for feed in fed)
 
 
 def flow_of_the_system(case: FilmCase, solution: FilmSolution) -> float:
     """Oil in m3/s that comes to a film through tubes and holes of the oil supply.
 
-    What leaves the film less the net flow of hollows that have a pressure or flow of their own.
+    What leaves the film less the net flow of feeds that have a pressure or flow of their own.
     """
-    numbered = zip(case.bearing.hollows, supply_numbers(case, solution.film), strict=True)
-    own = [number for hollow, number in numbered if hollow.pressure is not None or hollow.flow is not None]
+    numbered = zip(case.bearing.feeds, supply_numbers(case, solution.film), strict=True)
+    own = [number for feed, number in numbered if feed.pressure is not None or feed.flow is not None]
     return max(float(solution.side_flow.sum() - solution.supply_flow[own].sum()), 0.0)
 
 
@@ -166,8 +165,8 @@ def pressed_flow(case: FilmCase, film_at: Callable[[float], FilmSolution]) -> Ca
 
 def closed_pockets(case: FilmCase) -> tuple[int, ...]:
     """Which of the pockets of a film (`JournalFilm.pockets`) are closed: nothing feeds them."""
-    pockets = [hollow for hollow in case.bearing.hollows if hollow.width is not None]
-    return tuple(number for number, hollow in enumerate(pockets) if hollow.is_closed)
+    pockets = [feed for feed in case.bearing.feeds if feed.width is not None]
+    return tuple(number for number, feed in enumerate(pockets) if feed.is_closed)
 
 
 def _towards(case: FilmCase) -> float:
@@ -207,7 +206,7 @@ def _turbulence(case: FilmCase, relative_clearance: float, density: float | None
 
 
 def _ordered_grooves(case: FilmCase) -> list[FeedSize]:
-    grooves = [hollow for hollow in case.bearing.hollows if hollow.width is None]
+    grooves = [feed for feed in case.bearing.feeds if feed.width is None]
     return sorted(grooves, key=lambda groove: groove.angle % TURN)
 
 
@@ -232,12 +231,12 @@ def _lands(case: FilmCase, grooves: list[FeedSize], clearance: float, pressure: 
     return tuple(lands)
 
 
-def _pocket(hollow: FeedSize, width: float, pressure: float) -> Pocket:
-    place = hollow.angle, hollow.extent, width, hollow.axial_position
-    return Pocket(*place, _pressure(hollow, pressure), closed=hollow.is_closed)
+def _pocket(feed: FeedSize, width: float, pressure: float) -> Pocket:
+    place = feed.angle, feed.extent, width, feed.axial_position
+    return Pocket(*place, _pressure(feed, pressure), closed=feed.is_closed)
 
 
-def _pressure(hollow: FeedSize, pressure: float) -> float:
-    if hollow.flow is not None:
+def _pressure(feed: FeedSize, pressure: float) -> float:
+    if feed.flow is not None:
         return 0.0  # until the film tells how far its flow fills it, or at which pressure none passes
-    return pressure if hollow.pressure is None else hollow.pressure
+    return pressure if feed.pressure is None else feed.pressure

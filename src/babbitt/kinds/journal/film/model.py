@@ -30,7 +30,7 @@ __all__ = ["Accuracy", "FilmBearing", "FilmCase", "FeedSize", "Rotation", "Searc
 
 
 WHOLE_TURN = 2.0 * math.pi * (1.0 - 1e-9)
-"""Extent of a hollow, rad, from which it parts the bearing."""
+"""Extent of a feed, rad, from which it parts the bearing."""
 
 
 class Accuracy(Enum):
@@ -102,7 +102,7 @@ class FeedSize:
     pressure : float or None
         Gauge, Pa; None is that of the oil supply behind its losses.
     flow : float or None
-        m3/s in place of a pressure; 0 closes a hollow narrower than the bearing.
+        m3/s in place of a pressure; 0 closes a feed narrower than the bearing.
     bore_hole : float or None
         Diameter in m of a round hole, through which the oil comes; None for grooves and pockets.
     """
@@ -152,7 +152,7 @@ class FilmBearing(Proportions):
     relative_clearance: float
     expansion_bearing: float
     expansion_journal: float
-    hollows: tuple[FeedSize, ...] = ()
+    feeds: tuple[FeedSize, ...] = ()
     bore: Bore = field(default_factory=RoundBore)
     film_start: FilmStart = FilmStart.GROOVE
     misalignment: tuple[float, float] = (0.0, 0.0)
@@ -172,7 +172,7 @@ class FilmBearing(Proportions):
     @property
     def loaded_width(self) -> float:
         """Width in m over which the film carries: that of the lands beside grooves around the whole bore."""
-        around = (one.width for one in self.hollows if one.extent > WHOLE_TURN and one.width is not None)
+        around = (one.width for one in self.feeds if one.extent > WHOLE_TURN and one.width is not None)
         return self.width - sum(around)
 
 

@@ -15,7 +15,7 @@ from babbitt.core.result import Check, Matrix, Outcome
 from babbitt.design.conditions import PrescribedLoad, sliding_speed
 from babbitt.design.warnings import RIGID_FILM_UP_TO, warnings_about_pressure
 from babbitt.kinds.journal.film.changing_load import TabulatedLoad
-from babbitt.kinds.journal.film.isothermal import FilmState, is_dear
+from babbitt.kinds.journal.film.isothermal import FilmState, is_expensive
 from babbitt.kinds.journal.film.layout import load_vector
 from babbitt.kinds.journal.film.model import FilmCase
 from babbitt.reynolds.model import DRAFT, Cavitation
@@ -33,7 +33,7 @@ __all__ = [
     "orbit_values",
 ]
 
-GRID_TOLD_FROM = 0.05
+GRID_REPORTED_FROM = 0.05
 """Share of the load that a finer grid does not confirm, from which the orbit is questioned."""
 
 
@@ -57,7 +57,7 @@ def orbit_of(case: FilmCase, state: FilmState, watch: ProgressCallback = no_prog
         load_vector(case, case.duty.load),
         case.journal_speed,
         case.moving_mass,
-        DRAFT if is_dear(state) else case.accuracy.resolution,
+        DRAFT if is_expensive(state) else case.accuracy.resolution,
         watch,
     )
 
@@ -99,7 +99,7 @@ def orbit_checks(checks: tuple[Check, ...], values: dict[str, float]) -> Iterato
 
 def orbit_warnings(case: FilmCase, orbit: Orbit) -> Iterator[Notice]:
     """Where the orbit leaves the ground on which it stands."""
-    if orbit.load_error > GRID_TOLD_FROM:
+    if orbit.load_error > GRID_REPORTED_FROM:
         yield Notice("W133", values={"orbit_load_error": orbit.load_error})
     yield from warnings_about_pressure(float(orbit.maximum_pressure.max()), "orbit")
     depth = 1.0 - float(orbit.film_thickness.min()) / orbit.clearance

@@ -21,7 +21,7 @@ from babbitt.kinds.journal.film.stable_equilibrium import is_saddle
 from babbitt.reynolds.model import Cavitation, FilmStart, JournalFilm
 
 if TYPE_CHECKING:
-    from babbitt.kinds.journal.film.equilibria import RestingPlace, RestingPlaces
+    from babbitt.kinds.journal.film.equilibria import EquilibriumPoint, EquilibriumPoints
     from babbitt.reynolds.solution import FilmSolution
 
 SUPPLY_SHARE = 0.5
@@ -31,10 +31,16 @@ them from 5 on."""
 SAME_FILM = 0.01
 """Share by which the film elsewhere must be thinner to be reported: less is the accuracy of a grid."""
 
-__all__ = ["warnings_about_rest", "flattered_by_equilibrium", "resting_checks", "resting_places", "resting_values"]
+__all__ = [
+    "warnings_about_equilibria",
+    "flattered_by_equilibrium",
+    "equilibrium_checks",
+    "equilibrium_points",
+    "equilibrium_values",
+]
 
 
-def resting_places(case: FilmCase, state: FilmState) -> RestingPlaces | None:
+def equilibrium_points(case: FilmCase, state: FilmState) -> EquilibriumPoints | None:
     """All equilibria under the load of a case, that of the operating point first; None where they are not
     sought."""
     film = state.solution.film
@@ -52,10 +58,10 @@ def resting_places(case: FilmCase, state: FilmState) -> RestingPlaces | None:
     return _each_with_its_own(case, state, found)
 
 
-def _each_with_its_own(case: FilmCase, state: FilmState, found: RestingPlaces) -> RestingPlaces:
+def _each_with_its_own(case: FilmCase, state: FilmState, found: EquilibriumPoints) -> EquilibriumPoints:
     """The places of a film whose bore or supplies answer to it: sought with those of the first place, and settled
     each with its own. What does not converge leaves the indices incomplete."""
-    from babbitt.kinds.journal.film.equilibria import RestingPlace, RestingPlaces, same_place
+    from babbitt.kinds.journal.film.equilibria import EquilibriumPoint, EquilibriumPoints, same_place
 
     first, *others = found.places
     places = [first]
@@ -64,8 +70,8 @@ def _each_with_its_own(case: FilmCase, state: FilmState, found: RestingPlaces) -
         if again is None:
             continue
         if not any(same_place(state.solution.film, again, known.film) for known in places):
-            places.append(RestingPlace(with_bore(case, again)))
-    return RestingPlaces(tuple(places))
+            places.append(EquilibriumPoint(with_bore(case, again)))
+    return EquilibriumPoints(tuple(places))
 
 
 def _likely(case: FilmCase, film: JournalFilm) -> bool:
@@ -82,7 +88,7 @@ def _likely(case: FilmCase, film: JournalFilm) -> bool:
     return isinstance(case.bearing.bore, LobedBore) or supply > SUPPLY_SHARE * wedge
 
 
-def resting_values(found: RestingPlaces | None) -> dict[str, float]:
+def equilibrium_values(found: EquilibriumPoints | None) -> dict[str, float]:
     """Number of equilibria, and the thinnest film where a journal may stay if it is not the one shown."""
     if found is None:
         return {}
@@ -92,7 +98,7 @@ def resting_values(found: RestingPlaces | None) -> dict[str, float]:
     return values | ({"least_resting_film": least} if least < (1.0 - SAME_FILM) * shown else {})
 
 
-def resting_checks(case: FilmCase, values: Mapping[str, float]) -> Iterator[Check]:
+def equilibrium_checks(case: FilmCase, values: Mapping[str, float]) -> Iterator[Check]:
     """Limits of the film thickness, asked of the thinnest film where the journal may rest as well."""
     if "least_resting_film" in values:
         for check in film_checks(case, values):
@@ -106,7 +112,7 @@ def flattered_by_equilibrium(case: FilmCase, shown: FilmSolution) -> Bounds:
     return {code: Notice(code, "saddle") for code in FILM_CHECKS}
 
 
-def warnings_about_rest(shown: FilmSolution, found: RestingPlaces | None) -> Iterator[Notice]:
+def warnings_about_equilibria(shown: FilmSolution, found: EquilibriumPoints | None) -> Iterator[Notice]:
     """Further equilibria, and an operating point that the journal leaves by itself."""
     if is_saddle(shown):
         yield Notice("W132", "not_looked_for" if found is None else "not_found")
@@ -119,7 +125,7 @@ def warnings_about_rest(shown: FilmSolution, found: RestingPlaces | None) -> Ite
         yield Notice("W134", values={"found": len(found.places)})
 
 
-def _described(place: RestingPlace) -> Notice:
+def _described(place: EquilibriumPoint) -> Notice:
     """An equilibrium as a clause of the warning about it."""
     x, y = place.position
     eccentricity, direction = place.film.eccentricity_ratio, math.atan2(y, x)
@@ -128,7 +134,7 @@ def _described(place: RestingPlace) -> Notice:
     })  # fmt: skip
 
 
-def _stays(place: RestingPlace) -> Notice:
+def _stays(place: EquilibriumPoint) -> Notice:
     """Whether the journal stays at an equilibrium."""
     if place.holds:
         return Notice("W131", "stays")

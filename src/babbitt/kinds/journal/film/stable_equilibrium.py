@@ -39,11 +39,11 @@ def converged_film(
     found = solve_journal(film, load, grid)
     if near is None or not is_saddle(found):
         return found
-    from babbitt.kinds.journal.film.equilibria import RestingPlace
+    from babbitt.kinds.journal.film.equilibria import EquilibriumPoint
     from babbitt.reynolds.equilibrium.nearby import equilibrium_near
 
     other = equilibrium_near(film, load, (near[0] * film.clearance, near[1] * film.clearance), grid)
-    return other if other is not None and RestingPlace(other).holds else found
+    return other if other is not None and EquilibriumPoint(other).holds else found
 
 
 def held_place(found: FilmSolution, load: tuple[float, float], grid: Resolution) -> Place | None:

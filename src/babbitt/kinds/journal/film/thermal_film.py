@@ -97,7 +97,9 @@ def thermal_operating_film(case: FilmCase) -> Equilibrium[FilmState]:
         if psi > 0.0:
             starved = outcome is Outcome.STARVED_RECESS  # no matter of load
             last = (
-                None if starved else last_film(case, lambda lighter, search: _warm_state(lighter, psi, at, search))
+                None
+                if starved
+                else last_film(case, lambda lighter, search: _thermal_state(lighter, psi, at, search))
             )
             state, outcome = last or state, what_gave_way(case, outcome, last)
         warmth = state.temperature if state else cold
@@ -122,7 +124,7 @@ def _settled_clearance(case: FilmCase, reached: _Reached, sought: ThermalSearch)
             raise NoFilmError(Outcome.NO_CLEARANCE)
         if rounds == CLOSER_FROM:
             sought.closer = True
-        state = reached.state = _warm_state(case, psi, at, sought)
+        state = reached.state = _thermal_state(case, psi, at, sought)
         sought.climbs = False
         grown = _grown_clearance(case, state)
         if abs(grown - psi) <= SAME_CLEARANCE * psi and abs(state.temperature - at) <= SAME_TEMPERATURE:
@@ -194,7 +196,7 @@ def _grown_clearance(case: FilmCase, state: FilmState) -> float:
     )
 
 
-def _warm_state(case: FilmCase, psi: float, temperature: float, search: ThermalSearch) -> FilmState:
+def _thermal_state(case: FilmCase, psi: float, temperature: float, search: ThermalSearch) -> FilmState:
     """Thermal film at a clearance; heat capacity and density at a temperature in K.
 
     Raises

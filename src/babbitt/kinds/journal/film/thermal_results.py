@@ -118,10 +118,10 @@ def thermal_rows(case: FilmCase, thermal: ThermalFilm) -> dict[str, Matrix]:
     """Direction, flows and mixing temperature of every groove, pocket and hole in the order of the case."""
     numbers = list(supply_numbers(case, thermal.film.film))
     rows: dict[str, Iterable[float]] = {
-        "groove_angles": [hollow.angle for hollow in case.bearing.hollows],
+        "groove_angles": [feed.angle for feed in case.bearing.feeds],
         "groove_fresh_flows": [  # that of a closed one is what the search for its pressure leaves
-            max(flow, 0.0) if hollow.is_closed else flow
-            for hollow, flow in zip(case.bearing.hollows, thermal.fresh_flow[numbers], strict=True)
+            max(flow, 0.0) if feed.is_closed else flow
+            for feed, flow in zip(case.bearing.feeds, thermal.fresh_flow[numbers], strict=True)
         ],
         "groove_returned_flows": thermal.returned_flow[numbers],
         "groove_temperatures": thermal.groove_temperatures[numbers],
@@ -187,7 +187,7 @@ def thermal_assumptions(case: FilmCase, surfaces: str, flow: str) -> Iterator[st
         f"Temperature and viscosity of the film vary around the journal, {along}and across the gap; "
         f"{surfaces}; {flow}."
     )
-    if heat.axial_temperature is AxialTemperature.MEAN and all(one.width is None for one in case.bearing.hollows):
+    if heat.axial_temperature is AxialTemperature.MEAN and all(one.width is None for one in case.bearing.feeds):
         yield "One profile of temperature across the gap for the whole width."
     yield "Heat capacity, conductivity and density of the oil are those at the effective temperature."
     yield "Grooves, pockets and holes mix fresh oil with what the film brings, completely" + (

@@ -183,13 +183,13 @@ def _displacement_values(case: FilmCase, state: FilmState) -> dict[str, float]:
     compliance, growth = case.bearing.compliance, case.heat.growth if case.heat is not None else None
     if not compliance and growth is None:
         return {}
-    from babbitt.kinds.journal.film.elastic_film import displacement_under, distortion_by, warm_displacement
+    from babbitt.kinds.journal.film.elastic_film import displacement_under, distortion_by, thermal_displacement
 
     if growth is None or state.thermal is None:
         displaced = displacement_under(compliance, state.solution)
         return {"maximum_displacement": float(np.abs(displaced).max())}
     return {
-        "maximum_displacement": float(np.abs(warm_displacement(compliance, growth, state.thermal)).max()),
+        "maximum_displacement": float(np.abs(thermal_displacement(compliance, growth, state.thermal)).max()),
         "thermal_distortion": float(np.abs(distortion_by(growth, state.thermal)).max()),
     }
 

@@ -16,7 +16,7 @@ from babbitt.design.infinite_width import flattered_films
 from babbitt.kinds.journal.grooved_long_bearing.model import GrooveKind, SegmentCase
 from babbitt.kinds.journal.grooved_long_bearing.solve import film_at_eccentricity, film_under_load
 from babbitt.kinds.journal.grooved_long_bearing.state import SegmentFilmState
-from babbitt.kinds.journal.grooved_long_bearing.ungrooved_reference import UngroovedReference, beside
+from babbitt.kinds.journal.grooved_long_bearing.ungrooved_reference import UngroovedReference, ungrooved_films
 from babbitt.kinds.journal.grooved_long_bearing.warnings import warnings_of_solution
 from babbitt.kinds.journal.one_dimension import long_film_values, rows_over_angle, solved
 from babbitt.properties.lubricants import PowerLaw
@@ -28,7 +28,7 @@ GAP_OF_CLASSES = (20e-6, 30e-6)
 
 
 def segments_check(case: SegmentCase) -> Result:
-    """Solve a bearing by segments and put it beside the ungrooved one.
+    """Solve a bearing by segments and compare it with the ungrooved one.
 
     Parameters
     ----------
@@ -52,8 +52,8 @@ def segments_check(case: SegmentCase) -> Result:
             around = directions_of(case, state.attitude_angle, state.grid.angles)
             arrays |= rows_over_angle({"film_direction": around})
         if outcome.solved:
-            plain = beside(case.film, state) if case.groove is not None else None
-            values |= _values_beside(state, plain)
+            plain = ungrooved_films(case.film, state) if case.groove is not None else None
+            values |= _ungrooved_values(state, plain)
             bounds = _bounds(case, values)
             limits = _of_the_hottest(limit_checks(case, values, bounds), values)
             checks = (*limits, clearance_check(case, values))
@@ -146,7 +146,7 @@ def _mean_temperature(state: SegmentFilmState) -> float:
     return sum(span * mean for span, mean in zip(spans, means, strict=True)) / sum(spans)
 
 
-def _values_beside(state: SegmentFilmState, plain: UngroovedReference | None) -> dict[str, float]:
+def _ungrooved_values(state: SegmentFilmState, plain: UngroovedReference | None) -> dict[str, float]:
     values: dict[str, float] = {}
     if plain is None:
         return values

@@ -1,4 +1,4 @@
-"""The grooved bearing beside the ungrooved one: at the same gap, and under the same load.
+"""The grooved bearing compared with the ungrooved one: at the same gap, and under the same load.
 
 A bearing cut into two segments has two mean temperatures in place of one, which by itself makes it colder. What a
 groove does is therefore compared with the ungrooved film cut at the same angle, besides the ungrooved film itself.
@@ -16,7 +16,7 @@ from babbitt.kinds.journal.grooved_long_bearing.state import SegmentFilmState
 
 @dataclass(frozen=True)
 class UngroovedReference:
-    """Ungrooved films beside a grooved one; None where there is no such film.
+    """Ungrooved films to compare a grooved one with; None where there is no such film.
 
     Attributes
     ----------
@@ -32,8 +32,8 @@ class UngroovedReference:
     cut_same_load: SegmentFilmState | None
 
 
-def beside(asked: SegmentFilm, state: SegmentFilmState) -> UngroovedReference:
-    """The ungrooved films beside a grooved one.
+def ungrooved_films(asked: SegmentFilm, state: SegmentFilmState) -> UngroovedReference:
+    """The ungrooved films to compare a grooved one with.
 
     At the same gap the film is cut where the groove lies in it; under the same load the journal moves, and a
     groove that keeps its place in the bush has that place there, too.

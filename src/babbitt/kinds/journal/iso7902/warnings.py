@@ -51,7 +51,7 @@ PRESSURE_OF_LOAD, SHARE_OF_LOAD = 0.5, 0.1
 ISO 7902-1 presupposes a feed pressure that is negligible beside those of the film. Films with a pocket of 20 deg
 opposite the load are 5 % thinner at half the specific load, with one of 60 deg at a tenth of the load."""
 
-TOLD_HEATING = 1.0
+REPORTED_HEATING = 1.0
 """K by which throttling warms the oil, from which it is reported."""
 
 NOTABLE_SHARE = 0.05
@@ -116,7 +116,7 @@ def warnings_about_feed_pressure(case: DesignCase, values: Mapping[str, float]) 
     if pressed > SHARE_OF_LOAD:
         pressing = (Notice("W192", "pressing", {"share": pressed}),)
     heating = pressure / values["volumetric_heat_capacity"]
-    if heating > TOLD_HEATING:
+    if heating > REPORTED_HEATING:
         warming = (Notice("W192", "warming", {"rise": heating}),)
     yield Notice("W192", "pressure", {
         "element_pressure": pressure, "share": against, "pressing": pressing, "warming": warming,

@@ -1,4 +1,4 @@
-"""Bore, hollows and choices of a film in words."""
+"""Bore, feeds and choices of a film in words."""
 
 from __future__ import annotations
 
@@ -77,7 +77,7 @@ def describe_journal(walls: ConductingWalls) -> str:
 
 def describe_start(bearing: FilmBearing) -> str:
     """Say where the film begins."""
-    if bearing.film_start is FilmStart.PERIODIC and not bearing.hollows:
+    if bearing.film_start is FilmStart.PERIODIC and not bearing.feeds:
         return "nowhere: it closes around the journal, and nothing feeds it"
     return FILM_START[bearing.film_start]
 
@@ -124,18 +124,18 @@ def describe_step(step: Step) -> str:
     return f"{where}, {size}, {1e6 * step.depth:.4g} µm deep"
 
 
-def describe_hollow(hollow: FeedSize) -> tuple[str, str]:
-    """Say what a hollow is, and where it is."""
-    extent = math.degrees(hollow.extent)
-    where = f"at {math.degrees(math.remainder(hollow.angle, 2.0 * math.pi)):.4g}°, {extent:.3g}° long"
-    if hollow.is_closed:
+def describe_feed(feed: FeedSize) -> tuple[str, str]:
+    """Say what a feed is, and where it is."""
+    extent = math.degrees(feed.extent)
+    where = f"at {math.degrees(math.remainder(feed.angle, 2.0 * math.pi)):.4g}°, {extent:.3g}° long"
+    if feed.is_closed:
         where += ", closed"
-    if hollow.pressure is not None:
-        where += f", {1e-3 * hollow.pressure:.4g} kPa"
-    if hollow.width is None:
-        return ("Line of supply" if hollow.extent == 0.0 else "Axial groove"), f"{where}, as wide as the bearing"
-    if hollow.axial_position:
-        where += f", {1e3 * hollow.axial_position:.4g} mm from the mid-plane"
+    if feed.pressure is not None:
+        where += f", {1e-3 * feed.pressure:.4g} kPa"
+    if feed.width is None:
+        return ("Line of supply" if feed.extent == 0.0 else "Axial groove"), f"{where}, as wide as the bearing"
+    if feed.axial_position:
+        where += f", {1e3 * feed.axial_position:.4g} mm from the mid-plane"
     if extent > 359.9:
-        return "Circumferential groove", f"{1e3 * hollow.width:.4g} mm wide"
-    return "Pocket or hole", f"{where}, {1e3 * hollow.width:.4g} mm wide"
+        return "Circumferential groove", f"{1e3 * feed.width:.4g} mm wide"
+    return "Pocket or hole", f"{where}, {1e3 * feed.width:.4g} mm wide"

@@ -130,7 +130,7 @@ def _middle(region: NDArray[np.bool_]) -> tuple[int, int] | None:
     return (int(column), int(row)) if depth[column, row] > ROOM else None
 
 
-def _beside(panel: Axes, place: tuple[float, float], text: str) -> None:
+def _label_next_to(panel: Axes, place: tuple[float, float], text: str) -> None:
     settings: dict[str, Any] = {"textcoords": "offset points", "fontsize": 7, "color": "0.3", "ha": "right"}
     panel.annotate(text, place, xytext=(-3, 3), annotation_clip=True, **settings)
 
@@ -161,7 +161,7 @@ def _chart(panel: Axes, case: FilmCase, state: FilmState, by_load: FilmPoints) -
         panel.plot(numbers[seen], rigid[seen], color=GREY, linestyle=(0, (5, 2)), linewidth=0.8)
         if seen.any():
             end = numbers[seen][-1], rigid[seen][-1]
-            _beside(panel, end, "rigid")
+            _label_next_to(panel, end, "rigid")
     at = numbers[0] * (numbers[-1] / numbers[0]) ** 0.15
     border = float(np.exp(np.interp(math.log(at), np.log(numbers), np.log(edge))))
     for text, level in (("whirls", math.sqrt(border * high)), ("stable", math.sqrt(border * low))):

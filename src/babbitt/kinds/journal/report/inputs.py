@@ -25,9 +25,9 @@ from babbitt.kinds.journal.report.film_inputs import (
     describe_bore,
     describe_bush,
     describe_changing_load,
+    describe_feed,
     describe_flow,
     describe_heat,
-    describe_hollow,
     describe_journal,
     describe_pressure,
     describe_start,
@@ -118,8 +118,8 @@ def _film_geometry(case: FilmCase) -> Iterator[Row]:
     yield named_row("expansion_bearing", bearing.expansion_bearing)
     yield named_row("expansion_journal", bearing.expansion_journal)
     yield Row("Form of the bore", bearing.own_form or describe_bore(bearing.bore))
-    for hollow in bearing.hollows:
-        yield Row(*describe_hollow(hollow))
+    for feed in bearing.feeds:
+        yield Row(*describe_feed(feed))
     if bearing.misalignment != (0.0, 0.0):
         for name, slope in zip(("misalignment_x", "misalignment_y"), bearing.misalignment, strict=True):
             yield named_row(name, slope)

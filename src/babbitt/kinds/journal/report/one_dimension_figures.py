@@ -104,7 +104,7 @@ def _painted(case: OneDimension, result: Result) -> Iterator[tuple[str, str, Fig
             "groove-beside-none",
             "Specific load over eccentricity, and the temperature of the oil that leaves over specific load: with "
             "the groove, without it, and cut in two at the same angle. Filled: the operating point.",
-            _beside(case, result),
+            _ungrooved_figure(case, result),
             True,
         )
 
@@ -239,7 +239,7 @@ def _heat_split(result: Result) -> Figure:
     return figure
 
 
-def _beside(case: SegmentCase, result: Result) -> Figure:
+def _ungrooved_figure(case: SegmentCase, result: Result) -> Figure:
     figure, axes = Sheet(166.0, 56.0, 1, 2, across=16.0).panels()
     left, right = axes[0]
     film = case.film

@@ -58,7 +58,7 @@ class FilmPoints:
     stiffness: Array
     damping: Array
 
-    def there(self) -> FilmPoints:
+    def converged(self) -> FilmPoints:
         """The points that have an equilibrium."""
         names = ("loads", "speeds", "solved", "position", "minimum_film_thickness", "stiffness", "damping")
         kept: dict[str, Any] = {name: getattr(self, name)[self.solved] for name in names}
@@ -125,10 +125,10 @@ def film_points(
     angle = math.atan2(-fy, -fx)
     if _is_plain(film):
         return _at_once(film, angle, some_loads, some_speeds, case.accuracy.resolution)
-    from babbitt.kinds.journal.film.isothermal import is_dear
+    from babbitt.kinds.journal.film.isothermal import is_expensive
     from babbitt.kinds.journal.film.stable_equilibrium import place_of
 
-    grid = (Accuracy.DRAFT if is_dear(state) else case.accuracy).resolution
+    grid = (Accuracy.DRAFT if is_expensive(state) else case.accuracy).resolution
     return _one_by_one(film, angle, some_loads, some_speeds, grid, place_of(state.solution), watch)
 
 

@@ -47,7 +47,7 @@ def locus_over_load(
     """
     film = state.solution.film
     taken = spread(state.load, LOAD_SPAN, count_for(state)) if loads is None else np.array(list(loads))
-    return film_points(case, state, taken, abs(film.angular_speed), watch).there()
+    return film_points(case, state, taken, abs(film.angular_speed), watch).converged()
 
 
 def locus_over_speed(
@@ -60,7 +60,7 @@ def locus_over_speed(
     film = state.solution.film
     here = abs(film.angular_speed)
     taken = spread(here, SPEED_SPAN, count_for(state)) if speeds is None else np.array(list(speeds))
-    return film_points(case, state, state.load, taken, watch).there()
+    return film_points(case, state, state.load, taken, watch).converged()
 
 
 def count_for(state: FilmState) -> int:

@@ -25,7 +25,7 @@ Array = NDArray[np.float64]
 LOADS, SPEEDS = 25, 33
 """Points of a map; odd, so that the operating point is one of them."""
 
-DEAR_LOADS, DEAR_SPEEDS = 11, 17
+EXPENSIVE_LOADS, EXPENSIVE_SPEEDS = 11, 17
 """The same for films that differ across the width."""
 
 LOAD_SPAN, SPEED_SPAN = (0.2, 5.0), (0.2, 10.0)
@@ -134,8 +134,8 @@ def stability_map(
     coefficients of oil-lubricated journal bearings, ASME.
     """
     film, dear = state.solution.film, state.solution.film.is_surface
-    x = _ascending(loads, state.load, LOAD_SPAN, DEAR_LOADS if dear else LOADS)
-    y = _ascending(speeds, abs(film.angular_speed), SPEED_SPAN, DEAR_SPEEDS if dear else SPEEDS)
+    x = _ascending(loads, state.load, LOAD_SPAN, EXPENSIVE_LOADS if dear else LOADS)
+    y = _ascending(speeds, abs(film.angular_speed), SPEED_SPAN, EXPENSIVE_SPEEDS if dear else SPEEDS)
     points = film_points(case, state, np.repeat(x, y.size), np.tile(y, x.size), watch)
     shape, shaft = (x.size, y.size), case.shaft_stiffness if case.shaft_stiffness is not None else RIGID
     masses = np.array([mass_of_rotor(case, float(load)) for load in x])

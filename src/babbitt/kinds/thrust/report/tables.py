@@ -22,7 +22,7 @@ PAD_COLUMNS = (
     "pad_slope_along",
 )
 FLOW_COLUMNS = ("pad_leading_flow", "pad_trailing_flow", "pad_inner_flow", "pad_outer_flow", "pad_friction_power")
-WARM_COLUMNS = ("pad_load", "pad_mixed_temperature", "pad_trailing_temperature", "pad_maximum_temperature")
+THERMAL_COLUMNS = ("pad_load", "pad_mixed_temperature", "pad_trailing_temperature", "pad_maximum_temperature")
 BALANCE_COLUMNS = (
     "pad_load",
     "pad_mixed_temperature",
@@ -57,7 +57,7 @@ def _tables(result: Result) -> Iterator[dict[str, Any]]:
     )
     if "pad_maximum_temperature" in result.arrays:
         yield table_by_pad(
-            result, "Temperatures of the pads", WARM_COLUMNS, "After mixing; mean over the flow; highest."
+            result, "Temperatures of the pads", THERMAL_COLUMNS, "After mixing; mean over the flow; highest."
         )
     if "pad_effective_temperature" in result.arrays:
         yield table_by_pad(

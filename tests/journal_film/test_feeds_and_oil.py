@@ -1,4 +1,4 @@
-"""What hollows do to friction, and oil that comes from nowhere."""
+"""What feeds do to friction, and oil that comes from nowhere."""
 
 import math
 
@@ -11,7 +11,7 @@ from babbitt.solving import solve
 BASE = """
 kind: journal
 method: film
-name: hollows
+name: feeds
 diameter: 100 mm
 width: 60 mm
 clearance: {kind: relative, mean: 1.5 permille}
