@@ -62,8 +62,8 @@ of single nodes, of which such a difference takes one or the next (289.6 and 299
 OF_TURBULENT_FILMS = 2e-4
 """Two neighbouring sets of wet nodes may both satisfy a turbulent film; they differ by up to this on draft grids
 (flow 8e-5), and which is found turns on the last digits of the input."""
-OF_WET_NODES = {"friction_torque_without_streamers": 2e-3}
-"""The node of which two such sets differ is left out of it or not."""
+OF_WET_NODES = {"friction_torque_without_streamers": 2e-3, "turbulent_share": 2e-3}
+"""The node of which two such sets differ counts in them or not."""
 TURNING = 1e-12
 """Moment on the collar, over load times radius, that is round-off of loads which are alike."""
 AMPLIFIED, AMPLIFICATION = ("critical_mass", "whirl_frequency_ratio", "threshold_speed"), 100.0
