@@ -14,7 +14,7 @@ import random
 import sys
 import time
 from collections import Counter, defaultdict
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from functools import partial
 from pathlib import Path
 
@@ -23,6 +23,9 @@ sys.path.insert(0, str(Path(__file__).parent))
 from harness import (
     BY_DIFFERENCES,
     OF_THERMAL_FILMS,
+    OF_TURBULENT_FILMS,
+    OF_WET_NODES,
+    SAME,
     SAME_WARM,
     SHARED,
     SLOWEST,
@@ -52,16 +55,21 @@ def pumped_trial(kind: str, seed: str) -> Outcome:
     return Outcome(said, "faulty" if said else "sound", time.process_time() - begun)
 
 
+BOUNDS = (
+    ("turbulent", OF_TURBULENT_FILMS, OF_WET_NODES),
+    ("elastic", SAME, BY_DIFFERENCES),
+    ("thermal", SAME_WARM, OF_THERMAL_FILMS),
+)
+"""Part of the name of a family, bound on what is the same, and wider bounds of single values."""
+
+
+def bounds_of(name: str) -> tuple[float, Mapping[str, float]]:
+    """Bounds of a family of journal bearings."""
+    return next(((same, wider) for part, same, wider in BOUNDS if part in name), (SAME, {}))
+
+
 FAMILIES: dict[str, Trial] = {
-    name: partial(
-        faults_of,
-        Family(
-            draw,
-            IN_OTHER_AXES if name.startswith("film") else WRITTEN,
-            SAME_WARM if "thermal" in name or "turbulent" in name else Family.same,
-            BY_DIFFERENCES if "elastic" in name else OF_THERMAL_FILMS if "thermal" in name else {},
-        ),
-    )
+    name: partial(faults_of, Family(draw, IN_OTHER_AXES if name.startswith("film") else WRITTEN, *bounds_of(name)))
     for name, draw in JOURNALS.items()
 } | {kind: partial(pumped_trial, kind) for kind in MAKERS}
 """Trial of a seed for every family; every kind of bearing adds its own."""
