@@ -18,8 +18,7 @@ demo: $(VENV)/.demo  ## solve the marine reverse gear: table, PDF and JSON
 	$(BIN)/babbitt solve examples/marine_reverse_gear.yaml --report out/marine_reverse_gear.pdf --json out/marine_reverse_gear.json
 	@ls -l out/marine_reverse_gear.pdf out/marine_reverse_gear.json
 
-test: $(VENV)/.test  ## tests, doctests and published cases
-	$(BIN)/python tests/compile_kernels.py
+test: $(VENV)/.kernels  ## tests, doctests and published cases
 	$(BIN)/python -m pytest -n auto --dist worksteal
 
 test-fast: $(VENV)/.test  ## what solves no film, or few
@@ -66,6 +65,11 @@ $(VENV)-minima/.made: pyproject.toml constraints-minima.txt
 	$(VENV)-minima/bin/python -m pip install --quiet --upgrade pip
 	$(VENV)-minima/bin/python -m pip install --quiet --constraint constraints-minima.txt --editable '.[report,files]' --group test
 	mkdir -p out
+	touch $@
+
+# Compiled on two cores before anything asks for them.
+$(VENV)/.kernels: $(VENV)/.test tests/compile_kernels.py $(shell find src/babbitt/reynolds -name '_*.py')
+	$(BIN)/python tests/compile_kernels.py
 	touch $@
 
 $(VENV)/.lint: $(VENV)/.test
