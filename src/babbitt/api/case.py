@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from babbitt.api.comparisons import Comparisons
     from babbitt.api.gradient import Gradient
     from babbitt.api.result_set import ResultSet
+    from babbitt.study.size import Size
 
 __all__ = ["Case"]
 
@@ -260,6 +261,45 @@ class Case(CaseFile):
         from babbitt.api.gradient import gradient_of
 
         return gradient_of(self, fields, of, steps, workers)
+
+    def size(
+        self,
+        path: str,
+        *,
+        within: tuple[Any, Any] | None = None,
+        points: int = 64,
+        limits: str | Sequence[str] = "all",
+        over_tolerance: bool = False,
+    ) -> Size:
+        """Find the values of a field that keep all limits: every interval, and the check that ends it.
+
+        Parameters
+        ----------
+        path : str
+            Of the field, which takes a quantity.
+        within : tuple, optional
+            First and last value of the scan; a decade below and above the value of the case where it is left out.
+        points : int
+            Values of the scan. An interval narrower than a step of it may be missed.
+        limits : str or sequence of str
+            "all", "recommended" (recommendations count too), or the codes of the checks that count.
+        over_tolerance : bool
+            At the smallest, mean and largest clearance.
+
+        Returns
+        -------
+        Size
+            Its `intervals` hold the ends in SI, to 1e-4 and permitted, and what lies beyond each.
+
+        Raises
+        ------
+        CaseError, InputError
+            For what is no field with a quantity, for a range that does not ascend, for codes that no check has,
+            and where the case refuses every value.
+        """
+        from babbitt.api.sizing import size_of
+
+        return size_of(self.complete(), path, within, points, limits, over_tolerance)
 
     def compare(self) -> Comparisons:
         """Solve it by every method that knows it, each beside the others.

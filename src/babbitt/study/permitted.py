@@ -1,0 +1,179 @@
+"""Permitted values of one number: all intervals in which a bearing keeps its limits, and what ends each.
+
+Limits may fail at both ends of a range, so that a bisection between a value that passes and one that fails can
+miss a permitted set or take one end of it for the whole. Here the range is scanned, and every end is
+bracketed between the last value that passes and the first that does not.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from itertools import groupby, pairwise
+
+from babbitt.core.progress import ProgressCallback, no_progress
+from babbitt.core.result import Check
+from babbitt.numerics.roots import find_root
+
+__all__ = ["TOLERANCE", "Appraisal", "Interval", "find_permitted"]
+
+TOLERANCE = 1e-4
+"""Width of the bracket of an end over the end."""
+
+LEAST = 1e-12
+"""Size that a margin has at least in the search: a limit that is met exactly is kept."""
+
+WITHOUT_MARGIN = -1.0
+"""Margin in the search where a value fails by no limit: the bracket is halved there."""
+
+
+@dataclass(frozen=True)
+class Appraisal:
+    """How a bearing does at one value.
+
+    Attributes
+    ----------
+    value : float
+        In the unit of the range.
+    permitted : bool
+        Whether all limits asked for are kept.
+    margin : float
+        The least margin of these limits; NaN where there is no operating point.
+    code : str
+        Of the check with that margin, or of what fails otherwise: how the solution ended, the warning that leaves
+        no verdict, the refusal of the case.
+    bearing : str
+        Which bearing, operating point and clearance that is.
+    check : Check or None
+        The check of that code.
+    reason : str
+        Why the value fails where it does by no check.
+    remarks : tuple of str
+        Codes of the warnings that question the result.
+    """
+
+    value: float
+    permitted: bool
+    margin: float
+    code: str = ""
+    bearing: str = ""
+    check: Check | None = None
+    reason: str = ""
+    remarks: tuple[str, ...] = ()
+
+    @property
+    def signed(self) -> float:
+        """The margin as a function whose sign says whether the value is permitted."""
+        if self.permitted:
+            return max(self.margin, LEAST) if math.isfinite(self.margin) else -WITHOUT_MARGIN
+        return min(self.margin, -LEAST) if math.isfinite(self.margin) else WITHOUT_MARGIN
+
+
+@dataclass(frozen=True)
+class Interval:
+    """Values that are permitted, as far as the scan sees.
+
+    Attributes
+    ----------
+    lower, upper : Appraisal
+        The ends, both permitted.
+    below, above : Appraisal or None
+        The nearest values outside, which are not; None where the scan ends.
+    best : Appraisal
+        The value of the scan with the largest margin.
+    """
+
+    lower: Appraisal
+    upper: Appraisal
+    below: Appraisal | None
+    above: Appraisal | None
+    best: Appraisal
+
+
+def find_permitted(
+    appraise: Callable[[float], Appraisal],
+    values: Sequence[float],
+    progress: ProgressCallback = no_progress,
+) -> tuple[tuple[Interval, ...], tuple[Appraisal, ...]]:
+    """Scan a range and narrow every end of a permitted interval down.
+
+    Parameters
+    ----------
+    appraise : callable
+        How a bearing does at a value.
+    values : sequence of float
+        Of the scan, ascending.
+    progress : callable
+        Hands on the places of the values one by one.
+
+    Returns
+    -------
+    intervals : tuple of Interval
+        Ascending. One that is narrower than a step of the scan may be missed, be it of permitted values or of
+        others between them.
+    scan : tuple of Appraisal
+        One for each value.
+
+    Raises
+    ------
+    ValueError
+        For values that do not ascend.
+
+    Examples
+    --------
+    >>> def within(value):
+    ...     margin = 1.0 - (value - 3.0) ** 2
+    ...     return Appraisal(value, margin >= 0.0, margin)
+    >>> (found,), scan = find_permitted(within, [0.5, 1.5, 2.5, 3.5, 4.5])
+    >>> round(found.lower.value, 2), round(found.upper.value, 2), found.best.value
+    (2.0, 4.0, 2.5)
+    """
+    if any(second <= first for first, second in pairwise(values)):
+        raise ValueError("the values of a scan ascend")
+    known: dict[float, Appraisal] = {}
+
+    def asked(value: float) -> Appraisal:
+        if value not in known:
+            known[value] = appraise(value)
+        return known[value]
+
+    scan = tuple(asked(values[place]) for place in progress(range(len(values))))
+    intervals = []
+    for first, last in _runs(scan):
+        lower, below = (scan[first], None) if first == 0 else _end(asked, scan[first], scan[first - 1])
+        last_of_scan = last == len(scan) - 1
+        upper, above = (scan[last], None) if last_of_scan else _end(asked, scan[last], scan[last + 1])
+        best = max((lower, *scan[first : last + 1], upper), key=lambda one: one.margin)
+        intervals.append(Interval(lower, upper, below, above, best))
+    return tuple(intervals), scan
+
+
+def _runs(scan: Sequence[Appraisal]) -> list[tuple[int, int]]:
+    """First and last place of every run of permitted values."""
+    runs = [[place for place, _ in run] for permitted, run in groupby(enumerate(scan), _permitted) if permitted]
+    return [(run[0], run[-1]) for run in runs]
+
+
+def _permitted(numbered: tuple[int, Appraisal]) -> bool:
+    return numbered[1].permitted
+
+
+def _end(
+    appraise: Callable[[float], Appraisal], inside: Appraisal, outside: Appraisal
+) -> tuple[Appraisal, Appraisal]:
+    """The last permitted value between one that is and one that is not, and the first beyond it that is not."""
+    way = math.copysign(1.0, outside.value - inside.value)
+    while abs(outside.value - inside.value) > TOLERANCE * max(abs(inside.value), abs(outside.value)):
+        met = [inside, outside]
+
+        def margin(value: float, met: list[Appraisal] = met) -> float:
+            met.append(appraise(value))
+            return met[-1].signed
+
+        find_root(margin, *sorted((inside.value, outside.value)), relative=TOLERANCE)
+        # Of several changes between the two the search finds one; the first is sought.
+        outside = min((one for one in met if not one.permitted), key=lambda one: way * one.value)
+        within = [one for one in met if one.permitted and way * one.value < way * outside.value]
+        inside = max(within, key=lambda one: way * one.value)
+    return inside, outside

@@ -1,0 +1,212 @@
+"""Permitted intervals of a field: ends, gaps, choices, and what is refused."""
+
+import json
+import math
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import babbitt as bb
+from babbitt.case.variation import variation_of
+from babbitt.core.notices import InputError
+from babbitt.report.size_output import size_figure, size_json
+from babbitt.report.size_table import print_size, rounded
+from babbitt.study.permitted import TOLERANCE, Appraisal, find_permitted
+from babbitt.study.size import Scan, find_size, scan_values
+from babbitt.study.size_choices import appraise_choices, preferred_numbers, standard_choices
+
+STEPS = [float(value) for value in range(1, 21)]
+
+
+@pytest.fixture(scope="module")
+def bearing():
+    return bb.parse_case(bb.template("journal"))
+
+
+@pytest.fixture(scope="module")
+def by_load(bearing):
+    return bearing.size("load", within=("0.5 kN", "100 kN"))
+
+
+def by_margin(margin):
+    def appraise(value):
+        found = margin(value)
+        return Appraisal(value, found >= 0.0, found, "C1")
+
+    return appraise
+
+
+@given(st.lists(st.floats(1.2, 19.8), min_size=2, max_size=6, unique=True))
+def test_every_end_is_bracketed_between_what_passes_and_what_does_not(roots):
+    def margin(value):
+        return math.prod(value - root for root in roots) / 20.0 ** len(roots)
+
+    intervals, scan = find_permitted(by_margin(margin), STEPS)
+    assert [one.value for one in scan] == STEPS
+    for one in intervals:
+        for inside, outside in ((one.lower, one.below), (one.upper, one.above)):
+            assert margin(inside.value) >= 0.0
+            if outside is None:
+                assert inside.value in (STEPS[0], STEPS[-1])
+                continue
+            assert margin(outside.value) < 0.0
+            assert abs(outside.value - inside.value) <= 1.01 * TOLERANCE * outside.value
+            assert min(abs(inside.value - root) for root in roots) <= 1.01 * TOLERANCE * outside.value
+    passing = {one.value for one in scan if one.permitted}
+    assert passing == {
+        value for value in STEPS for one in intervals if one.lower.value <= value <= one.upper.value
+    }
+
+
+def test_an_interval_that_ends_where_nothing_has_a_margin_is_halved_to_its_end():
+    def appraise(value):
+        return (
+            Appraisal(value, True, 0.5, "C1") if 3.3 < value < 7.7 else Appraisal(value, False, math.nan, "S001")
+        )
+
+    ((found,), _) = find_permitted(appraise, STEPS)
+    assert found.lower.value == pytest.approx(3.3, rel=TOLERANCE)
+    assert found.upper.value == pytest.approx(7.7, rel=TOLERANCE)
+    assert (found.below.code, found.above.code) == ("S001", "S001")
+
+
+def test_nothing_is_permitted_where_every_value_fails():
+    intervals, scan = find_permitted(by_margin(lambda value: -1.0 - abs(value - 5.0)), STEPS)
+    assert not intervals
+    assert max(scan, key=lambda one: one.margin).value == 5.0
+
+
+@pytest.mark.parametrize(
+    ("first", "last", "points"), [(2.0, 1.0, 4), (1.0, 1.0, 4), (1.0, 2.0, 1), (1.0, 2.0, 5000)]
+)
+def test_a_scan_that_is_none_is_refused(first, last, points):
+    with pytest.raises(InputError, match="E003|range|scan"):
+        scan_values(first, last, points)
+
+
+def test_the_load_of_the_specific_load_is_its_algebraic_root(bearing):
+    ((found,)) = (bearing.size("load", limits="C103").intervals[0],)
+    limit = next(one.limit for one in bearing.solve().result.checks if one.code == "C103")
+    exact = limit * bearing.diameter * bearing.width
+    assert found.upper.value <= exact * (1.0 + 1e-9)
+    assert found.upper.value == pytest.approx(exact, rel=TOLERANCE)
+
+
+def test_a_set_with_a_gap_gives_both_intervals(by_load):
+    first, second = by_load.intervals
+    assert first.above.code == second.below.code == "C104"
+    assert first.below is not None
+    assert second.above.code == "C103"
+    assert first.upper.value < second.lower.value
+
+
+def test_each_end_is_that_of_the_file_with_the_value_in_it(bearing, by_load):
+    for one in by_load.intervals:
+        for end in (one.lower, one.below, one.upper, one.above):
+            result = bearing.solve(load=end.value).result
+            assert result.within_limits == end.permitted
+            assert result.margin == pytest.approx(end.margin, abs=1e-9)
+            assert result.governing_check.code == end.code
+
+
+def test_a_range_in_which_nothing_passes_names_the_nearest_miss(bearing, capsys):
+    found = bearing.size("load", within=("40 kN", "60 kN"), points=5)
+    assert not found.intervals
+    assert found.nearest_miss.value == 40e3
+    print_size(found)
+    assert "No value of the scan is permitted" in (out := capsys.readouterr().out)
+    assert "C103" in out
+
+
+def test_the_worst_clearance_decides_over_the_tolerance(bearing):
+    mean = bearing.size("load", limits="C101").intervals[-1]
+    band = bearing.size("load", limits="C101", over_tolerance=True).intervals[-1]
+    assert band.upper.value < mean.upper.value
+    assert "clearance" in band.above.bearing
+
+
+def test_recommendations_count_only_where_asked_for(bearing):
+    recommended = bearing.size("width", limits="recommended", points=16)
+    every = bearing.size("width", points=16)
+    assert len([one for one in recommended.scan if one.permitted]) < len(
+        [one for one in every.scan if one.permitted]
+    )
+
+
+def test_a_temperature_needs_its_range_and_words_are_no_size(bearing):
+    for path in ("supply.temperature", "lubricant", "nothing"):
+        with pytest.raises(bb.CaseError):
+            bearing.size(path)
+    with pytest.raises(InputError, match="C999"):
+        bearing.size("load", limits="C999", points=3)
+
+
+def test_other_units_give_the_same_ends(bearing):
+    newtons = bearing.size("load", within=(2e3, 60e3), points=9)
+    variation = variation_of(bearing, "load")
+    scan = Scan(scan_values(2.0, 60.0, 9), "kN", None, lambda value: f"{value:.15g} kN")
+    (first, *_), (other, *_) = newtons.intervals, find_size(variation, scan).intervals
+    assert first.upper.value == pytest.approx(1e3 * other.upper.value, rel=1e-9)
+
+
+def test_choices_are_held_against_the_same_limits(bearing):
+    oils = standard_choices("lubricant")
+    found = appraise_choices(variation_of(bearing, "lubricant"), oils)
+    for oil, one in found.appraisals.items():
+        assert bearing.solve(lubricant=oil).result.within_limits == one.permitted
+    assert {one.permitted for one in found.appraisals.values()} == {True, False}
+
+
+def test_preferred_numbers_lie_within(by_load):
+    numbers = preferred_numbers(by_load)
+    assert {1000.0, 1120.0, 35500.0} <= set(numbers)
+    assert not any(1540.0 < number < 1660.0 or number > 36e3 for number in numbers)
+
+
+def test_ends_are_rounded_into_the_interval():
+    assert (rounded(46.4199, upward=False), rounded(46.4101, upward=True)) == ("46.41", "46.42")
+
+
+def test_the_record_and_the_figure_hold_the_intervals(by_load):
+    record = json.loads(size_json(by_load))
+    assert [one["from"] for one in record["intervals"]] == [one.lower.value for one in by_load.intervals]
+    assert len(record["scan"]) == 64
+    panel = size_figure(by_load).axes[0]
+    assert len(panel.patches) == len(by_load.intervals)
+
+
+def test_the_command_tells_intervals_and_writes_them(run, tmp_path):
+    run("new", "journal", "-o", "pump.yaml")
+    status, out, _ = run(
+        "size", "pump.yaml", "load", "--points", "20", "--preferred", "--json", "s.json", "--plot", "s.svg"
+    )
+    assert status == 0
+    assert "C103" in out
+    assert "1000 N" in out or "1 kN" in out
+    assert (tmp_path / "s.json").is_file()
+    assert (tmp_path / "s.svg").is_file()
+    status, out, _ = run("size", "pump.yaml", "lubricant", "--among", "ISO VG 46, ISO VG 10")
+    assert status == 0
+    assert "yes" in out
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("load", "--from", "10 mm"),
+        ("load", "--from", "5 kN", "--to", "1 kN"),
+        ("supply.temperature",),
+        ("nothing.here",),
+        ("load", "--limits", "C999", "--points", "3"),
+        ("load", "--points", "1"),
+        ("load", "--plot", "s.doc"),
+    ],
+)
+def test_bad_input_is_one_message(run, tmp_path, arguments):
+    run("new", "journal", "-o", "pump.yaml")
+    status, out, err = run("size", "pump.yaml", *arguments)
+    assert status == 2
+    assert not out
+    assert "E0" in err
+    assert [path.name for path in tmp_path.iterdir()] == ["pump.yaml"]
