@@ -78,6 +78,19 @@ def test_it_is_reported():
     assert "Film thickness at the inlet over that at the outlet" in {row["label"] for row in chapter["results"]}
 
 
+def test_its_view_says_what_stands_at_the_head_and_in_one_table(monkeypatch):
+    """Both went by a result named minimum_film_thickness; without one, key results and the table were left out."""
+    monkeypatch.setattr(view, "CLOSED_FORM", replace(view.CLOSED_FORM, key_results=("load",)))
+    machine = solve(parse_case(template("plane_slider")))
+    (found,) = machine.solutions
+    values = {name: value for name, value in found.result.values.items() if name != "minimum_film_thickness"}
+    pair = [replace(found, result=replace(found.result, name=name, values=values)) for name in ("One", "Two")]
+    shown = content(replace(machine, solutions=tuple(pair)))
+    assert [row["label"] for row in shown["bearings"][0]["results"]] == ["Load"]
+    assert shown["bearings"][0]["heading"] == "Operating point"
+    assert [row["cells"][-1] for row in shown["rows"]] == ["2.000", "2.000"]
+
+
 def test_the_command_line_knows_it(run, tmp_path):
     (tmp_path / "slider.yaml").write_text(template("plane_slider"), encoding="utf-8")
     code, out, err = run("solve", "slider.yaml", "--report", "slider.html", "--json", "slider.json")

@@ -184,6 +184,7 @@ def _oil(problem: PadCase) -> Lubricant:
 FILM = View(
     title="Tilting pads, films in two dimensions",
     key_results=KEY_RESULTS,
+    fed_results=("total_flow",),
     inputs=_inputs,
     sections=_sections,
     figures=_figures,
