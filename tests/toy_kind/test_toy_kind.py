@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import json
 import math
+import pickle
 from dataclasses import replace
 
 import plane_slider
 import pytest
 from plane_slider import view
 
+import babbitt as bb
 from babbitt.api.on_board import explain
 from babbitt.case import CaseError, case_schema, kinds, parse_case, template
 from babbitt.core import kind as registry
@@ -76,6 +78,19 @@ def test_it_is_reported():
         "Speed of the runner": "5",
     }
     assert "Film thickness at the inlet over that at the outlet" in {row["label"] for row in chapter["results"]}
+
+
+def test_a_case_of_it_is_an_object_of_the_front_door():
+    """`load_case` gave an object of the case language, without `solve`, `replace`, `sweep` and `to_yaml`."""
+    slider = bb.parse_case(template("plane_slider"))
+    assert type(slider).__name__ == "PlaneSlider"
+    load = slider.solve().load
+    assert slider.replace(speed="10 m/s").solve().load == pytest.approx(2.0 * load, rel=1e-12)
+    assert slider.sweep({"viscosity": ["30 mPa s", 0.06]})["load"].tolist() == pytest.approx([load, 2.0 * load])
+    assert slider.gradient("width", of="load")["load"]["width"] == pytest.approx(load / slider.width, rel=1e-6)
+    assert bb.parse_case(slider.to_yaml()) == pickle.loads(pickle.dumps(slider)) == slider
+    assert pickle.loads(pickle.dumps(type(slider)(speed="1 m/s"))).missing[:1] == ("length",)
+    assert slider.replace({"speed": None}).missing == ("speed",)
 
 
 def test_its_view_says_what_stands_at_the_head_and_in_one_table(monkeypatch):
