@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from babbitt.core.kind import find_kind, imported
+from babbitt.core.kind import find_kind
 from babbitt.core.result import Result
 from babbitt.core.solution import Solution
 from babbitt.report.columns import Column
@@ -117,7 +117,7 @@ def find_view(kind: str, method: str) -> View:
     known = find_kind(kind)
     if known is None or method not in known.views:
         return NO_VIEW
-    view: View = imported(known.views[method])
+    view: View = known.load(known.views[method])
     return view
 
 
