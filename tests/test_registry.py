@@ -6,6 +6,7 @@ import pytest
 
 from babbitt.case.case_file import CaseFile
 from babbitt.core.kind import Kind, LazyFunction, imported, kinds
+from babbitt.core.notices import InputError
 from babbitt.core.quantities import Quantity
 from babbitt.report.view import View
 
@@ -29,5 +30,5 @@ def test_everything_that_a_kind_names_is_there(kind: Kind) -> None:
 
 
 def test_a_part_that_is_not_there_is_noticed() -> None:
-    with pytest.raises((ImportError, AttributeError)):
+    with pytest.raises(InputError, match=r"'a' has a mistake: babbitt.kinds.journal:Missing: AttributeError"):
         Kind("a", "b", model="babbitt.kinds.journal:Missing", template="c").load_model()

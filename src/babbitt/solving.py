@@ -92,7 +92,12 @@ def solve(case: CaseFile, progress: ProgressCallback = no_progress) -> MachineRe
     """
     solutions: Sequence[Solution] = [found for one in case.calculations() for found in one.solve(progress)]
     return MachineResult(
-        case.name, tuple(solutions), case_hash(case), case_text=case.text, source=case.source, notes=case.notes
+        case.name,
+        tuple(solutions),
+        case_hash(case),
+        case_text=case.text,
+        source=getattr(case, "source", ""),
+        notes=getattr(case, "notes", ""),
     )
 
 

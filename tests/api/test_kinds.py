@@ -122,7 +122,7 @@ def test_a_bearing_keeps_what_differs_from_its_machine():
         _ = bb.Machine().bearings
 
 
-def test_a_kind_of_another_package_stays_as_it_is():
+def test_a_case_of_no_registered_kind_stays_as_it_is():
     class Other(case_language.CaseFile):
         kind: str = Field("other", description="Name of the kind.")
 

@@ -21,7 +21,7 @@ from babbitt.case import load_case
 from babbitt.case.part import Part
 from babbitt.cli.app import NO_SOLUTION, NOT_PASSED, SOLVED, UNUSABLE_INPUT
 from babbitt.cli.interruption import INTERRUPTED
-from babbitt.core.notices import explanations
+from babbitt.core.notices import Effect, Subject, explanations
 from babbitt.core.quantities import QUANTITIES, Quantity
 from babbitt.core.quantities.dynamics import DYNAMICS
 from babbitt.core.quantities.footstep import FOOTSTEP
@@ -337,3 +337,9 @@ def test_every_public_package_is_in_the_reference_of_python(name: str) -> None:
 def test_the_first_paragraph_of_case_files_names_every_kind():
     first = (DOCS / "reference" / "case-file.md").read_text(encoding="utf-8").split("\n\n")[1]
     assert [kind for kind in CASE_KINDS if f"`kind: {kind}`" not in first and f"`{kind}`" not in first] == []
+
+
+def test_the_page_on_extension_points_names_every_subject_and_effect() -> None:
+    page = (DOCS / "api" / "extension.md").read_text(encoding="utf-8")
+    for word in (*Subject, *Effect):
+        assert f"`{word.name.lower()}`" in page

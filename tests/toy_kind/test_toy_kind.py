@@ -4,40 +4,22 @@ from __future__ import annotations
 
 import json
 import math
+import pickle
 from dataclasses import replace
 
 import plane_slider
 import pytest
 from plane_slider import view
+from registration import TABLES, forget_words, registered  # noqa: F401 - a fixture of every test
 
+import babbitt as bb
 from babbitt.api.catalogue import explain
 from babbitt.case import CaseError, case_schema, kinds, parse_case, template
 from babbitt.core import kind as registry
-from babbitt.core.notices import words
-from babbitt.core.quantities import QUANTITIES
 from babbitt.core.quantities.quantity import quantity
 from babbitt.report.citations import citations_of
 from babbitt.report.content import content
 from babbitt.solving import solve
-
-TABLES = (registry._REGISTERED, QUANTITIES)
-
-
-@pytest.fixture(autouse=True)
-def registered():
-    registry.kinds()
-    before = [set(table) for table in TABLES]
-    registry.register(plane_slider.KIND)
-    yield
-    for table, names in zip(TABLES, before, strict=True):
-        for name in set(table) - names:
-            del table[name]
-    forget_words()
-
-
-def forget_words():
-    words._OTHERS.clear()
-    words.words.cache_clear()
 
 
 def test_its_closed_form_is_that_of_the_textbook():
@@ -47,6 +29,37 @@ def test_its_closed_form_is_that_of_the_textbook():
     assert load_number(2.189) == pytest.approx(0.0267, abs=5e-5)
     assert load_number(5.0) < 2.0 / 3.0 * load_number(2.189) < load_number(4.5)
     assert load_number(2.189) > max(load_number(2.0), load_number(2.4))
+
+
+def test_its_quadrature_comes_to_the_closed_form_by_the_square_of_its_cells():
+    from plane_slider.method import load_number, load_number_by_cells
+
+    coarse, fine = (load_number_by_cells(2.0, cells) - load_number(2.0) for cells in (50, 100))
+    assert abs(fine) < 1e-3 * load_number(2.0)
+    assert coarse / fine == pytest.approx(4.0, rel=0.01)
+
+
+def test_its_methods_are_compared_with_their_choices():
+    """A kind with two methods that takes a `method` needs no function for it: `compare` said that it has one."""
+    slider = bb.parse_case(template("plane_slider") + "method: {kind: quadrature, cells: 10}\n")
+    (comparison,) = slider.compare()
+    assert comparison.labels == ("quadrature", "closed_form")
+    exact = slider.replace(method="closed_form").solve().load
+    assert comparison["closed_form"].load == exact
+    errors = [abs(slider.solve({"method.cells": cells}).load / exact - 1.0) for cells in (10, 20)]
+    assert errors[0] == pytest.approx(4.0 * errors[1], rel=0.1)
+    assert comparison["quadrature"].load == slider.solve().load
+
+
+def test_without_a_limit_there_is_no_verdict_and_a_point_of_thousands_is_told():
+    text = template("plane_slider").replace("least_film: 20 um", "").replace("length: 50 mm", "length: 0.05 m")
+    (result,) = solve(parse_case(text)).results
+    assert result.verdict.value == "no verdict"
+    assert [notice.message for notice in result.not_checked] == ["no least_film is given"]
+    (result,) = solve(parse_case(template("plane_slider").replace("30 mPa s", "1.000 mPa s"))).results
+    assert [notice.code for notice in result.warnings] == ["W181"]
+    (kept,) = solve(parse_case(template("plane_slider"))).results
+    assert [(check.code, check.ok) for check in kept.checks] == [("X102", True)]
 
 
 def test_it_is_listed_and_its_template_solves():
@@ -78,6 +91,32 @@ def test_it_is_reported():
     assert "Film thickness at the inlet over that at the outlet" in {row["label"] for row in chapter["results"]}
 
 
+def test_a_case_of_it_is_an_object_of_the_front_door():
+    """`load_case` gave an object of the case language, without `solve`, `replace`, `sweep` and `to_yaml`."""
+    slider = bb.parse_case(template("plane_slider"))
+    assert type(slider).__name__ == "PlaneSlider"
+    load = slider.solve().load
+    assert slider.replace(speed="10 m/s").solve().load == pytest.approx(2.0 * load, rel=1e-12)
+    assert slider.sweep({"viscosity": ["30 mPa s", 0.06]})["load"].tolist() == pytest.approx([load, 2.0 * load])
+    assert slider.gradient("width", of="load")["load"]["width"] == pytest.approx(load / slider.width, rel=1e-6)
+    assert bb.parse_case(slider.to_yaml()) == pickle.loads(pickle.dumps(slider)) == slider
+    assert pickle.loads(pickle.dumps(type(slider)(speed="1 m/s"))).missing[:1] == ("length",)
+    assert slider.replace({"speed": None}).missing == ("speed",)
+
+
+def test_its_view_says_what_stands_at_the_head_and_in_one_table(monkeypatch):
+    """Both went by a result named minimum_film_thickness; without one, key results and the table were left out."""
+    monkeypatch.setattr(view, "CLOSED_FORM", replace(view.CLOSED_FORM, key_results=("load",)))
+    machine = solve(parse_case(template("plane_slider")))
+    (found,) = machine.solutions
+    values = {name: value for name, value in found.result.values.items() if name != "minimum_film_thickness"}
+    pair = [replace(found, result=replace(found.result, name=name, values=values)) for name in ("One", "Two")]
+    shown = content(replace(machine, solutions=tuple(pair)))
+    assert [row["label"] for row in shown["bearings"][0]["results"]] == ["Load"]
+    assert shown["bearings"][0]["heading"] == "Operating point"
+    assert [row["cells"][-1] for row in shown["rows"]] == ["2.000", "2.000"]
+
+
 def test_the_command_line_knows_it(run, tmp_path):
     (tmp_path / "slider.yaml").write_text(template("plane_slider"), encoding="utf-8")
     code, out, err = run("solve", "slider.yaml", "--report", "slider.html", "--json", "slider.json")
@@ -87,9 +126,9 @@ def test_the_command_line_knows_it(run, tmp_path):
     code, out, _ = run("sweep", "slider.yaml", "outlet_film", "20 um, 30 um", "--csv", "-")
     assert code == 0
     assert len(out.splitlines()) == 3
-    code, _, err = run("compare", "slider.yaml")
-    assert code == 2
-    assert "has one method" in err
+    code, out, _ = run("compare", "slider.yaml")
+    assert code == 0
+    assert "closed_form: Reynolds equation in one dimension, integrated by hand." in out
     assert run("check", "slider.yaml")[0] == 0
     assert "plane_slider" in run("list", "kinds")[1]
 

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Iterator, Mapping
-from typing import Annotated, Any, Union
+from typing import Annotated, Any, Union, get_args
 
 from pydantic import Discriminator
 
@@ -23,6 +24,10 @@ class Kinds(Mapping[str, type[CaseFile]]):
         if found is None:
             raise KeyError(name)
         model: type[CaseFile] = found.load_model()
+        if not (isinstance(model, type) and issubclass(model, CaseFile)):
+            raise registry.kind_mistake(name, f"{found.model} is not a class of CaseFile")
+        if "kind" not in model.model_fields or get_args(model.model_fields["kind"].annotation) != (name,):
+            raise registry.kind_mistake(name, f'the field kind of {found.model} is not Literal["{name}"]')
         return model
 
     def __contains__(self, name: object) -> bool:
@@ -39,8 +44,17 @@ KINDS = Kinds()
 
 
 def any_case() -> Any:
-    """The case of any kind in one type, discriminated by `kind`; imports the models of all kinds."""
-    models = tuple(KINDS.values())
+    """The case of any kind in one type, discriminated by `kind`; imports the models of all kinds.
+
+    A kind whose model cannot be used is left out, with a warning.
+    """
+    found = []
+    for name in KINDS:
+        try:
+            found.append(KINDS[name])
+        except InputError as error:
+            warnings.warn(f"left out: {error.message}", stacklevel=2)
+    models = tuple(found)
     return Annotated[Union[models], Discriminator("kind")]  # noqa: UP007 - the models are known at run time only
 
 

@@ -16,10 +16,11 @@ from importlib.resources import files
 from types import MappingProxyType
 from typing import Any
 
+from babbitt.core.notices import InputError
 from babbitt.core.notices.words import add_words
 from babbitt.core.quantities import QUANTITIES
 
-__all__ = ["Kind", "LazyFunction", "find_kind", "imported", "kinds", "register"]
+__all__ = ["Kind", "LazyFunction", "find_kind", "imported", "kind_mistake", "kinds", "register"]
 
 SHIPPED = "babbitt.kinds"
 """Package whose ``KINDS`` are those that ship, and the group of entry points for all others."""
@@ -96,19 +97,40 @@ class Kind:
     quantities: str = ""
     words: str = ""
 
+    def load(self, path: str) -> Any:
+        """Import a part that it names.
+
+        Raises
+        ------
+        InputError
+            E008 where it is not there, or fails while it is imported.
+        """
+        try:
+            return imported(path)
+        except Exception as error:  # whatever another package does wrong
+            raise kind_mistake(self.name, f"{path}: {type(error).__name__}: {error}") from error
+
     def load_model(self) -> Any:
         """Import the case model."""
-        return imported(self.model)
+        return self.load(self.model)
 
     def read_template(self) -> str:
         """Read the case file to begin with."""
         package, _, name = self.template.partition(":")
-        return files(package).joinpath(name).read_text(encoding="utf-8")
+        try:
+            return files(package).joinpath(name).read_text(encoding="utf-8")
+        except (ImportError, OSError, ValueError) as error:
+            raise kind_mistake(self.name, f"{self.template}: {type(error).__name__}: {error}") from error
 
     def load_meanings(self) -> Mapping[str, str]:
         """Import what quantities mean in this kind."""
-        meanings: Mapping[str, str] = imported(self.meanings) if self.meanings else {}
+        meanings: Mapping[str, str] = self.load(self.meanings) if self.meanings else {}
         return meanings
+
+
+def kind_mistake(kind: str, says: str) -> InputError:
+    """What to raise where a kind does not hold what is asked of it."""
+    return InputError("E008", f"the bearing kind {kind!r} has a mistake: {says}")
 
 
 _REGISTERED: dict[str, Kind] = {}

@@ -47,7 +47,12 @@ class Outcome(Enum):
     @classmethod
     def of(cls, failure: Notice | None) -> Outcome:
         """The outcome of which a failure speaks; convergence where there is none."""
-        return cls.CONVERGED if failure is None else next(one for one in cls if one.code == failure.code)
+        if failure is None:
+            return cls.CONVERGED
+        for outcome in cls:
+            if outcome.code == failure.code:
+                return outcome
+        raise ValueError(f"no outcome has the code {failure.code}; allowed: {', '.join(_OUTCOME_CODES.values())}")
 
 
 _OUTCOME_CODES = {

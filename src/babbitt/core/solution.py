@@ -8,19 +8,26 @@ reports, figures and exports read what was solved instead of solving it again.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Protocol, runtime_checkable
 
-from babbitt.core.notices import Notice
+from babbitt.core.kind import kind_mistake
+from babbitt.core.notices import explanations
 from babbitt.core.progress import ProgressCallback, no_progress
+from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Result
 
 __all__ = ["Calculation", "CoefficientsOverSpeed", "Method", "Problem", "Solution"]
 
 
 class Problem(Protocol):
-    """One bearing at one operating point and clearance."""
+    """One bearing at one operating point and clearance.
+
+    It may also have ``given``, what the case gave in other terms than those of the calculation: pairs of what, and
+    in which words; ``warnings``, notices of what of the case may be meant otherwise than it was read; and
+    ``assumptions``. The two of them become part of every `Solution`.
+    """
 
     @property
     def name(self) -> str:
@@ -29,14 +36,6 @@ class Problem(Protocol):
     @property
     def kind(self) -> str:
         """Name of its `babbitt.core.kind.Kind`."""
-
-    @property
-    def given(self) -> Sequence[tuple[str, str]]:
-        """What the case gave in other terms than those of the calculation: what, and in which words."""
-
-    @property
-    def warnings(self) -> Sequence[Notice]:
-        """What of the case may be meant otherwise than it was read."""
 
 
 @dataclass(frozen=True)
@@ -47,7 +46,7 @@ class Solution:
     ----------
     problem : Problem
     result : Result
-        Values, checks and warnings.
+        Values, checks and warnings; warnings and assumptions of the problem that it lacks come first.
     state : object
         The fields behind the values, in the form of the method; None where the values are all there is.
     """
@@ -56,9 +55,32 @@ class Solution:
     result: Result
     state: Any = None
 
+    def __post_init__(self) -> None:
+        for says in _mistakes_of_checks(self.result):
+            raise kind_mistake(self.result.kind, says)
+        first = {name: _lacking(self.problem, self.result, name) for name in ("warnings", "assumptions")}
+        if any(first.values()):
+            joined = {name: (*lacking, *getattr(self.result, name)) for name, lacking in first.items()}
+            object.__setattr__(self, "result", replace(self.result, **joined))
+
     def without_state(self) -> Solution:
         """The same without its fields, which take memory where many are kept."""
         return replace(self, state=None)
+
+
+def _lacking(problem: Any, result: Result, name: str) -> tuple[Any, ...]:
+    """Warnings or assumptions of a problem that its result does not have."""
+    there = getattr(result, name)
+    return tuple(one for one in getattr(problem, name, ()) if one not in there)
+
+
+def _mistakes_of_checks(result: Result) -> Iterator[str]:
+    """What of the checks no report could show."""
+    for check in result.checks:
+        if check.code not in explanations():
+            yield f"no words.en.toml has the code {check.code} of its check"
+        if check.quantity not in QUANTITIES:
+            yield f"its check {check.code} is of {check.quantity!r}, which is no quantity"
 
 
 class Method(ABC):

@@ -19,7 +19,7 @@ from babbitt.report.expression import text
 from babbitt.report.inputs import inputs
 from babbitt.report.labels import label
 from babbitt.report.line import Line, Section
-from babbitt.report.machine_table import is_film
+from babbitt.report.machine_table import in_machine_table
 from babbitt.report.names import format_members
 from babbitt.report.symbols import symbol_node
 from babbitt.report.text import plain_text
@@ -69,7 +69,7 @@ def bearing_content(chapter: Chapter) -> Data:
         "outcomes": [_outcome(member) for member in chapter.members if not member.result.outcome.solved],
         "answers": [plain_text(said) for said in view.sentences(result)],
         "tables": list(view.tables(result)),
-        "heading": "Operating point" if is_film(result) else "Results",
+        "heading": "Operating point" if in_machine_table(result) else "Results",
         "results": _key_results(chapter) if result.outcome.solved else [],
         "inputs": [
             {"title": group.title, "rows": [vars(row) for row in group.rows]}
@@ -139,11 +139,10 @@ def _outcome(member: Member) -> Data:
 
 def _key_results(chapter: Chapter) -> list[Data]:
     result = chapter.shown.result
-    film = "minimum_film_thickness" in result.values and bool(chapter.view.key_results)
     every = dict.fromkeys(name for r in chapter.results if r.outcome.solved for name in r.values)
-    names = chapter.view.key_results if film else tuple(name for name in every if name not in NOT_FOR_PAPER)
-    if film and not is_fed(result):
-        names = tuple(name for name in names if name not in ("supply_flow", "total_flow"))
+    names = chapter.view.key_results or tuple(name for name in every if name not in NOT_FOR_PAPER)
+    if not is_fed(result):
+        names = tuple(name for name in names if name not in chapter.view.fed_results)
     if len(chapter.members) > 1:
         names = ("relative_clearance", *names)
     rows = []

@@ -31,6 +31,11 @@ class Member:
         return self.solution.problem
 
     @property
+    def given(self) -> tuple[tuple[str, str], ...]:
+        """Words of the case file that stand behind it."""
+        return tuple(getattr(self.problem, "given", ()))
+
+    @property
     def result(self) -> Result:
         """What an engineer reads of the solution."""
         return self.solution.result
@@ -64,8 +69,8 @@ class Chapter:
     @property
     def given(self) -> tuple[tuple[str, str], ...]:
         """Words of the case file that hold for every member."""
-        every = [set(member.problem.given) for member in self.members]
-        return tuple(row for row in self.shown.problem.given if all(row in given for given in every))
+        every = [set(member.given) for member in self.members]
+        return tuple(row for row in self.shown.given if all(row in given for given in every))
 
     @property
     def results(self) -> tuple[Result, ...]:

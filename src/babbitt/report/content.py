@@ -16,7 +16,7 @@ from babbitt.report.bearing_content import Data, bearing_content
 from babbitt.report.chapters import Chapter, chapters
 from babbitt.report.check_content import check_content
 from babbitt.report.findings import Group
-from babbitt.report.machine_table import columns_of, is_film, overview_columns, overview_results
+from babbitt.report.machine_table import columns_of, in_machine_table, overview_columns, overview_results
 from babbitt.report.names import counted_results
 from babbitt.report.symbols import symbol_node
 from babbitt.report.text import plain_lines, plain_text
@@ -97,7 +97,7 @@ def _heading(heading: str) -> list[Any]:
 
 def _rows(parts: Sequence[Chapter], results: Sequence[Result]) -> list[Data]:
     """One row a result, with the place of its chapter, counted from 1."""
-    if not any(is_film(result) for result in results):
+    if not any(in_machine_table(result) for result in results):
         return []
     columns = [column.cells(results) for column in columns_of(results)]
     chapter_of = [place for place, part in enumerate(parts, start=1) for _ in part.members]

@@ -8,7 +8,7 @@ from babbitt.core.result import Result
 from babbitt.report.columns import Column, filled
 from babbitt.report.view import view_of
 
-__all__ = ["columns_of", "is_film", "overview_columns", "overview_results"]
+__all__ = ["columns_of", "in_machine_table", "overview_columns", "overview_results"]
 
 
 def columns_of(results: Sequence[Result]) -> tuple[Column, ...]:
@@ -26,8 +26,7 @@ def overview_columns(results: Sequence[Result]) -> tuple[Column, ...]:
     return filled(view_of(results[0]).overview, results) if len(results) > 1 else ()
 
 
-def is_film(result: Result) -> bool:
-    """Whether a result belongs in the table: it has a film, or should have had one."""
-    if not view_of(result).in_machine_table:
-        return False
-    return "minimum_film_thickness" in result.values or not result.outcome.solved
+def in_machine_table(result: Result) -> bool:
+    """Whether a result belongs in the table, as its view says."""
+    view = view_of(result)
+    return view.in_machine_table and bool(view.columns)

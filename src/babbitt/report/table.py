@@ -20,7 +20,7 @@ from babbitt.core.result import Result
 from babbitt.report import findings
 from babbitt.report.bearing_table import STYLES, bearing_table, engineers_table
 from babbitt.report.columns import Column
-from babbitt.report.machine_table import columns_of, is_film
+from babbitt.report.machine_table import columns_of, in_machine_table
 from babbitt.report.names import counted_results
 from babbitt.report.text import plain_text
 from babbitt.report.totals import totals
@@ -80,8 +80,8 @@ def measured(table: Table) -> Measurement:
 def print_machine(machine: MachineResult, to: Console | None = None) -> None:
     """Print what an engineer reads first: all bearings in a table, or one bearing in full."""
     if to is None:
-        films = [result for result in machine.results if is_film(result)]
-        to = console_for(_machine_table(machine.name, films, columns_of(films)) if len(films) > 1 else Table())
+        rows = [result for result in machine.results if in_machine_table(result)]
+        to = console_for(_machine_table(machine.name, rows, columns_of(rows)) if len(rows) > 1 else Table())
     to.print(render(machine.name, machine.results, to.width))
 
 
@@ -97,16 +97,16 @@ def render(name: str, results: Sequence[Result], width: int) -> RenderableType:
         Columns at hand.
     """
     results = tuple(results)
-    journals = [result for result in results if is_film(result)]
+    rows = [result for result in results if in_machine_table(result)]
     parts: list[RenderableType] = []
     of_states = view_of(results[0]).state_table if results else None
     if of_states is not None:
         parts.append(of_states(results))
-    elif len(results) == 1 or not journals:
+    elif len(results) == 1 or not rows:
         parts += [bearing_table(result) for result in results]
     else:
-        parts.append(_machine(name, journals, width))
-        parts += [bearing_table(result) for result in results if result not in journals]
+        parts.append(_machine(name, rows, width))
+        parts += [bearing_table(result) for result in results if result not in rows]
     said = [sentence for result in results for sentence in view_of(result).sentences(result)]
     parts += [Text(), *(Padding(Text(sentence), (0, 0, 0, 2)) for sentence in said)] if said else []
     parts += _remarks(results)

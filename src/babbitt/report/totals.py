@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Result
 from babbitt.report.columns import is_fed
-from babbitt.report.machine_table import is_film
+from babbitt.report.machine_table import in_machine_table
 from babbitt.report.names import bearing_of
 from babbitt.report.text import counted
 
@@ -72,7 +72,7 @@ def totals(results: Sequence[Result]) -> Totals | None:
         None for a single bearing, where a bearing stands in the list more than once (operating points, clearance
         cases), and where one has no operating point: such a sum would be that of no machine.
     """
-    films = [result for result in results if is_film(result)]
+    films = [result for result in results if in_machine_table(result)]
     apart = {bearing_of(result.name) for result in films}
     if len(films) < 2 or len(apart) < len(films) or not all(result.outcome.solved for result in films):
         return None

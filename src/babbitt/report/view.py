@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from babbitt.core.kind import find_kind, imported
+from babbitt.core.kind import find_kind
 from babbitt.core.result import Result
 from babbitt.core.solution import Solution
 from babbitt.report.columns import Column
@@ -53,7 +53,9 @@ class View:
     title : str
         Name of the method on paper.
     key_results : tuple of str
-        Results at the head of a report; empty: all.
+        Results at the head of a report, those of them that there are; empty: all.
+    fed_results : tuple of str
+        Those that stand there only where oil is fed, and a supply temperature is among the results.
     rows : callable
         Results -> further rows of results, of supplies or recesses.
     inputs : callable
@@ -73,7 +75,7 @@ class View:
     columns : tuple of Column
         Of the table of a machine.
     in_machine_table : bool
-        Whether several bearings stand in one table.
+        Whether several bearings stand in one table, which takes columns; else each has a table of its own.
     overview : tuple of Column
         Of a second table in reports, of the solved bearings side by side.
     sweep : tuple of str
@@ -92,6 +94,7 @@ class View:
 
     title: str
     key_results: tuple[str, ...] = ()
+    fed_results: tuple[str, ...] = ()
     rows: Callable[[Sequence[Result]], Iterable[Data]] = _none
     inputs: Callable[[Any], Iterable[InputGroup]] = _none
     sections: Callable[[Solution], Iterable[Section]] = _none
@@ -120,7 +123,7 @@ def find_view(kind: str, method: str) -> View:
     known = find_kind(kind)
     if known is None or method not in known.views:
         return NO_VIEW
-    view: View = imported(known.views[method])
+    view: View = known.load(known.views[method])
     return view
 
 

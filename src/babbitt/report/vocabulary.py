@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Iterator, Mapping
 
-from babbitt.core.kind import imported, kinds
+from babbitt.core.kind import Kind, kinds
+from babbitt.core.notices import InputError
 from babbitt.core.quantities import QUANTITIES, Quantity
 from babbitt.core.units import ZERO_CELSIUS
 from babbitt.report.expression import Node
@@ -32,7 +34,7 @@ class Vocabulary(Mapping[str, Quantity]):
         """Words by kind; those of a kind are imported once."""
         for name, kind in kinds().items():
             if kind.vocabulary and name not in self._read:
-                self._read[name] = {one.name: one for one in imported(kind.vocabulary)}
+                self._read[name] = _own_words(kind)
         yield from self._read.values()
 
     def __getitem__(self, name: str) -> Quantity:
@@ -51,6 +53,15 @@ class Vocabulary(Mapping[str, Quantity]):
 
     def __len__(self) -> int:
         return len(list(iter(self)))
+
+
+def _own_words(kind: Kind) -> dict[str, Quantity]:
+    """Words of the calculation sheets of a kind; none, with a warning, where they cannot be imported."""
+    try:
+        return {one.name: one for one in kind.load(kind.vocabulary)}
+    except InputError as error:
+        warnings.warn(f"left out: {error.message}", stacklevel=2)
+        return {}
 
 
 VOCABULARY: Mapping[str, Quantity] = Vocabulary()

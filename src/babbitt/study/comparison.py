@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from inspect import getdoc
 from typing import Any
 
 from babbitt.case.case_file import CaseFile
-from babbitt.core.kind import find_kind, imported
+from babbitt.core.kind import Kind, find_kind
 from babbitt.core.notices import InputError
+from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Result
-from babbitt.core.solution import Solution
+from babbitt.core.solution import Method, Solution
 
 __all__ = ["Comparison", "Variant", "compare_methods"]
 
@@ -107,8 +109,30 @@ def compare_methods(case: CaseFile) -> tuple[Comparison, ...]:
         E004 when the kind of the case has one method.
     """
     kind = find_kind(case.kind)
-    if kind is None or not kind.comparison:
+    if kind is not None and kind.comparison:
+        found: tuple[Comparison, ...] = kind.load(kind.comparison)(case)
+        return found
+    if kind is None or kind.one_method or len(kind.views) < 2:
         said = kind.one_method if kind is not None and kind.one_method else ONE_METHOD.format(kind=case.kind)
         raise InputError("E004", f"{case.name}: {said}")
-    found: tuple[Comparison, ...] = imported(kind.comparison)(case)
-    return found
+    return tuple(_by_each_method(case, place, kind) for place in range(len(case.calculations())))
+
+
+def _by_each_method(case: CaseFile, place: int, kind: Kind) -> Comparison:
+    """One bearing of a case, by each method that the field `method` may name and that does not refuse it."""
+    asked, variants, left_out = case.calculations()[place], [], []
+    for name in (asked.method.name, *(one for one in kind.views if one != asked.method.name)):
+        try:
+            one = case.model_copy(update={"method": name}).calculations()[place]
+            variants.append(Variant(name, _about(one.method), one.method.solve_one(one.problem)))
+        except InputError as error:
+            if name == asked.method.name:
+                raise
+            left_out.append(f"{name} is left out: {error.message}")
+    compared = dict.fromkeys(name for one in variants for name in one.result.values if name in QUANTITIES)
+    return Comparison(asked.problem.name, tuple(variants), tuple(compared), "\n".join(left_out))
+
+
+def _about(method: Method) -> str:
+    """What a method is: the first line of its docstring."""
+    return (getdoc(method) or "").partition("\n")[0]

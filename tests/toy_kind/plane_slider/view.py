@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from babbitt.core.quantities.quantity import quantity
 from babbitt.report.columns import column_of
@@ -24,3 +25,5 @@ CLOSED_FORM = View(
     inputs=inputs,
     columns=(column_of("minimum_film_thickness", 0), column_of("load", 1), column_of("film_ratio", 2)),
 )
+
+QUADRATURE = replace(CLOSED_FORM, title="Trapezoidal rule over the infinitely wide slider")

@@ -36,7 +36,10 @@ class Notice:
 
     def __post_init__(self) -> None:
         if self.code not in explanations():
-            raise KeyError(f"notice code {self.code} is not registered in babbitt.core.notices")
+            raise KeyError(
+                f"no words.en.toml has the code {self.code}; those of another package are known once its kind is "
+                "registered, which babbitt.core.kind.kinds() does for all that are installed"
+            )
         wanted = {name for name, _ in PLACEHOLDER.findall(words().message(self.code, self.variant))}
         if wanted != self.values.keys():
             raise KeyError(f"values of notice {self.code} {self.variant}: {sorted(wanted ^ self.values.keys())}")

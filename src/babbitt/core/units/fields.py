@@ -8,6 +8,7 @@ from functools import cached_property
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Annotated, Any
 
+from babbitt.core.nearest_name import unknown_name
 from babbitt.core.units.kinds import KINDS, Kind
 from babbitt.core.units.reading import QuantityError, SiNumber, bare_number, plausible_units, read
 
@@ -38,6 +39,10 @@ class SiField:
     lowest: str = ""
     highest: str = ""
     usual: str = ""
+
+    def __post_init__(self) -> None:
+        if self.unit not in KINDS:
+            raise ValueError(unknown_name(self.unit, KINDS, "an SI unit of a field"))
 
     @property
     def kind(self) -> Kind:

@@ -43,10 +43,7 @@ class Statics(Method):
             "reaction_angle_2": loads.angle_2,
             "coupling_arm": problem.shaft.coupling_arm,
         }
-        result = Result(
-            problem.name, problem.kind, self.name, Outcome.CONVERGED, values,
-            warnings=problem.warnings, assumptions=problem.assumptions,
-        )  # fmt: skip
+        result = Result(problem.name, problem.kind, self.name, Outcome.CONVERGED, values)
         return (Solution(problem, result),)
 
 

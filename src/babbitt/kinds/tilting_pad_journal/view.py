@@ -145,6 +145,7 @@ FIGURES = LazyFunction("babbitt.kinds.tilting_pad_journal.report.figures:pad_fig
 FILM = View(
     title="Tilting pads, films in two dimensions",
     key_results=KEY_RESULTS,
+    fed_results=("total_flow",),
     inputs=LazyFunction("babbitt.kinds.tilting_pad_journal.report.inputs:pad_inputs"),
     sections=LazyFunction("babbitt.kinds.tilting_pad_journal.report.calculation:pad_calculation"),
     figures=FIGURES,

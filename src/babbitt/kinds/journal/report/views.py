@@ -51,6 +51,7 @@ def _figures_along(solution: Solution, image_format: str = "svg") -> tuple[Drawi
 COMMON = View(
     title="",
     key_results=tuple(dict.fromkeys((*KEY_RESULTS, *OWN_RESULTS))),
+    fed_results=("supply_flow", "total_flow"),
     rows=supply_rows,
     inputs=LazyFunction("babbitt.kinds.journal.report.inputs:journal_inputs"),
     columns=COLUMNS,
