@@ -22,6 +22,9 @@ NAMES = {
 }
 """What is summed up, and how it is called."""
 
+ONE_FLOW = 1e-3
+"""Relative difference up to which the flow of the pump reads as that of the films."""
+
 
 @dataclass(frozen=True)
 class Sum:
@@ -48,7 +51,8 @@ class Totals:
     @property
     def sums(self) -> tuple[Sum, ...]:
         """The sums in the engineer's units; the flow of the pump where it is another than that of the films."""
-        alike = self.values.get("pump_flow") == self.values.get("total_flow")
+        flows = (self.values.get(name, 0.0) for name in ("pump_flow", "total_flow"))
+        alike = math.isclose(*flows, rel_tol=ONE_FLOW)
         shown = {name: value for name, value in self.values.items() if not (alike and name == "pump_flow")}
         known = [(name, value, QUANTITIES[name].suited(value)) for name, value in shown.items()]
         return tuple(Sum(NAMES[name], q.symbol, q.format(value), q.display.label) for name, value, q in known)

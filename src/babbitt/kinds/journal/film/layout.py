@@ -25,6 +25,7 @@ __all__ = [
     "fed_all_around",
     "film_of",
     "flow_of_the_system",
+    "feeds_itself",
     "given_flows",
     "load_vector",
     "pressed_flow",
@@ -124,10 +125,16 @@ def with_flow_of_ducts(case: FilmCase, flow: float) -> FilmCase | None:
     """
     supply = case.oil_supply
     counted = case.cavitation is Cavitation.MASS_CONSERVING and case.heat is None and case.changing_load is None
-    fed = any(hollow.pressure is None and hollow.flow is None for hollow in case.bearing.hollows)
+    fed = bool(case.bearing.hollows) and not feeds_itself(case)
     if supply is None or not (counted and fed) or case.bearing.film_start is FilmStart.WIDEST_GAP or flow <= 0.0:
         return None
     return replace(case, oil_supply=replace(supply, pressure=0.0, flow=flow, tubes=(), holes=()))
+
+
+def feeds_itself(case: FilmCase) -> bool:
+    """Whether all grooves, pockets and holes have a pressure or flow of their own: that of the supply acts nowhere."""
+    hollows = case.bearing.hollows
+    return bool(hollows) and all(one.pressure is not None or one.flow is not None for one in hollows)
 
 
 def fed_all_around(case: FilmCase) -> bool:
