@@ -62,9 +62,7 @@ def _about_supply_not_used(inputs: Inputs, point: OperatingPoint | None) -> Iter
     bearing, supply = inputs.bearing, inputs.supply
     if supply is None or not bearing.feeds_itself():
         return
-    fields = [
-        f"supply.{name}" for name in ("pressure", "tubes", "holes") if getattr(supply, name) not in (None, ())
-    ]
+    fields = [path for path in OF_THE_FEED if getattr(supply, path.removeprefix("supply.")) not in (None, ())]
     if point is not None and point.supply_pressure is not None:
         fields.append(f"operating_points[{bearing.operating_points.index(point)}].supply_pressure")
     if fields:

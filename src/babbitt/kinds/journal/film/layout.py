@@ -132,7 +132,7 @@ def with_flow_of_ducts(case: FilmCase, flow: float) -> FilmCase | None:
 
 
 def feeds_itself(case: FilmCase) -> bool:
-    """Whether all grooves, pockets and holes have a pressure or flow of their own: that of the supply acts nowhere."""
+    """Whether every groove, pocket and hole has a pressure or flow of its own: no one takes that of the supply."""
     hollows = case.bearing.hollows
     return bool(hollows) and all(one.pressure is not None or one.flow is not None for one in hollows)
 
