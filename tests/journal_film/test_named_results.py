@@ -7,6 +7,7 @@ import pytest
 from film_bearings import answer
 
 from babbitt.case import parse_case
+from babbitt.core.notices import Effect
 from babbitt.reynolds.equilibrium.position import film_at_position
 from babbitt.reynolds.model import JournalFilm, Resolution, grooved_bore
 from babbitt.solving import solve

@@ -9,7 +9,7 @@ from time import perf_counter
 
 from babbitt.core.notices import Notice
 from babbitt.core.progress import ProgressCallback, no_progress
-from babbitt.core.result import Bound, Check, Matrix, Outcome, Result
+from babbitt.core.result import Bound, Check, Matrix, Result
 from babbitt.core.solution import Solution
 from babbitt.design.bounds import certain, unjudged
 from babbitt.design.checks import checks_not_made, clearance_check, limit_checks
