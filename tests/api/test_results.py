@@ -366,8 +366,9 @@ def test_the_totals_of_a_machine_are_the_sums_over_its_bearings() -> None:
     gear = bb.parse_case(bb.template("machine")).replace({"bearings.1.operating_points": None})
     found = bb.solve(gear)
     assert {"total_flow", "friction_power"} <= set(found.totals)
-    for name, total in found.totals.items():
-        assert total == sum(getattr(one, name) for one in found)
+    assert found.totals["pump_flow"] == found.totals["total_flow"]
+    for name in found.totals.keys() - {"pump_flow"}:
+        assert found.totals[name] == sum(getattr(one, name) for one in found)
     with pytest.raises(TypeError):
         found.totals["total_flow"] = 0.0  # type: ignore[index]
 

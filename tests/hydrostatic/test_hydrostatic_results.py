@@ -23,7 +23,7 @@ from hydrostatic_bearings import (
 
 from babbitt import load_case
 from babbitt.case import parse_case, template
-from babbitt.core.notices import InputError
+from babbitt.core.notices import Effect, InputError
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Outcome, Verdict
 from babbitt.kinds.hydrostatic.answer import answer
@@ -460,6 +460,19 @@ def test_pockets_on_one_pressure_let_the_shaft_roll():
     common = jacking(bearing=pockets(-110.0, -70.0), own_restrictors=False)
     assert {"W320", "W328"} <= codes(jacking_check(common))
     assert "W328" not in codes(jacking_check(jacking(bearing=pockets(-110.0, -70.0))))
+
+
+def test_restrictors_that_no_one_gave_are_told_as_assumed():
+    two = parse_case(template("jacking_pocket")).replace({"pockets": {"number": 2, "extent": "12 deg"}})
+    one, told, silent = (
+        case.design() for case in (
+            parse_case(template("jacking_pocket")), two, two.replace({"own_restrictors": True}),
+        )
+    )  # fmt: skip
+    assert [found.code for found in told.warnings] == ["W329"]
+    assert told.warnings[0].effect is Effect.INFORMATION
+    assert one.warnings == silent.warnings == ()
+    assert told.own_restrictors
 
 
 def test_jacking_lifts_off_the_roughness_or_not_at_all():

@@ -7,6 +7,7 @@ import pytest
 from film_bearings import answer
 
 from babbitt.case import parse_case
+from babbitt.core.notices import Effect
 from babbitt.reynolds.equilibrium.position import film_at_position
 from babbitt.reynolds.model import JournalFilm, Resolution, grooved_bore
 from babbitt.solving import solve
@@ -101,4 +102,7 @@ def test_coefficients_of_tilt_beside_closed_pockets_are_missing_with_a_reason():
         grooves=pockets[:2], pockets=pockets[2:], tilt_coefficients=True, effective_temperature="60 degC"
     )
     assert "tilt_stiffness_xx" not in found.values
-    assert "closed pockets" in found.missing["tilt_stiffness"]
+    for name in ("tilt_stiffness", "tilt_damping", "film_moment_x", "film_moment_y"):
+        assert "closed pockets" in found.missing[name]
+    (told,) = (one for one in found.warnings if one.code == "W197")
+    assert told.effect is Effect.INFORMATION

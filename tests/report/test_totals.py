@@ -10,6 +10,7 @@ import pytest
 from babbitt.core.result_name import ResultName
 from babbitt.kinds.journal.iso7902 import check
 from babbitt.kinds.journal.iso7902.model import PrescribedLoad
+from babbitt.report.machine_table import columns_of
 from babbitt.report.totals import totals
 
 CASES = gear_cases.varied_cases()
@@ -46,3 +47,28 @@ def test_no_sum_of_one_bearing_or_with_one_missing():
     assert not overloaded.outcome.solved
     assert totals(TWO[:1]) is None
     assert totals((*TWO, overloaded)) is None
+
+
+def fed(name, **flows):
+    """A bearing that is fed with oil."""
+    values = {"minimum_film_thickness": 2e-5, "supply_temperature": 318.0, "friction_power": 1e3} | flows
+    return replace(TWO[0], name=ResultName(name), values=values)
+
+
+def test_the_pump_delivers_what_returns_unused_too_and_not_what_the_sides_draw_in():
+    results = (
+        fed("a", total_flow=3e-5, side_inflow=0.0, surplus_flow=2e-5),
+        fed("b", total_flow=4e-5, side_inflow=1e-5),
+    )
+    found = totals(results)
+    assert found.values["total_flow"] == pytest.approx(7e-5, rel=1e-12)
+    assert found.values["pump_flow"] == pytest.approx(8e-5, rel=1e-12)
+    assert "oil flow Q = 4.2 L/min, pump flow Q_pump = 4.8 L/min" in found.sentence
+    (surplus,) = (column for column in columns_of(results) if column.heading == "Q_over")
+    assert surplus.cells(results) == ["1.2", "–"]
+
+
+def test_one_flow_is_shown_where_the_pump_delivers_what_leaves_the_films():
+    found = totals(TWO)
+    assert found.values["pump_flow"] == found.values["total_flow"]
+    assert "pump flow" not in found.sentence

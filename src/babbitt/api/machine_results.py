@@ -71,7 +71,7 @@ class MachineResults:
 
     @property
     def totals(self) -> Mapping[str, float]:
-        """Sums over the bearings of a machine, in SI: oil flow, friction power, heat to oil and surroundings.
+        """Sums over the bearings, in SI: oil flow, flow of the pump, friction power, heat to oil and surroundings.
 
         Empty for a single bearing, for several operating points or clearances, and where a bearing has no
         operating point: such a sum would be that of no machine.

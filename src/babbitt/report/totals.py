@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import math
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 from babbitt.core.quantities import QUANTITIES
@@ -14,11 +15,15 @@ from babbitt.report.text import counted
 
 NAMES = {
     "total_flow": "oil flow",
+    "pump_flow": "pump flow",
     "friction_power": "friction power",
     "heat_to_oil": "heat to the oil",
     "heat_to_surroundings": "heat to the surroundings",
 }
 """What is summed up, and how it is called."""
+
+ONE_FLOW = 1e-3
+"""Relative difference up to which the flow of the pump reads as that of the films."""
 
 
 @dataclass(frozen=True)
@@ -45,16 +50,19 @@ class Totals:
 
     @property
     def sums(self) -> tuple[Sum, ...]:
-        """The sums in the engineer's units."""
-        known = [(name, value, QUANTITIES[name].suited(value)) for name, value in self.values.items()]
+        """The sums in the engineer's units; the flow of the pump where it is another than that of the films."""
+        flows = (self.values.get(name, 0.0) for name in ("pump_flow", "total_flow"))
+        alike = math.isclose(*flows, rel_tol=ONE_FLOW)
+        shown = {name: value for name, value in self.values.items() if not (alike and name == "pump_flow")}
+        known = [(name, value, QUANTITIES[name].suited(value)) for name, value in shown.items()]
         return tuple(Sum(NAMES[name], q.symbol, q.format(value), q.display.label) for name, value, q in known)
 
     @property
     def sentence(self) -> str:
         """The sums in one line.
 
-        >>> Totals(2, {"total_flow": 6e-4, "friction_power": 9.5e3}).sentence
-        'Total of 2 bearings: oil flow Q = 36.0 L/min, friction power P_f = 9.50 kW'
+        >>> Totals(2, {"total_flow": 6e-4, "pump_flow": 8e-4, "friction_power": 9.5e3}).sentence
+        'Total of 2 bearings: oil flow Q = 36.0 L/min, pump flow Q_pump = 48.0 L/min, friction power P_f = 9.50 kW'
         """
         return f"{self.heading}: " + ", ".join(f"{s.name} {s.symbol} = {s.value} {s.unit}" for s in self.sums)
 
@@ -78,10 +86,28 @@ def totals(results: Sequence[Result]) -> Totals | None:
         return None
     fed = [result for result in films if is_fed(result)]
     cooled = [result for result in films if "ambient_temperature" in result.values]
-    concerned = {"total_flow": fed, "friction_power": films, "heat_to_oil": fed, "heat_to_surroundings": cooled}
-    values = {
-        name: sum(result.values[name] for result in of)
-        for name, of in concerned.items()
-        if of and all(name in result.values for result in of)
+    concerned = {
+        "total_flow": (fed, _value_of("total_flow")),
+        "pump_flow": (fed, _pumped),
+        "friction_power": (films, _value_of("friction_power")),
+        "heat_to_oil": (fed, _value_of("heat_to_oil")),
+        "heat_to_surroundings": (cooled, _value_of("heat_to_surroundings")),
     }
-    return Totals(len(films), values) if values else None
+    values = {name: sum(map(value, of)) for name, (of, value) in concerned.items() if of}
+    known = {name: value for name, value in values.items() if not math.isnan(value)}
+    return Totals(len(films), known) if known else None
+
+
+def _value_of(name: str) -> Callable[[Result], float]:
+    """The reading of a quantity; NaN where a result does not know it."""
+    return lambda result: result.values.get(name, math.nan)
+
+
+def _pumped(result: Result) -> float:
+    """Oil in m3/s that a pump brings to a bearing.
+
+    What leaves the film, less what its sides draw in from the surroundings, and the part of a given flow that
+    returns without passing the film.
+    """
+    values = result.values
+    return _value_of("total_flow")(result) - values.get("side_inflow", 0.0) + values.get("surplus_flow", 0.0)

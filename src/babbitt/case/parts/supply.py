@@ -69,8 +69,9 @@ class Supply(Part):
     )
     flow: SupplyFlow | None = Field(
         None,
-        description="Oil flow in place of the pressure, for the film method: shared by all supplies without "
-        "pressure or flow of their own, so that all fill the same part of the gap.",
+        description="Oil flow in place of the pressure, for the film method: shared by all supplies of a bearing "
+        "without pressure or flow of their own, so that all fill the same part of the gap. In a machine every "
+        "bearing is given this flow.",
     )
     tubes: tuple[Tube, ...] = Field((), max_length=20, description="Tubes on the way, one after the other.")
     holes: tuple[FeedHole, ...] = Field((), max_length=20, description="Holes on the way, one after the other.")

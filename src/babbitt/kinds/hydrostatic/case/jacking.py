@@ -52,7 +52,9 @@ class JackingPocketCase(FilmChoices, CaseFile):
         1e-6, description="Composite roughness height, on which the shaft lies. 1 um is an assumption."
     )
     own_restrictors: bool = Field(
-        True, description="Whether every pocket has a restrictor or its stage of a flow divider."
+        True,
+        description="Whether every pocket has a restrictor or its stage of a flow divider, as is assumed where it is "
+        "not given.",
     )
     assumptions: tuple[Prose, ...] = Field(
         (), max_length=100, description="Assumptions to be shown in the report."
@@ -106,6 +108,11 @@ class JackingPocketCase(FilmChoices, CaseFile):
         if self.pockets.number == 1:
             yield from not_read(self, "single_pocket", "own_restrictors")
 
+    def _restrictors_assumed(self) -> Iterator[Notice]:
+        """Tell that the pockets count as fed one by one, where the case does not say so."""
+        if self.pockets.number > 1 and not is_given(self, "own_restrictors"):
+            yield Notice("W329", values={"pockets": self.pockets.number})
+
     def calculations(self) -> tuple[Calculation, ...]:
         """Give the one calculation of the file."""
         problem = self.design()
@@ -123,5 +130,5 @@ class JackingPocketCase(FilmChoices, CaseFile):
             self.name, self.method, bearing, self.viscosity, self.load, self.lift_gap, self.pump_flow,
             self.relief_pressure, self.roughness, self.pump_efficiency, self.accuracy, self.own_restrictors,
             assumptions=(*self.assumptions, *assumed, *mean_assumed(self.clearance, self.diameter)),
-            warnings=(*about_grouped_digits(self), *self._fields_not_read()),
+            warnings=(*about_grouped_digits(self), *self._fields_not_read(), *self._restrictors_assumed()),
         )  # fmt: skip

@@ -48,12 +48,25 @@ def warnings_about_numbers(inputs: Inputs, point: OperatingPoint | None) -> tupl
     bearing = inputs.bearing.model_copy(update={"operating_points": ()})
     at = () if point is None else ("operating_points", inputs.bearing.operating_points.index(point))
     numbers = about_grouped_digits(bearing), about_grouped_digits(point, *at)
-    return (*inputs.shared_warnings, *_about_fields_not_read(bearing), *numbers[0], *numbers[1])
+    unused = *_about_fields_not_read(bearing), *_about_supply_not_used(inputs, point)
+    return (*inputs.shared_warnings, *unused, *numbers[0], *numbers[1])
 
 
 def _about_fields_not_read(bearing: JournalBearing) -> Iterator[Notice]:
     """Tell of the fields that the method of a bearing does not read."""
     yield from not_read(bearing, bearing.method, *NOT_READ[bearing.method])
+
+
+def _about_supply_not_used(inputs: Inputs, point: OperatingPoint | None) -> Iterator[Notice]:
+    """Tell that the pressure of the supply acts nowhere, where every groove, pocket and hole has its own."""
+    bearing, supply = inputs.bearing, inputs.supply
+    if supply is None or not bearing.feeds_itself():
+        return
+    fields = [path for path in OF_THE_FEED if getattr(supply, path.removeprefix("supply.")) not in (None, ())]
+    if point is not None and point.supply_pressure is not None:
+        fields.append(f"operating_points[{bearing.operating_points.index(point)}].supply_pressure")
+    if fields:
+        yield Notice("W183", "own_pressures", {"fields": tuple(fields)})
 
 
 def _about_direction(bearing: JournalBearing) -> Iterator[Notice]:

@@ -9,7 +9,7 @@ from time import perf_counter
 
 from babbitt.core.notices import Notice
 from babbitt.core.progress import ProgressCallback, no_progress
-from babbitt.core.result import Bound, Check, Matrix, Outcome, Result
+from babbitt.core.result import Bound, Check, Matrix, Result
 from babbitt.core.solution import Solution
 from babbitt.design.bounds import certain, undecided
 from babbitt.design.checks import checks_not_made, clearance_check, limit_checks
@@ -77,6 +77,9 @@ ALMOST_A_TURN = math.radians(359.0)
 AT_A_LINE = 1e-6
 """Angle in rad within which a load points at a line of supply."""
 
+OF_TILT = ("tilt_stiffness", "tilt_damping", "film_moment_x", "film_moment_y")
+"""What `tilt_coefficients` asks for."""
+
 NO_CALM_FILM = "no film was found at this position without the supply pressure; only their sum is known"
 """Why the flows by film pressure and by supply pressure are missing."""
 
@@ -125,7 +128,7 @@ def film_solution(case: FilmCase, watch: ProgressCallback = no_progress) -> Solu
     warnings = case.warnings
     not_made: tuple[Notice, ...] = ()
     arrays, settings = {}, film_settings(case)
-    no_mass = None
+    no_mass = no_tilt = None
     solved = None
     if found.film is not None:
         state, slope = confirmed_state(case, found.film)
@@ -139,13 +142,14 @@ def film_solution(case: FilmCase, watch: ProgressCallback = no_progress) -> Solu
             arrays["groove_angles"] = (tuple(feed.angle for feed in case.bearing.feeds),)
             arrays["groove_pressures"] = (supply_pressures(case, state.solution.film),)
         if outcome.solved:
-            if case.tilt_coefficients:
+            if case.tilt_coefficients and not closed_pockets(case):
                 from babbitt.reynolds.surface.tilt_coefficients import tilt_coefficients
 
                 tilt = tilt_coefficients(state.solution, case.accuracy.resolution)
-                if tilt.outcome.solved and not closed_pockets(case):
+                if tilt.outcome.solved:
                     arrays |= {"tilt_stiffness": rows_of(tilt.stiffness), "tilt_damping": rows_of(tilt.damping)}
                     values |= tilt_values(tilt, state.load * case.bearing.width)
+            no_tilt = _without_tilt(case, arrays)
             if state.thermal is not None:
                 arrays |= thermal_rows(case, state.thermal)
                 state, followed = with_own_coefficients(case, state)
@@ -169,7 +173,11 @@ def film_solution(case: FilmCase, watch: ProgressCallback = no_progress) -> Solu
                 *slope_not_asked(frozen, slope),
                 *((no_mass,) if no_mass else ()),
             )
-            warnings = (*_warnings(case, state, values, checks, whirl), *warnings_about_slope(case, slope))
+            warnings = (
+                *_warnings(case, state, values, checks, whirl),
+                *warnings_about_slope(case, slope),
+                *((no_tilt,) if no_tilt else ()),
+            )
             if state.thermal is not None:
                 values |= stiffness_values(state)
                 warnings = (*warnings, *warnings_about_heat(case, state, values, followed))
@@ -200,7 +208,7 @@ def film_solution(case: FilmCase, watch: ProgressCallback = no_progress) -> Solu
         arrays,
         {name: NO_CALM_FILM for name in ("side_flow", "supply_flow") if math.isnan(values.get(name, 0.0))}
         | ({"critical_mass": no_mass.message} if no_mass else {})
-        | _tilt_missing(case, outcome, arrays)
+        | (dict.fromkeys(OF_TILT, no_tilt.message) if no_tilt else {})
         | missing_without_load(case, found.film),
         failed,
     )
@@ -234,14 +242,11 @@ def _supply_of_ducts(asked: FilmCase, beyond: Arrival | None) -> dict[str, float
     }
 
 
-def _tilt_missing(case: FilmCase, outcome: Outcome, arrays: Mapping[str, Matrix]) -> dict[str, str]:
-    """Why coefficients of tilt that were asked for are not given."""
-    if not case.tilt_coefficients or not outcome.solved or "tilt_stiffness" in arrays:
-        return {}
-    why = "the film of the leaning journal did not converge; another accuracy may"
-    if closed_pockets(case):
-        why = "the pressures of closed pockets follow the journal, and the film of its tilt does not know it"
-    return dict.fromkeys(("tilt_stiffness", "tilt_damping"), why)
+def _without_tilt(case: FilmCase, arrays: Mapping[str, Matrix]) -> Notice | None:
+    """Why coefficients of tilt that were asked for are not given; None where they are, or were not asked for."""
+    if not case.tilt_coefficients or "tilt_stiffness" in arrays:
+        return None
+    return Notice("W197", "closed" if closed_pockets(case) else "not_found")
 
 
 def _running_values(case: FilmCase, state: FilmState, whirl: Whirl | None) -> dict[str, float]:

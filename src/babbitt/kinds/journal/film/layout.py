@@ -25,6 +25,7 @@ __all__ = [
     "fed_all_around",
     "film_of",
     "flow_of_the_system",
+    "feeds_itself",
     "given_flows",
     "load_vector",
     "pressed_flow",
@@ -123,10 +124,16 @@ def with_flow_of_ducts(case: FilmCase, flow: float) -> FilmCase | None:
     """
     supply = case.oil_supply
     counted = case.cavitation is Cavitation.MASS_CONSERVING and case.heat is None and case.changing_load is None
-    fed = any(feed.pressure is None and feed.flow is None for feed in case.bearing.feeds)
+    fed = bool(case.bearing.feeds) and not feeds_itself(case)
     if supply is None or not (counted and fed) or case.bearing.film_start is FilmStart.WIDEST_GAP or flow <= 0.0:
         return None
     return replace(case, oil_supply=replace(supply, pressure=0.0, flow=flow, tubes=(), holes=()))
+
+
+def feeds_itself(case: FilmCase) -> bool:
+    """Whether every groove, pocket and hole has a pressure or flow of its own: no one takes that of the supply."""
+    feeds = case.bearing.feeds
+    return bool(feeds) and all(one.pressure is not None or one.flow is not None for one in feeds)
 
 
 def fed_all_around(case: FilmCase) -> bool:

@@ -21,7 +21,7 @@ from babbitt.kinds.journal.film.bore import LobedBore
 from babbitt.kinds.journal.film.extent import full_film_share, turbulent_share
 from babbitt.kinds.journal.film.field import highest_pressure, narrowest_gap_angle
 from babbitt.kinds.journal.film.isothermal import FilmState, friction_of
-from babbitt.kinds.journal.film.layout import closed_pockets, supply_numbers, without_pressure
+from babbitt.kinds.journal.film.layout import closed_pockets, feeds_itself, supply_numbers, without_pressure
 from babbitt.kinds.journal.film.model import FilmCase
 from babbitt.kinds.journal.film.thermal_results import flow_without_pressure, thermal_values
 from babbitt.kinds.journal.film.unloaded import NEEDS_A_LOAD, NOTHING_CARRIED, is_unloaded
@@ -35,6 +35,9 @@ __all__ = ["fills_of", "film_values", "rows_of", "supply_pressures", "tilt_value
 
 NO_MOMENT = 1e-10
 """Share of load times width below which a moment of the film is round-off."""
+
+OF_THE_SUPPLY = ("supply_pressure", "element_pressure", "tube_loss", "hole_loss")
+"""What is no property of a film whose grooves, pockets and holes all have a pressure or flow of their own."""
 
 
 def film_values(case: FilmCase, state: FilmState) -> dict[str, float]:
@@ -81,6 +84,8 @@ def film_values(case: FilmCase, state: FilmState) -> dict[str, float]:
     for name, matrix in (("stiffness", film.stiffness), ("damping", film.damping)):
         values |= {f"{name}_{axes}": float(one) for axes, one in zip(AXES, matrix.ravel(), strict=True)}
     values["mass_balance_error"] = film.mass_balance_error
+    if feeds_itself(case):
+        values = {name: value for name, value in values.items() if name not in OF_THE_SUPPLY}
     if is_unloaded(case, state):
         values |= dict.fromkeys(NOTHING_CARRIED, 0.0) | dict.fromkeys(NEEDS_A_LOAD, math.nan)
     return values

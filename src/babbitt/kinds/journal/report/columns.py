@@ -27,6 +27,7 @@ COLUMNS = (
     column_of("friction_power", 4),
     column_of("side_flow", 5),
     Column(QUANTITIES["supply_flow"].symbol, QUANTITIES["supply_flow"].display.label, (_supply_flow,), 6),
+    column_of("surplus_flow", 5),
     Column(
         "Re / Re_cr", "", (reading_of("film_reynolds_number"), reading_of("critical_reynolds_number")), 9, " / "
     ),
