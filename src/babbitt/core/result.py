@@ -154,7 +154,7 @@ class Result:
     values : Mapping[str, float]
         Named quantities in SI; names and units in `babbitt.core.quantities.QUANTITIES`.
     checks, warnings : tuple
-        Verdicts and warnings.
+        Verdicts and warnings, each warning once.
     not_checked : tuple of Notice
         Checks that could not be made for want of data, by their code, each with what is missing.
     assumptions : tuple of str
@@ -189,6 +189,7 @@ class Result:
     def __post_init__(self) -> None:
         if self.failure is not None:
             object.__setattr__(self, "message", self.failure.message)
+        object.__setattr__(self, "warnings", tuple(dict.fromkeys(self.warnings)))
 
     @property
     def verdict(self) -> Verdict:
