@@ -159,7 +159,7 @@ class Result:
     values : Mapping[str, float]
         Named quantities in SI; names and units in `babbitt.core.quantities.QUANTITIES`.
     checks, warnings : tuple
-        Verdicts and warnings.
+        Verdicts and warnings, each warning once.
     not_checked : tuple of Notice
         Checks that could not be made for want of data, by their code, each with what is missing.
     assumptions : tuple of str
@@ -187,6 +187,9 @@ class Result:
     arrays: Mapping[str, Matrix] = field(default_factory=dict)
     missing: Mapping[str, str] = field(default_factory=dict)
     failure: Notice | None = None
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "warnings", tuple(dict.fromkeys(self.warnings)))
 
     @property
     def message(self) -> str:

@@ -107,9 +107,11 @@ def limited_temperature(values: Mapping[str, float]) -> str:
     return max(known, key=lambda name: values[name])
 
 
+INSULATED_WALL = "maximum_wall_temperature"
+
 HOTTEST_PLACES = (
     "maximum_bush_temperature",
-    "maximum_wall_temperature",
+    INSULATED_WALL,
     "maximum_temperature",
     "trailing_temperature",
 )
@@ -118,8 +120,20 @@ pads, by the methods that know more than the outlet."""
 
 
 def hottest_place(values: Mapping[str, float]) -> str:
-    """Name of the temperature for which limits of the metal hold: the hottest of bush, wall or film if known."""
-    return next((name for name in HOTTEST_PLACES if name in values), limited_temperature(values))
+    """Name of the temperature for which limits of the metal hold: the hottest of bush, wall or film if known.
+
+    A wall that takes no heat is at no place hotter than the film that it touches; the oil at the sides, which
+    leaves from where the film is hotter across the gap, may be. The hotter of both counts there.
+    """
+    name = next((name for name in HOTTEST_PLACES if name in values), limited_temperature(values))
+    if name == INSULATED_WALL:
+        name = max(name, limited_temperature(values), key=lambda one: values[one])
+    return name
+
+
+def knows_hottest_place(values: Mapping[str, float]) -> bool:
+    """Whether a temperature of bush, wall or film is known, not that of the oil that leaves alone."""
+    return any(name in values for name in HOTTEST_PLACES)
 
 
 def limiting_temperature(case: CheckedProblem, values: Mapping[str, float]) -> SourcedValue | None:
@@ -130,7 +144,7 @@ def limiting_temperature(case: CheckedProblem, values: Mapping[str, float]) -> S
     gives way to a limit that the case sets, which holds for the hottest place too. None where nothing is left.
     """
     metal, tables = case.bearing.metal, case.limits.tables
-    if case.limits.temperature is not None or hottest_place(values) not in HOTTEST_PLACES:
+    if case.limits.temperature is not None or not knows_hottest_place(values):
         return published_metal_temperature(metal, tables)
     return metal_temperature_limit(metal, tables)
 

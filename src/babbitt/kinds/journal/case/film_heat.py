@@ -19,6 +19,7 @@ __all__ = [
     "AxialTemperatureInput",
     "CarryOverInput",
     "CoefficientsInput",
+    "SOLVED_BY_COMPARE",
     "ThermalInput",
     "WallsInput",
     "heat_goes_with_the_film",
@@ -31,6 +32,9 @@ CoefficientsInput = Literal["frozen", "following"]
 
 CarryOverInput = Annotated[float, si("1", "0", "1")]
 OuterDiameter = Annotated[float, si("m", "1 mm", "10 m")]
+
+SOLVED_BY_COMPARE = "of which `babbitt compare` solves this film, too, without the factor"
+"""What to do about a factor on friction that a film does not know."""
 
 BUSH_OVER_BORE = 1.25
 """Outside diameter of the bush over that of the bore where it is not given: an assumption."""
@@ -138,7 +142,7 @@ def heat_goes_with_the_film(bearing: JournalBearing) -> Iterator[Issue]:
         yield from _issues_of_own_temperatures(bearing)
         if bearing.friction.factor != 1.0:
             says = "a film with its own temperatures makes its own friction"
-            yield Issue(("friction", "factor"), says, "1, or thermal: global")
+            yield Issue(("friction", "factor"), says, f"1, or thermal: global, {SOLVED_BY_COMPARE}")
     if bearing.walls is not None:
         yield from _issues_of_sizes(bearing, bearing.walls)
 

@@ -10,6 +10,7 @@ from babbitt.case.parts.load_and_speed import LOADS
 from babbitt.core.notices import InputError
 from babbitt.kinds.journal.case import grooved_segments as segments
 from babbitt.kinds.journal.case import heat_exchange
+from babbitt.kinds.journal.case.film_heat import SOLVED_BY_COMPARE
 from babbitt.kinds.journal.case.standard_rules import film_alone_knows
 from babbitt.kinds.journal.infinitely_long_bearing.model import THICKEST_FILM
 
@@ -37,7 +38,8 @@ def issues_of(bearing: JournalBearing) -> Iterator[Issue]:
     yield from unknown(bearing, METHODS[bearing.method])
     if bearing.friction.factor != 1.0:
         says = f"{METHODS[bearing.method]} knows no factor on friction"
-        yield Issue(("friction", "factor"), says, "1, or leave it out")
+        compared = f", or method: film, {SOLVED_BY_COMPARE}" if bearing.method == "long_film" else ""
+        yield Issue(("friction", "factor"), says, f"1, or leave it out{compared}")
     if bearing.method == "long_film":
         yield from _thick_film(bearing)
         yield from heat_exchange.issues_of(bearing.heat_exchange, bearing.diameter)

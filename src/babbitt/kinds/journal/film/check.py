@@ -287,6 +287,8 @@ def _warnings(
         yield Notice("W141", values={"side_inflow": film.side_inflow})
     yield from warnings_about_pressure(values["maximum_pressure"])
     yield from _warnings_about_holes(case, state)
+    if not _pressed(case, state):
+        yield Notice("W124", "no_pressure_left")
     yield from _warnings_about_grooves(case, state, values)
     if case.error_estimate and "stiffness_error" not in values:
         yield Notice("W125")
@@ -313,6 +315,16 @@ def _warnings_about_holes(case: FilmCase, state: FilmState) -> Iterator[Notice]:
         flow, diameter = max(passed, key=lambda one: one[0] / one[1] ** 2)
         density = case.lubricant.density(supply.temperature)
         yield from warnings_about_hole(supply, diameter, max(flow, 0.0), density)
+
+
+def _pressed(case: FilmCase, state: FilmState) -> bool:
+    """Whether oil is pressed through a supply, by pressure or as a flow, or the film is one that is fed nowhere."""
+    supply, feed = case.oil_supply, state.feed
+    fed = [hollow for hollow in case.bearing.hollows if not hollow.is_closed]
+    if not fed or supply is None or supply.flow is not None or feed is None or feed.limit is not None:
+        return True  # W111 tells where tubes and holes use up the pressure
+    pressures = (feed.element_pressure if one.pressure is None else one.pressure for one in fed)
+    return any(one.flow is not None for one in fed) or any(pressure > 0.0 for pressure in pressures)
 
 
 def _warnings_about_grooves(case: FilmCase, state: FilmState, values: dict[str, float]) -> Iterator[Notice]:

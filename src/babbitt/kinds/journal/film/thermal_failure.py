@@ -130,7 +130,14 @@ def thermal_failure(case: FilmCase, found: Equilibrium[FilmState]) -> Notice:
     last = "" if found.film is None else _last(case, code, found.film)
     if outcome is Outcome.THERMAL_RUNAWAY and case.heat is not None and case.heat.walls is None:
         return Notice("S002", "adiabatic", {"far": far, "last": last})
+    if outcome is Outcome.NOT_CONVERGED and found.film is not None and _carries_all(case, found.film):
+        return Notice("S004", "whole_load", {"far": far, "last": last})
     return Notice(code, "tried_film", {"far": far, "last": last})
+
+
+def _carries_all(case: FilmCase, state: FilmState) -> bool:
+    """Whether a film carries the load that is asked for; a lighter one is then no remedy."""
+    return isinstance(case.duty, PrescribedLoad) and state.load >= 0.999 * case.duty.load
 
 
 def _last(case: FilmCase, code: str, state: FilmState) -> Notice | str:
@@ -140,6 +147,6 @@ def _last(case: FilmCase, code: str, state: FilmState) -> Notice | str:
         "minimum_film_thickness": state.solution.minimum_film_thickness,
         "maximum_temperature": state.thermal.maximum_temperature,
     })  # fmt: skip
-    if isinstance(case.duty, PrescribedLoad) and state.load < 0.999 * case.duty.load:
+    if isinstance(case.duty, PrescribedLoad) and not _carries_all(case, state):
         return Notice(code, "last_load", {"load": state.load, "place": place})
     return Notice(code, "last_film", {"place": place})

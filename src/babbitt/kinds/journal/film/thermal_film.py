@@ -51,6 +51,11 @@ __all__ = ["film_heat", "film_within_ducts", "following_stiffness", "thermal_ope
 MOST_ROUNDS = 25
 SAME_CLEARANCE = 1e-5
 """Share of the clearance by which thermal growth may still change it when the film counts as converged."""
+JUMPED = 5e-4
+"""Share of the clearance by which its growth may miss it where the film jumps at it from one state to another.
+
+A film whose nodes fill and empty with the clearance has two states there, and the growth of neither meets it. An
+assumption, below the error of the grid: films on both sides of a jump of 1e-4 differ by 0.2 % in thickness."""
 SAME_TEMPERATURE = 0.05
 """Change of the effective temperature in K at which the heat capacity counts as converged."""
 GROWING = (0.5, 0.65, 0.8, 0.9, 0.95, 1.0)
@@ -127,9 +132,11 @@ def _settled_clearance(case: FilmCase, reached: _Reached, sought: ThermalSearch)
         state = reached.state = _thermal_state(case, psi, at, sought)
         sought.climbs = False
         grown = _grown_clearance(case, state)
-        if abs(grown - psi) <= SAME_CLEARANCE * psi and abs(state.temperature - at) <= SAME_TEMPERATURE:
+        here = (psi, grown - psi)
+        slack = JUMPED if _jumps(before, here) else SAME_CLEARANCE
+        if abs(grown - psi) <= slack * psi and abs(state.temperature - at) <= SAME_TEMPERATURE:
             return Equilibrium(Outcome.CONVERGED, state, rounds, state.temperature)
-        here, reached.temperature = (psi, grown - psi), state.temperature
+        reached.temperature = state.temperature
         reached.relative_clearance = _secant(before, here)
         before = here
     return Equilibrium(Outcome.NOT_CONVERGED, reached.state, MOST_ROUNDS, reached.temperature)
@@ -171,6 +178,14 @@ def film_within_ducts(case: FilmCase) -> tuple[FilmCase, Equilibrium[FilmState],
         return case, found, None
     limited = with_flow_of_ducts(case, feed.limit)
     return (case, found, feed) if limited is None else (limited, operating_film(limited), feed)
+
+
+def _jumps(last: tuple[float, float] | None, here: tuple[float, float]) -> bool:
+    """Whether growth changes its sign between two clearances that are the same: the film jumps there."""
+    if last is None:
+        return False
+    psi, growth = here
+    return abs(psi - last[0]) <= SAME_CLEARANCE * psi and growth * last[1] < 0.0
 
 
 def _secant(last: tuple[float, float] | None, here: tuple[float, float]) -> float:
