@@ -20,6 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.core.notices import InputError
+from babbitt.reynolds.oil.turbulence import FilmTurbulence
 from babbitt.reynolds.tilting_pads.pivots import Pivot, RigidPivot
 
 __all__ = ["TiltingPad", "TiltingPadBearing"]
@@ -157,6 +158,8 @@ class TiltingPadBearing:
         Gauge pressure of the oil between the pads, Pa: over the full width of the gaps between them, and at both
         edges of every loaded pad. An unloaded pad is taken to carry nothing, though the same pressure at its edges
         would push.
+    turbulence : FilmTurbulence or None
+        Of all films; None: laminar.
     """
 
     diameter: float
@@ -165,6 +168,7 @@ class TiltingPadBearing:
     angular_speed: float
     pads: tuple[TiltingPad, ...]
     groove_pressure: float = 0.0
+    turbulence: FilmTurbulence | None = None
 
     def __post_init__(self) -> None:
         for name in ("diameter", "width", "viscosity"):

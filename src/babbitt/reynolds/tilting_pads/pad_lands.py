@@ -55,6 +55,7 @@ def film_of(
     return JournalFilm(
         bearing.diameter, bearing.width, bearing.assembled_clearance, bearing.viscosity, bearing.angular_speed,
         tuple(tilted_land(bearing, pad, at) for pad, at in zip(bearing.pads, positions, strict=True)), cavitation,
+        turbulence=bearing.turbulence,
     )  # fmt: skip
 
 

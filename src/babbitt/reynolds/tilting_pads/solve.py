@@ -108,8 +108,17 @@ def kernel_pads(bearing: TiltingPadBearing, scales: PadScales) -> Pads:
     return Pads(
         Bearing(lands, profiles, math.nan, 1.0, 0.0, False, True, 1.0), kappa, weight, np.cos(angle),
         np.sin(angle), offset, rotational, neutral, curves, loads, displacements, centred, plain,
-        np.ones((count, 0)), np.ones((count, 0)),
+        np.ones((count, 0)), np.ones((count, 0)), turbulence_rows(bearing, scales),
     )  # fmt: skip
+
+
+def turbulence_rows(bearing: TiltingPadBearing, scales: PadScales) -> Array:
+    """Law of the turbulence of every pad as the kernels take it, one of no numbers for laminar films."""
+    if bearing.turbulence is None:
+        return np.zeros((len(bearing.pads), 0))
+    thinned = bearing.turbulence.density * scales.rate * bearing.radius * scales.length
+    own = (bearing.viscosity if pad.viscosity is None else pad.viscosity for pad in bearing.pads)
+    return np.array([bearing.turbulence.kernel_row(thinned / viscosity) for viscosity in own])
 
 
 def tangential_spring(bearing: TiltingPadBearing, pad: TiltingPad) -> float:

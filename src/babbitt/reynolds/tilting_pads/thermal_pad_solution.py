@@ -43,6 +43,8 @@ class PadTemperatures:
         Of the pad itself, K; nan where it takes no heat.
     heat : float
         Into the pad, W.
+    edge_heat : float
+        Of that over both edges into the oil of the grooves, W.
     deflection : ndarray, shape (n + 1,)
         Bending at the lines, m, outward; zero at the pivot.
     growth : float
@@ -60,9 +62,15 @@ class PadTemperatures:
     layers: Array
     mean: float
     heat: float
+    edge_heat: float
     deflection: Array
     growth: float
     is_capped: bool
+
+    @property
+    def back_heat(self) -> float:
+        """What the pad gives off at its back, W."""
+        return self.heat - self.edge_heat
 
     @property
     def film_mean(self) -> Array:
@@ -111,8 +119,8 @@ class ThermalTiltingPadSolution(TiltingPadSolution):
 
     @property
     def pad_heat(self) -> float:
-        """What the pads take, W."""
-        return sum(pad.heat for pad in self.temperatures)
+        """What the pads give off at their backs, W; over their edges they give it back to the oil."""
+        return sum(pad.back_heat for pad in self.temperatures)
 
     @property
     def groove_temperatures(self) -> Array:
