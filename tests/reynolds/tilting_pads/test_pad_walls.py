@@ -82,3 +82,23 @@ def test_plates_are_stiffer_than_beams_and_heat_bends_both_alike():
     plate = bending_matrices(RADIUS, THICKNESS, EXTENT, 0.5, INTERVALS, PadBending(poisson_ratio=0.3))
     assert plate[0] == pytest.approx(beam[0] * 0.91, rel=1e-12)
     assert plate[1] == pytest.approx(beam[1], rel=1e-12)
+
+
+def test_what_enters_the_bore_of_a_pad_with_an_insulated_back_leaves_over_its_edges():
+    found = conduction(PadWalls(back_coefficient=0.0, edge_coefficient=700.0), fraction=0.6)
+    flux = 1e4 * (1.0 + np.linspace(0.0, 1.0, INTERVALS + 1) ** 2)
+    drives = np.concatenate([flux, [310.0, 330.0, 320.0]])
+    width = np.full(INTERVALS + 1, EXTENT / INTERVALS)
+    width[[0, -1]] *= 0.5
+    assert (found.edges @ drives).sum() == pytest.approx(RADIUS * width @ flux, rel=1e-9)
+
+
+def test_heat_flows_along_a_pad_from_the_warmer_edge_to_the_colder_one():
+    """Without flux into the bore: one resistance at each edge and that of the pad, thin as a rod, between them."""
+    thin, coefficient = 1e-4, 700.0
+    walls = PadWalls(back_coefficient=0.0, edge_coefficient=coefficient)
+    found = pad_conduction(RADIUS, thin, EXTENT, 0.5, INTERVALS, walls)
+    drives = np.concatenate([np.zeros(INTERVALS + 1), [300.0, 340.0, 320.0]])
+    length = (RADIUS + 0.5 * thin) * EXTENT
+    expected = 40.0 * thin / (2.0 / coefficient + length / walls.conductivity)
+    assert found.edges @ drives == pytest.approx([expected, -expected], rel=1e-4)

@@ -106,8 +106,8 @@ class PadFilms:
     def of(cls, bearing: TiltingPadBearing, heat: PadHeat, resolution: Resolution) -> PadFilms:
         """Films at a temperature somewhat above that of the supply."""
         if bearing.turbulence is not None:
-            raise InputError("E101", "turbulence is given; films with their own temperatures are laminar. Leave it "
-                             "out, or take films of one temperature.")  # fmt: skip
+            raise InputError("E101", "turbulence is given; films with their own temperatures are laminar. Leave "
+                             "it out, or take films of one temperature.")  # fmt: skip
         if any(pad.viscosity is not None for pad in bearing.pads):
             raise InputError("E101", "viscosity of a pad is given; films with their own temperatures have that of "
                              "the oil. Leave it out.")  # fmt: skip
@@ -312,7 +312,7 @@ def oil_of(bearing: TiltingPadBearing, heat: PadHeat, scales: PadScales) -> Oil:
 
 
 def conduction_of(bearing: TiltingPadBearing, heat: PadHeat, n: int) -> tuple[PadConduction, ...]:
-    """Conduction of every pad, or nothing. Its bore has the radius of the film: so no heat is lost between both."""
+    """Conduction of every pad, or nothing. Its bore has the radius of the film, so that no heat is lost there."""
     if heat.walls is None:
         return ()
     return tuple(
