@@ -263,6 +263,11 @@ REFUSED = {
         "walls.pads",
         "give off no heat leave walls out",
     ),
+    "turbulent films with their own temperatures": (
+        {"method": {"kind": "film", "thermal": "full", "turbulence": "ng_pan"}, "accuracy": None},
+        "method.turbulence",
+        "full films, which have their own temperatures, are laminar",
+    ),
     "ratios that fall": ({"whirl_ratios": [0.5, 0.2]}, "whirl_ratios[1]", "0.2 is not above 0.5"),
     "a shaft without rotor": ({"shaft_stiffness": "200 MN/m"}, "shaft_stiffness", "rotor_mass"),
     "cross-coupling without rotor": (

@@ -95,7 +95,7 @@ def films_of(case: PadCase, found: ThermalTiltingPadSolution, temperature: float
     """The films with the bearing that runs."""
     density, viscosity, capacity = properties_at(case.lubricant, temperature)
     return PadFilms(
-        temperature, density, viscosity, capacity, case.bearing.pad_clearance * 2.0 / case.bearing.diameter,
+        temperature, density, viscosity, capacity, case.bearing.pad_relative_clearance,
         replace(found, bearing=running_bearing(case, found, viscosity)), found.supplied_flow, None,
     )  # fmt: skip
 

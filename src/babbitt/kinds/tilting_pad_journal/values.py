@@ -14,7 +14,9 @@ from babbitt.kinds.tilting_pad_journal.margins import PadMargin
 from babbitt.kinds.tilting_pad_journal.model import PadCase
 from babbitt.kinds.tilting_pad_journal.state import PadFilms
 from babbitt.reynolds.tilting_pads.model import TiltingPad
+from babbitt.reynolds.tilting_pads.pad_lands import pad_gaps
 from babbitt.reynolds.tilting_pads.solution import PadState, PadStatus, TiltingPadSolution
+from babbitt.reynolds.tilting_pads.solve import pad_widths
 
 __all__ = ["dynamic_rows", "dynamic_values", "eccentricity_ratio", "film_values", "pad_rows", "place_values"]
 
@@ -70,7 +72,19 @@ def film_values(case: PadCase, films: PadFilms, margins: tuple[PadMargin, ...]) 
     }
     if known:
         named["least_pad_margin"] = min(known)
+    if case.turbulence is not None:
+        named["turbulent_share"] = turbulent_share(solution)
     return named
+
+
+def turbulent_share(solution: TiltingPadSolution) -> float:
+    """Share of the bores of all pads where the local Reynolds number exceeds that at which turbulence sets in."""
+    bearing, law = solution.bearing, solution.bearing.turbulence
+    assert law is not None
+    speed = bearing.radius * abs(bearing.angular_speed)
+    turbulent = law.density * speed * pad_gaps(solution) / bearing.viscosity > law.onset
+    areas = pad_widths(bearing) * [pad.extent for pad in bearing.pads]
+    return float(np.average(np.trapezoid(turbulent, dx=1.0 / (turbulent.shape[1] - 1)), weights=areas))
 
 
 def mass_balance_error(solution: TiltingPadSolution) -> float:

@@ -56,7 +56,8 @@ def warnings_of_solution(
         })  # fmt: skip
     yield from about_supply(case, films)
     yield from about_carry_over(case, films)
-    yield from about_laminar_films(values)
+    if case.turbulence is None:
+        yield from about_laminar_films(values)
     yield from about_contacts(films)
     if films.solution.indifferent:
         yield Notice("W411")

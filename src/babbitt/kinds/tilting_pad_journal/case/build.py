@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from babbitt.case.grouped_digits import about_grouped_digits
 from babbitt.case.part import is_given, not_read
+from babbitt.case.parts.turbulence import LAWS_OF_TURBULENCE
 from babbitt.core.notices import Notice
 from babbitt.core.result_name import ResultName
 from babbitt.design.conditions import OilSupply, PrescribedLoad, PrescribedPosition
@@ -66,6 +67,7 @@ def pad_case(case: TiltingPadJournalCase, point: PadOperatingPoint | None, named
         oil_supply=supply_of(case, temperature),
         effective_temperature=effective,
         heat=heat_choices(case, temperature),
+        turbulence=LAWS_OF_TURBULENCE[case.turbulence],
         load_angle=angle,
         accuracy=Accuracy(case.accuracy),
         whirl_ratios=case.whirl_ratios,

@@ -8,6 +8,7 @@ from pydantic import Field
 
 from babbitt.case.method_choices import MethodChoices, MethodInput
 from babbitt.case.method_mapping import MethodMapping
+from babbitt.case.parts.turbulence import TurbulenceInput
 from babbitt.core.units import si
 
 __all__ = ["METHOD_MAPPING", "PadFilmChoices", "PadFilmMethod"]
@@ -26,6 +27,12 @@ class PadFilmChoices(MethodChoices):
         None,
         description="Share of the hot oil leaving a pad over its trailing edge that enters the next one; the rest "
         "leaves.",
+    )
+    turbulence: TurbulenceInput = Field(
+        "laminar",
+        description="Turbulence of films of one temperature where the local Reynolds number exceeds "
+        "41.3 sqrt(R/c) of the widest pad: none, whatever the Reynolds number, or flow factors by Ng and Pan or "
+        "Constantinescu.",
     )
     deformation: tuple[Literal["growth", "bending"], ...] = Field(
         (),

@@ -87,6 +87,7 @@ def _oil(case: PadCase) -> Iterator[Row]:
         yield named_row("supply_temperature", supply.temperature)
         if supply.flow is not None:
             yield named_row("given_flow", supply.flow)
+    yield Row("Flow", "laminar" if case.turbulence is None else f"turbulent after {case.turbulence.name}")
     yield Row("Feed", case.feed.kind.replace("_", " "))
     yield Row("Hot oil carried over", f"{100.0 * case.feed.carry_over:.4g}", None, "%")
     if case.effective_temperature is not None:
