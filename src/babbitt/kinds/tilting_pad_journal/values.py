@@ -13,10 +13,10 @@ from babbitt.kinds.tilting_pad_journal.dynamics import PadDynamics, bounded_decr
 from babbitt.kinds.tilting_pad_journal.margins import PadMargin
 from babbitt.kinds.tilting_pad_journal.model import PadCase
 from babbitt.kinds.tilting_pad_journal.state import PadFilms
+from babbitt.reynolds.tilting_pads.kernel_pads import pad_widths
 from babbitt.reynolds.tilting_pads.model import TiltingPad
 from babbitt.reynolds.tilting_pads.pad_lands import pad_gaps
 from babbitt.reynolds.tilting_pads.solution import PadState, PadStatus, TiltingPadSolution
-from babbitt.reynolds.tilting_pads.solve import pad_widths
 
 __all__ = ["dynamic_rows", "dynamic_values", "eccentricity_ratio", "film_values", "pad_rows", "place_values"]
 

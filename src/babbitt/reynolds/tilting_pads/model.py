@@ -67,6 +67,9 @@ class TiltingPad:
     mass_offset, mass_inset : float
         Distances of the centre of gravity from the contact of the pivot, m: in the sense of rotation, and towards
         the centre of the bearing.
+    bending_stiffness : float
+        Against bending along its one mode (`bending_mode.BendingMode`), N/m; infinite: it does not bend. Its part
+        of the mass moves with it.
     profile : tuple of float
         Departure of the bore from its circle, m, outward positive, at equally spaced angles from the smaller to
         the larger (bending, wear). Empty: none.
@@ -91,13 +94,14 @@ class TiltingPad:
     inertia: float = 0.0
     mass_offset: float = 0.0
     mass_inset: float = 0.0
+    bending_stiffness: float = math.inf
     profile: tuple[float, ...] = ()
 
     def __post_init__(self) -> None:
         for name in ("pivot_angle", "rest_tilt", "mass_offset", "mass_inset"):
             if not math.isfinite(getattr(self, name)):
                 raise InputError("E101", f"{name} of a pad is {getattr(self, name)}; it must be a finite number.")
-        for name in ("extent", "clearance", "thickness", "tangential_stiffness"):
+        for name in ("extent", "clearance", "thickness", "tangential_stiffness", "bending_stiffness"):
             if not getattr(self, name) > 0.0:
                 raise InputError(
                     "E101", f"{name} of a pad is {getattr(self, name)}; it must be a positive number."
@@ -126,6 +130,11 @@ class TiltingPad:
     def preload(self) -> float:
         """Preload 1 - c_b/c_p."""
         return 1.0 - self.assembled_clearance / self.clearance
+
+    @property
+    def bends(self) -> bool:
+        """Whether it bends under the pressure of its film."""
+        return math.isfinite(self.bending_stiffness)
 
     @property
     def is_rigid(self) -> bool:

@@ -25,11 +25,12 @@ from babbitt.reynolds.tilting_pads._pads import CLOSED, CONVERGED, LIMIT, STUCK,
 from babbitt.reynolds.tilting_pads._place import new_places, pads_at
 from babbitt.reynolds.tilting_pads._structs import PadPlaces, Pads
 from babbitt.reynolds.tilting_pads._tilt import AT_LIMIT
+from babbitt.reynolds.tilting_pads.kernel_pads import PadScales, kernel_pads
 from babbitt.reynolds.tilting_pads.model import TiltingPadBearing
 from babbitt.reynolds.tilting_pads.pad_bending import bending_matrices
 from babbitt.reynolds.tilting_pads.pad_conduction import SURROUNDINGS, PadConduction, pad_conduction
 from babbitt.reynolds.tilting_pads.pad_heat import PadHeat
-from babbitt.reynolds.tilting_pads.solve import PadScales, kernel_pads, no_total
+from babbitt.reynolds.tilting_pads.solve import no_total
 
 __all__ = ["PadFilms", "Placement"]
 

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from babbitt.core.notices import InputError
 from babbitt.reynolds.model import Cavitation, JournalFilm, Land
+from babbitt.reynolds.tilting_pads.bending_mode import BendingMode
 from babbitt.reynolds.tilting_pads.model import TiltingPad, TiltingPadBearing
 from babbitt.reynolds.tilting_pads.solution import PadPosition, TiltingPadSolution
 
@@ -86,5 +87,9 @@ def pad_gaps(solution: TiltingPadSolution) -> Array:
         if pad.profile:
             place = (state.angles - land.start_angle) / pad.extent
             gap += np.interp(place, np.linspace(0.0, 1.0, len(pad.profile)), pad.profile)
+        if state.bend is not None:
+            gap += state.bend.deflection * BendingMode.of(pad).shape(
+                bearing.sense * (state.angles - pad.pivot_angle)
+            )
         gaps.append(gap)
     return np.array(gaps)
