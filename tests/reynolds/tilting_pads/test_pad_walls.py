@@ -5,7 +5,12 @@ import math
 import numpy as np
 import pytest
 
-from babbitt.reynolds.tilting_pads.pad_bending import bending_matrices, deflection_matrix, moment_matrix
+from babbitt.reynolds.tilting_pads.pad_bending import (
+    bending_matrices,
+    deflection_matrix,
+    moments_ahead,
+    moments_behind,
+)
 from babbitt.reynolds.tilting_pads.pad_conduction import pad_conduction
 from babbitt.reynolds.tilting_pads.pad_heat import PadBending, PadWalls
 
@@ -61,20 +66,23 @@ def test_moment_of_even_pressure(fraction):
     """int sin(phi' - phi) from phi to the free end: 1 - cos of the angle between them."""
     start, end = -fraction * EXTENT, (1.0 - fraction) * EXTENT
     angles = np.linspace(start, end, INTERVALS + 1)
-    expected = np.where(angles >= 0.0, 1.0 - np.cos(end - angles), 1.0 - np.cos(angles - start))
-    assert moment_matrix(angles) @ np.ones(angles.size) == pytest.approx(expected, abs=1e-8)
+    even = np.ones(angles.size)
+    assert moments_ahead(angles) @ even == pytest.approx(1.0 - np.cos(end - angles), abs=1e-8)
+    assert moments_behind(angles) @ even == pytest.approx(1.0 - np.cos(angles - start), abs=1e-8)
 
 
-def test_deflection_under_even_pressure():
-    """w = (p R_p rho^3/(E I/L)) [1 - cos phi - (sin b sin phi - phi sin(b - phi))/2], b the free arc: the beam of
-    Timoshenko."""
-    by_pressure, _ = bending_matrices(RADIUS, THICKNESS, EXTENT, 0.5, INTERVALS, PadBending())
-    free = 0.5 * EXTENT
-    phi = np.abs(np.linspace(-free, free, INTERVALS + 1))
+@pytest.mark.parametrize("fraction", [0.5, 0.57, 0.625])
+def test_deflection_under_even_pressure(fraction):
+    """w = (p R_p rho^3/(E I/L)) [1 - cos phi - (sin b sin phi - phi sin(b - phi))/2], b the free arc on either
+    side: the beam of Timoshenko, with the pivot between two lines or on one."""
+    by_pressure, _ = bending_matrices(RADIUS, THICKNESS, EXTENT, fraction, INTERVALS, PadBending())
+    angles = np.linspace(-fraction * EXTENT, (1.0 - fraction) * EXTENT, INTERVALS + 1)
+    free, phi = np.where(angles < 0.0, fraction, 1.0 - fraction) * EXTENT, np.abs(angles)
     neutral = RADIUS + 0.5 * THICKNESS
     unit = 1e6 * RADIUS * neutral**3 * 12.0 / (210e9 * THICKNESS**3)
-    shape = 1.0 - np.cos(phi) - 0.5 * (math.sin(free) * np.sin(phi) - phi * np.sin(free - phi))
-    assert by_pressure @ np.full(INTERVALS + 1, 1e6) == pytest.approx(unit * shape, rel=1e-3, abs=1e-12)
+    shape = 1.0 - np.cos(phi) - 0.5 * (np.sin(free) * np.sin(phi) - phi * np.sin(free - phi))
+    found = by_pressure @ np.full(INTERVALS + 1, 1e6)
+    assert found == pytest.approx(unit * shape, rel=1e-3, abs=1e-3 * unit * shape.max())
 
 
 def test_plates_are_stiffer_than_beams_and_heat_bends_both_alike():
