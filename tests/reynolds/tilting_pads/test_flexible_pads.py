@@ -102,12 +102,13 @@ def test_at_rest_the_spring_of_the_mode_bears_the_pressure(softness):
     assert found.force == pytest.approx(-np.array(FOUR_LOAD), rel=1e-5)
     for pad, state in zip(found.bearing.pads, found.pads, strict=True):
         phi = state.angles - pad.pivot_angle
-        nodes = np.linspace(0.0, 1.0, 201) * state.axial_positions[-1]
-        mean = np.array([np.trapezoid(np.polynomial.Polynomial.fit(state.axial_positions**2, row, 4)(nodes**2), nodes)
-                / nodes[-1] for row in state.pressure])  # fmt: skip
-        pushed = (
-            np.trapezoid(np.array(mean) * BendingMode.of(pad).shape(phi), phi) * bearing.radius * bearing.width
-        )
+        places, side = np.linspace(0.0, 1.0, 201) ** 2, state.axial_positions[-1]
+        even = [
+            np.polynomial.Polynomial.fit((state.axial_positions / side) ** 2, row, 4) for row in state.pressure
+        ]
+        mean = np.trapezoid([row(places) for row in even], np.sqrt(places))
+        pushed = np.trapezoid(mean * BendingMode.of(pad).shape(phi), phi)
+        pushed *= bearing.radius * bearing.width
         assert softness * state.bend.deflection == pytest.approx(pushed, rel=5e-3)
         assert state.bend.deflection > 0.0  # pressure opens a pad
 
