@@ -283,8 +283,8 @@ def assumptions_of(case: PadCase) -> Iterator[str]:
     if not case.thermal.is_resolved:
         yield (
             "Films of one viscosity that rupture where pressure and its gradient vanish (Reynolds); pads tilt "
-            "without friction about their pivots alone, in the plane of the bearing; rigid pads; ambient or "
-            "groove pressure on all edges of a pad."
+            f"without friction about their pivots alone, in the plane of the bearing; {shapes_of(case)}; ambient "
+            "or groove pressure on all edges of a pad."
         )
     if case.turbulence is not None:
         yield (
@@ -304,6 +304,16 @@ def assumptions_of(case: PadCase) -> Iterator[str]:
         )
     if case.thermal.is_resolved:
         yield from thermal_assumptions(case)
+
+
+def shapes_of(case: PadCase) -> str:
+    """How the pads of films of one temperature keep their shapes."""
+    if not any(pad.bends for pad in case.bearing.pads):
+        return "rigid pads"
+    return (
+        "pads bend by pressure, at rest and in motion, along the one shape that an even pressure gives a beam "
+        "held at the pivot; where they unload is that of their round bores"
+    )
 
 
 def missing_of(case: PadCase, values: Mapping[str, float]) -> dict[str, str]:

@@ -134,7 +134,9 @@ def with_thermal(case: TiltingPadJournalCase, thermal: Thermal) -> TiltingPadJou
     """The same case by another thermal model, without what that does not read."""
     changes: dict[str, object] = {"thermal": thermal.value}
     if thermal is not Thermal.FULL:
-        changes |= {"walls": PadJournalWalls(), "deformation": ()}
+        changes |= {"walls": PadJournalWalls()}
+    if thermal.is_resolved or case.thermal_model == "full":  # films of one temperature bend pads by their own
+        changes |= {"deformation": ()}
     return case.model_copy(update=changes)
 
 

@@ -22,7 +22,7 @@ from babbitt.reynolds.heat.heat_model import JournalHeat
 from babbitt.reynolds.model import DRAFT, ENGINEERING, Resolution
 from babbitt.reynolds.oil.turbulence import FilmTurbulence, TurbulenceLaw
 from babbitt.reynolds.tilting_pads.model import TiltingPad, TiltingPadBearing
-from babbitt.reynolds.tilting_pads.pad_heat import THERMAL_PADS, PadBending, PadGrowth, PadWalls
+from babbitt.reynolds.tilting_pads.pad_heat import THERMAL_PADS, PadBending, PadGrowth, PadMaterial, PadWalls
 from babbitt.reynolds.tilting_pads.pedestal import Pedestal
 
 __all__ = ["Accuracy", "Feed", "HeatChoices", "PadBearing", "PadCase", "Thermal", "WHIRL_RATIOS"]
@@ -81,12 +81,15 @@ class HeatChoices:
         None: the pads take no heat.
     bending : PadBending or None
     growth : PadGrowth or None
+    materials : tuple of PadMaterial
+        Of every pad what it has of its own; empty: all are alike.
     """
 
     journal: JournalHeat | None = None
     walls: PadWalls | None = None
     bending: PadBending | None = None
     growth: PadGrowth | None = None
+    materials: tuple[PadMaterial, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -62,6 +62,7 @@ def found_at(case: PadCase, temperature: float) -> ThermalTiltingPadSolution:
     model = PadHeat(
         bounded_viscosity(case.lubricant), capacity, case.lubricant.conductivity(temperature), supply,
         heat.journal, heat.walls, heat.bending, heat.growth, carry_over=case.feed.carry_over,
+        materials=heat.materials,
     )  # fmt: skip
     resolution = case.accuracy.thermal_resolution
     if isinstance(case.duty, PrescribedLoad):

@@ -13,6 +13,7 @@ from babbitt.kinds.tilting_pad_journal.dynamics import PadDynamics, bounded_decr
 from babbitt.kinds.tilting_pad_journal.margins import PadMargin
 from babbitt.kinds.tilting_pad_journal.model import PadCase
 from babbitt.kinds.tilting_pad_journal.state import PadFilms
+from babbitt.reynolds.tilting_pads.bending_mode import BendingMode
 from babbitt.reynolds.tilting_pads.kernel_pads import pad_widths
 from babbitt.reynolds.tilting_pads.model import TiltingPad
 from babbitt.reynolds.tilting_pads.pad_lands import pad_gaps
@@ -221,7 +222,17 @@ def pad_rows(case: PadCase, solution: TiltingPadSolution) -> dict[str, Matrix]:
         "pivot_displacement": [state.position.pivot_displacement for state in states],
         "pivot_stiffness": [state.pivot_stiffness if state.load > 0.0 else math.nan for state in states],
     }
+    if any(pad.bends for pad in pads):
+        rows["pad_bending"] = [largest_bending(pad, state) for pad, state in zip(pads, states, strict=True)]
+        rows["pad_bending_stiffness"] = [pad.bending_stiffness for pad in pads]
     return {name: (tuple(map(float, row)),) for name, row in rows.items() if any(map(math.isfinite, row))}
+
+
+def largest_bending(pad: TiltingPad, state: PadState) -> float:
+    """What an edge of a pad that bends moves outward, m; 0 of one without load."""
+    mode = BendingMode.of(pad)
+    edges = mode.shape(np.array([-mode.leading, mode.trailing]))
+    return 0.0 if state.bend is None else state.bend.deflection * float(edges.max())
 
 
 def pivot_film(pad: TiltingPad, state: PadState) -> float:

@@ -170,7 +170,7 @@ def _citations(problem: PadCase) -> Iterable[str]:
         yield DOWSON
         yield PATANKAR
         yield FILLON
-    if problem.heat.bending is not None:
+    if problem.heat.bending is not None or any(pad.bends for pad in problem.bearing.pads):
         yield TIMOSHENKO
     if problem.turbulence is not None:
         yield problem.turbulence.source

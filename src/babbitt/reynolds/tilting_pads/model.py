@@ -70,6 +70,8 @@ class TiltingPad:
     bending_stiffness : float
         Against bending along its one mode (`bending_mode.BendingMode`), N/m; infinite: it does not bend. Its part
         of the mass moves with it.
+    probe_fraction : float
+        Angle from the leading edge to a probe of the temperature of the bore, over ``extent``.
     profile : tuple of float
         Departure of the bore from its circle, m, outward positive, at equally spaced angles from the smaller to
         the larger (bending, wear). Empty: none.
@@ -95,6 +97,7 @@ class TiltingPad:
     mass_offset: float = 0.0
     mass_inset: float = 0.0
     bending_stiffness: float = math.inf
+    probe_fraction: float = 0.75
     profile: tuple[float, ...] = ()
 
     def __post_init__(self) -> None:
@@ -122,6 +125,9 @@ class TiltingPad:
                              "positive (preload below 1).")  # fmt: skip
         if not all(math.isfinite(place) for place in self.profile):
             raise InputError("E101", "profile of a pad has entries that are not finite; give lengths in m.")
+        if not 0.0 <= self.probe_fraction <= 1.0:
+            raise InputError("E101", f"probe_fraction of a pad is {self.probe_fraction}; the probe must stand in "
+                             "the pad, 0 to 1.")  # fmt: skip
         if not 0.0 < self.pivot_fraction < 1.0:
             raise InputError("E101", f"pivot_fraction of a pad is {self.pivot_fraction}; the pivot must stand "
                              "between the edges of the pad, 0 to 1.")  # fmt: skip

@@ -109,6 +109,12 @@ class PadFilms:
         if bearing.turbulence is not None:
             raise InputError("E101", "turbulence is given; films with their own temperatures are laminar. Leave "
                              "it out, or take films of one temperature.")  # fmt: skip
+        if heat.materials and len(heat.materials) != len(bearing.pads):
+            raise InputError("E101", f"materials has {len(heat.materials)} entries for {len(bearing.pads)} pads; "
+                             "give one for each, or none.")  # fmt: skip
+        if any(pad.bends for pad in bearing.pads):
+            raise InputError("E101", "bending_stiffness of a pad is given; films with their own temperatures bend "
+                             "pads by bending. Leave it out.")  # fmt: skip
         if any(pad.viscosity is not None for pad in bearing.pads):
             raise InputError("E101", "viscosity of a pad is given; films with their own temperatures have that of "
                              "the oil. Leave it out.")  # fmt: skip
@@ -256,7 +262,7 @@ class PadFilms:
         journal = growth.journal_expansion * self.bearing.radius * (self.walls.journal[0] - reference)
         for k, (pad, conduction) in enumerate(zip(self.bearing.pads, self.conduction, strict=True)):
             radius = self.bearing.lever(pad) if growth.housing_radius is None else growth.housing_radius
-            grown[k] = growth.pad_expansion * pad.thickness * (conduction.pivot @ drives[k] - reference)
+            grown[k] = self.heat.pad_expansion_of(k) * pad.thickness * (conduction.pivot @ drives[k] - reference)
             grown[k] += journal - growth.housing_expansion * radius * (housing - reference)
         return self.share * grown / self.scales.length
 
@@ -317,8 +323,9 @@ def conduction_of(bearing: TiltingPadBearing, heat: PadHeat, n: int) -> tuple[Pa
     if heat.walls is None:
         return ()
     return tuple(
-        pad_conduction(bearing.radius, pad.thickness, pad.extent, pad.pivot_fraction, n, heat.walls)
-        for pad in bearing.pads
+        pad_conduction(bearing.radius, pad.thickness, pad.extent, pad.pivot_fraction, n, walls)
+        for k, pad in enumerate(bearing.pads)
+        if (walls := heat.walls_of(k)) is not None
     )
 
 
@@ -327,10 +334,9 @@ def bending_of(bearing: TiltingPadBearing, heat: PadHeat, n: int) -> tuple[tuple
     if heat.bending is None:
         return ()
     return tuple(
-        bending_matrices(
-            bearing.radius + pad.clearance, pad.thickness, pad.extent, pad.pivot_fraction, n, heat.bending
-        )
-        for pad in bearing.pads
+        bending_matrices(bearing.radius + pad.clearance, pad.thickness, pad.extent, pad.pivot_fraction, n, bending)
+        for k, pad in enumerate(bearing.pads)
+        if (bending := heat.bending_of(k)) is not None
     )
 
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 
 import numpy as np
@@ -17,7 +17,7 @@ from babbitt.core.notices import InputError
 from babbitt.reynolds.heat.heat_model import JournalHeat
 from babbitt.reynolds.model import Resolution
 
-__all__ = ["THERMAL_PADS", "Feed", "PadBending", "PadGrowth", "PadHeat", "PadWalls"]
+__all__ = ["THERMAL_PADS", "Feed", "PadBending", "PadGrowth", "PadHeat", "PadMaterial", "PadWalls"]
 
 Array = NDArray[np.float64]
 
@@ -138,6 +138,22 @@ class PadGrowth:
 
 
 @dataclass(frozen=True)
+class PadMaterial:
+    """What one pad is made of where it differs from the others. None: as all.
+
+    Attributes
+    ----------
+    conductivity, elastic_modulus, thermal_expansion, poisson_ratio : float or None
+        As of `PadWalls`, `PadBending` and `PadGrowth`.
+    """
+
+    conductivity: float | None = None
+    elastic_modulus: float | None = None
+    thermal_expansion: float | None = None
+    poisson_ratio: float | None = None
+
+
+@dataclass(frozen=True)
 class PadHeat:
     """Heat of the films of tilting pads.
 
@@ -164,6 +180,8 @@ class PadHeat:
         Share, 0 to 1; None: that of the feed.
     layers : int
         Across the gap.
+    materials : tuple of PadMaterial
+        Of every pad what it has of its own; empty: all are alike.
     """
 
     viscosity: Callable[[Array], Array]
@@ -177,6 +195,7 @@ class PadHeat:
     feed: Feed = Feed.FLOODED
     carry_over: float | None = None
     layers: int = 8
+    materials: tuple[PadMaterial, ...] = ()
 
     def __post_init__(self) -> None:
         for name in ("volumetric_heat_capacity", "conductivity", "supply_temperature"):
@@ -191,6 +210,27 @@ class PadHeat:
             raise InputError("E101", "bending and growth of pads need their temperatures; give walls.")
         if self.growth is not None and self.journal is None:
             raise InputError("E101", "growth of the journal needs its temperature; give journal.")
+
+    def walls_of(self, number: int) -> PadWalls | None:
+        """How a pad conducts."""
+        own = self._material(number).conductivity
+        return self.walls if self.walls is None or own is None else replace(self.walls, conductivity=own)
+
+    def bending_of(self, number: int) -> PadBending | None:
+        """How a pad bends."""
+        own = self._material(number)
+        names = ("elastic_modulus", "thermal_expansion", "poisson_ratio")
+        changes = {name: value for name in names if (value := getattr(own, name)) is not None}
+        return self.bending if self.bending is None else replace(self.bending, **changes)
+
+    def pad_expansion_of(self, number: int) -> float:
+        """Thermal expansion of a pad that grows, 1/K."""
+        assert self.growth is not None
+        own = self._material(number).thermal_expansion
+        return self.growth.pad_expansion if own is None else own
+
+    def _material(self, number: int) -> PadMaterial:
+        return self.materials[number] if self.materials else PadMaterial()
 
     @property
     def carried(self) -> float:

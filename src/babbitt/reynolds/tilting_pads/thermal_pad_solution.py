@@ -11,12 +11,9 @@ from babbitt.reynolds.heat.heat_model import mean_over_layers
 from babbitt.reynolds.tilting_pads.pad_heat import PadHeat
 from babbitt.reynolds.tilting_pads.solution import TiltingPadSolution
 
-__all__ = ["PROBE", "PadTemperatures", "ThermalTiltingPadSolution"]
+__all__ = ["PadTemperatures", "ThermalTiltingPadSolution"]
 
 Array = NDArray[np.float64]
-
-PROBE = 0.75
-"""Share of the arc of a pad, from its leading edge, at which the temperature of its bore is told for a probe."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,7 +29,7 @@ class PadTemperatures:
     maximum : float
         Highest in the film and at the bore, K.
     probe : float
-        Of the bore at 75 % of the arc, K.
+        Of the bore where the probe of the pad stands, K.
     bore : ndarray, shape (n + 1,)
         At the lines of the film, K.
     film : ndarray, shape (n + 1, layers)

@@ -21,7 +21,7 @@ from babbitt.reynolds.tilting_pads._pad_flows import (
 from babbitt.reynolds.tilting_pads.pad_films import PadFilms, Placement
 from babbitt.reynolds.tilting_pads.solution import PadState, PadStatus, TiltingPadSolution
 from babbitt.reynolds.tilting_pads.solve import assembled
-from babbitt.reynolds.tilting_pads.thermal_pad_solution import PROBE, PadTemperatures, ThermalTiltingPadSolution
+from babbitt.reynolds.tilting_pads.thermal_pad_solution import PadTemperatures, ThermalTiltingPadSolution
 
 __all__ = ["Settled", "thermal_solution"]
 
@@ -153,7 +153,7 @@ def pad_temperatures(films: PadFilms, k: int) -> PadTemperatures:
         inlet=float(films.films.inlet[k]),
         trailing=trailing,
         maximum=float(max(film.max(), bore.max())),
-        probe=float(np.interp(PROBE * (rows - 1), np.arange(rows), bore)),
+        probe=float(np.interp(pad.probe_fraction * (rows - 1), np.arange(rows), bore)),
         bore=bore,
         film=film,
         layers=np.cumsum(thickness) - 0.5 * thickness,

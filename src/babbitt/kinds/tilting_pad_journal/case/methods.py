@@ -38,7 +38,12 @@ class PadFilmChoices(MethodChoices):
         (),
         max_length=2,
         description="What heat and pressure deform: growth of pads, journal and housing, bending of the pads. "
-        "With walls.pads.",
+        "Full films with walls.pads bend by heat and pressure; films of one temperature bend pads by pressure, at "
+        "rest and in motion.",
+    )
+    pad_bending: Literal["beam", "plate"] = Field(
+        "beam",
+        description="Pads bend as beams, with the elastic modulus E, or as plates, with E/(1 - nu^2).",
     )
     accuracy: Literal["draft", "engineering", "reference"] = Field(
         "engineering", description="How fine the grid of every pad is."
