@@ -22,9 +22,9 @@ __all__ = ["starved_bounds", "warnings_about_kept_temperatures", "warnings_of_so
 
 UNCERTAIN, UNCERTAIN_SHARE = 6.0, 0.2
 """By how much the hottest bore may be hotter than computed: K, or a share of its rise above the fresh oil where
-that is more. The bearing of Fillon, Bligoud and Frene (1992) lies 0.7 K below the measurement with a rise of 9 K and
-5.2 K with one of 31 K (`babbitt validate fillon_1992`): misses grow with the rise, up to a sixth of it. A fifth, and
-no less than 6 K, for nothing tells that small rises are known better. Assumption: of one bearing."""
+that is more. The bearing of Fillon, Bligoud and Frene (1992) lies 0.7 K below the measurement with a rise of 9 K
+and 5.2 K with one of 31 K (`babbitt validate fillon_1992`): misses grow with the rise, up to a sixth of it. A
+fifth, and no less than 6 K, for nothing tells that small rises are known better. Assumption: of one bearing."""
 
 BORE_CHECKS = ("C108", "C404", "C405")
 """Limits of bores: of the metal, alarm and trip of a probe."""
