@@ -16,8 +16,9 @@ from babbitt.reynolds.model import Resolution
 from babbitt.reynolds.tilting_pads._pads import find_pads
 from babbitt.reynolds.tilting_pads._place import new_places
 from babbitt.reynolds.tilting_pads.dynamics import condensed_at, full_coefficients
+from babbitt.reynolds.tilting_pads.kernel_pads import PadScales, kernel_pads
 from babbitt.reynolds.tilting_pads.model import TiltingPad, TiltingPadBearing
-from babbitt.reynolds.tilting_pads.solve import PadScales, kernel_pads, no_total, solve_tilting_pads
+from babbitt.reynolds.tilting_pads.solve import no_total, solve_tilting_pads
 
 INTERVALS, MARKED, MARK, WHOLE, RUNS = (24, 48, 96), 48, 1e-3, 1.5, 200
 

@@ -81,7 +81,7 @@ def test_nothing_is_permitted_where_every_value_fails():
     ("first", "last", "points"), [(2.0, 1.0, 4), (1.0, 1.0, 4), (1.0, 2.0, 1), (1.0, 2.0, 5000)]
 )
 def test_a_scan_that_is_none_is_refused(first, last, points):
-    with pytest.raises(InputError, match="E003|range|scan"):
+    with pytest.raises(InputError, match=r"range|scan"):
         scan_values(first, last, points)
 
 

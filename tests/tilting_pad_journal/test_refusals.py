@@ -228,7 +228,7 @@ REFUSED = {
     "expansion of rigid pads": (
         {"thermal": "full", "walls": {"pads": {}}, "materials.pads": {"thermal_expansion": "12e-6 1/K"}},
         "materials.pads.thermal_expansion",
-        "growth and bending alone",
+        "growth and bending by heat alone",
     ),
     "journal given and balanced": (
         {"thermal": "full", "walls": {"journal": {"temperature": "50 degC", "shaft_conductance": "2 W/K"}}},
@@ -263,6 +263,46 @@ REFUSED = {
         "walls.pads",
         "give off no heat leave walls out",
     ),
+    "turbulent films with their own temperatures": (
+        {"method": {"kind": "film", "thermal": "full", "turbulence": "ng_pan"}, "accuracy": None},
+        "method.turbulence",
+        "full films, which have their own temperatures, are laminar",
+    ),
+    "growth of films of one temperature": (
+        {"method": {"kind": "film", "thermal": "global", "deformation": ["growth"]}, "accuracy": None},
+        "method.deformation",
+        "pads grow by the temperatures of full thermal films",
+    ),
+    "bending of insulated pads": (
+        {"method": {"kind": "film", "thermal": "adiabatic", "deformation": ["bending"]}, "accuracy": None},
+        "method.deformation",
+        "leave them rigid",
+    ),
+    "bending of no material": (
+        {"method": {"kind": "film", "thermal": "global", "deformation": ["bending"]}, "accuracy": None},
+        "materials",
+        "bending of pads needs their material",
+    ),
+    "expansion of pads of one temperature": (
+        {
+            "method": {"kind": "film", "thermal": "global", "deformation": ["bending"]},
+            "accuracy": None,
+            "materials": {"pads": {"elastic_modulus": "210 GPa", "thermal_expansion": "12e-6 1/K"}},
+        },
+        "materials.pads.thermal_expansion",
+        "by heat alone",
+    ),
+    "a plate that does not bend": (
+        {"method": {"kind": "film", "pad_bending": "plate"}, "accuracy": None},
+        "method.pad_bending",
+        "nothing bends",
+    ),
+    "a material of a pad that does nothing": (
+        {"pads.each": [{"material": "C45"}, {}, {}, {}]},
+        "pads.each[0].material",
+        "the material of pads that take no heat and do not bend makes no difference",
+    ),
+    "a probe beside the pad": ({"pads.probe_fraction": 1.2}, "pads.probe_fraction", "0 to 1"),
     "ratios that fall": ({"whirl_ratios": [0.5, 0.2]}, "whirl_ratios[1]", "0.2 is not above 0.5"),
     "a shaft without rotor": ({"shaft_stiffness": "200 MN/m"}, "shaft_stiffness", "rotor_mass"),
     "cross-coupling without rotor": (

@@ -28,6 +28,7 @@ class JournalPads(OwnPart, pads.JournalPads):
         inertia: Quantity | None = ...,
         mass_offset: Quantity | None = ...,
         mass_inset: Quantity | None = ...,
+        probe_fraction: Quantity | None = ...,
         each: Iterable[Any] | None = ...,
     ) -> None: ...
 
@@ -46,6 +47,8 @@ class OnePad(OwnPart, pads.OnePad):
         inertia: Quantity | None = ...,
         mass_offset: Quantity | None = ...,
         mass_inset: Quantity | None = ...,
+        material: Quantity | Mapping[str, Any] | Part | None = ...,
+        probe_fraction: Quantity | None = ...,
     ) -> None: ...
 
 class RigidPivot(OwnPart, pivots.RigidPivotInput):
@@ -173,6 +176,8 @@ class PadStructure(OwnPart, materials.PadStructure):
         name: str | None = ...,
         elastic_modulus: Quantity | None = ...,
         thermal_expansion: Quantity | None = ...,
+        conductivity: Quantity | None = ...,
+        poisson_ratio: Quantity | None = ...,
     ) -> None: ...
 
 class PadJournalWalls(OwnPart, heat.PadJournalWalls):

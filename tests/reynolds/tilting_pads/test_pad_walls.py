@@ -5,7 +5,12 @@ import math
 import numpy as np
 import pytest
 
-from babbitt.reynolds.tilting_pads.pad_bending import bending_matrices, deflection_matrix, moment_matrix
+from babbitt.reynolds.tilting_pads.pad_bending import (
+    bending_matrices,
+    deflection_matrix,
+    moments_ahead,
+    moments_behind,
+)
 from babbitt.reynolds.tilting_pads.pad_conduction import pad_conduction
 from babbitt.reynolds.tilting_pads.pad_heat import PadBending, PadWalls
 
@@ -61,20 +66,23 @@ def test_moment_of_even_pressure(fraction):
     """int sin(phi' - phi) from phi to the free end: 1 - cos of the angle between them."""
     start, end = -fraction * EXTENT, (1.0 - fraction) * EXTENT
     angles = np.linspace(start, end, INTERVALS + 1)
-    expected = np.where(angles >= 0.0, 1.0 - np.cos(end - angles), 1.0 - np.cos(angles - start))
-    assert moment_matrix(angles) @ np.ones(angles.size) == pytest.approx(expected, abs=1e-8)
+    even = np.ones(angles.size)
+    assert moments_ahead(angles) @ even == pytest.approx(1.0 - np.cos(end - angles), abs=1e-8)
+    assert moments_behind(angles) @ even == pytest.approx(1.0 - np.cos(angles - start), abs=1e-8)
 
 
-def test_deflection_under_even_pressure():
-    """w = (p R_p rho^3/(E I/L)) [1 - cos phi - (sin b sin phi - phi sin(b - phi))/2], b the free arc: the beam of
-    Timoshenko."""
-    by_pressure, _ = bending_matrices(RADIUS, THICKNESS, EXTENT, 0.5, INTERVALS, PadBending())
-    free = 0.5 * EXTENT
-    phi = np.abs(np.linspace(-free, free, INTERVALS + 1))
+@pytest.mark.parametrize("fraction", [0.5, 0.57, 0.625])
+def test_deflection_under_even_pressure(fraction):
+    """w = (p R_p rho^3/(E I/L)) [1 - cos phi - (sin b sin phi - phi sin(b - phi))/2], b the free arc on either
+    side: the beam of Timoshenko, with the pivot between two lines or on one."""
+    by_pressure, _ = bending_matrices(RADIUS, THICKNESS, EXTENT, fraction, INTERVALS, PadBending())
+    angles = np.linspace(-fraction * EXTENT, (1.0 - fraction) * EXTENT, INTERVALS + 1)
+    free, phi = np.where(angles < 0.0, fraction, 1.0 - fraction) * EXTENT, np.abs(angles)
     neutral = RADIUS + 0.5 * THICKNESS
     unit = 1e6 * RADIUS * neutral**3 * 12.0 / (210e9 * THICKNESS**3)
-    shape = 1.0 - np.cos(phi) - 0.5 * (math.sin(free) * np.sin(phi) - phi * np.sin(free - phi))
-    assert by_pressure @ np.full(INTERVALS + 1, 1e6) == pytest.approx(unit * shape, rel=1e-3, abs=1e-12)
+    shape = 1.0 - np.cos(phi) - 0.5 * (np.sin(free) * np.sin(phi) - phi * np.sin(free - phi))
+    found = by_pressure @ np.full(INTERVALS + 1, 1e6)
+    assert found == pytest.approx(unit * shape, rel=1e-3, abs=1e-3 * unit * shape.max())
 
 
 def test_plates_are_stiffer_than_beams_and_heat_bends_both_alike():
@@ -82,3 +90,23 @@ def test_plates_are_stiffer_than_beams_and_heat_bends_both_alike():
     plate = bending_matrices(RADIUS, THICKNESS, EXTENT, 0.5, INTERVALS, PadBending(poisson_ratio=0.3))
     assert plate[0] == pytest.approx(beam[0] * 0.91, rel=1e-12)
     assert plate[1] == pytest.approx(beam[1], rel=1e-12)
+
+
+def test_what_enters_the_bore_of_a_pad_with_an_insulated_back_leaves_over_its_edges():
+    found = conduction(PadWalls(back_coefficient=0.0, edge_coefficient=700.0), fraction=0.6)
+    flux = 1e4 * (1.0 + np.linspace(0.0, 1.0, INTERVALS + 1) ** 2)
+    drives = np.concatenate([flux, [310.0, 330.0, 320.0]])
+    width = np.full(INTERVALS + 1, EXTENT / INTERVALS)
+    width[[0, -1]] *= 0.5
+    assert (found.edges @ drives).sum() == pytest.approx(RADIUS * width @ flux, rel=1e-9)
+
+
+def test_heat_flows_along_a_pad_from_the_warmer_edge_to_the_colder_one():
+    """Without flux into the bore: one resistance at each edge and that of the pad, thin as a rod, between them."""
+    thin, coefficient = 1e-4, 700.0
+    walls = PadWalls(back_coefficient=0.0, edge_coefficient=coefficient)
+    found = pad_conduction(RADIUS, thin, EXTENT, 0.5, INTERVALS, walls)
+    drives = np.concatenate([np.zeros(INTERVALS + 1), [300.0, 340.0, 320.0]])
+    length = (RADIUS + 0.5 * thin) * EXTENT
+    expected = 40.0 * thin / (2.0 / coefficient + length / walls.conductivity)
+    assert found.edges @ drives == pytest.approx([expected, -expected], rel=1e-4)

@@ -83,6 +83,21 @@ def test_heat_closes(model, assembled):
         assert pad.inflow == pytest.approx(pad.outflow + pad.side_flow, rel=1e-9)
 
 
+@pytest.mark.parametrize("model", "CE")
+@pytest.mark.parametrize("coefficient", [100.0, 5000.0])
+@pytest.mark.parametrize("carry_over", [1.0, 0.7])
+def test_heat_over_the_edges_returns_with_the_oil(model, coefficient, carry_over):
+    """The balance of the bearing: oil over the sides and out of the grooves, backs of the pads, journal."""
+    walls = PadWalls(edge_coefficient=coefficient)
+    heat = fillon_heat(model, walls=walls, carry_over=carry_over)
+    found = find_thermal_tilting_pads(fillon_bearing(), LOAD, heat)
+    over_edges = sum(pad.edge_heat for pad in found.temperatures) / found.dissipation
+    assert over_edges > (0.05 if coefficient > 1e3 else 0.002)  # what the balance would lack
+    assert found.energy_balance_error == pytest.approx(0.0, abs=1e-6)
+    for pad in found.temperatures:
+        assert 0.0 < pad.edge_heat < pad.heat
+
+
 def test_one_insulated_pad_without_carry_over():
     """All that shear makes leaves with the oil (C12): no journal, no groove, nothing carried over."""
     bearing = fillon_bearing(angles=(270.0,))

@@ -12,6 +12,7 @@ from babbitt.core.solution import Solution
 from babbitt.design.bounds import Bounds, certain, undecided
 from babbitt.design.checks import checks_not_made, limit_checks
 from babbitt.design.heat_balance import Equilibrium
+from babbitt.design.turbulence import ALL_TURBULENT
 from babbitt.kinds.tilting_pad_journal.cross_coupling import SOUGHT, CrossCoupling, cross_coupling_of
 from babbitt.kinds.tilting_pad_journal.dynamics import PadDynamics, dynamics_of
 from babbitt.kinds.tilting_pad_journal.failure import failure_of_pads, feasible_growth
@@ -53,7 +54,7 @@ USER = "limit set in the case"
 LARGEST_HEAT_ERROR = 1e-3
 """Of the heat balance of films with their own temperatures, over the heat made."""
 LAMINAR = "C110"
-"""The check of other methods that the film is laminar; here W407 tells it, for nothing else could be chosen."""
+"""The check of other methods that the film is laminar; here W407 tells it."""
 
 
 class PadSolutionState:
@@ -232,6 +233,7 @@ def settings_of(case: PadCase, dynamics: PadDynamics | None) -> dict[str, str]:
         "accuracy": case.accuracy.value,
         "feed": case.feed.kind,
         "cavitation": "reynolds",
+        "turbulence": "laminar" if case.turbulence is None else case.turbulence.name,
     }
     if dynamics is not None:
         named["motions"] = ", ".join(dynamics.full.labels)
@@ -243,8 +245,13 @@ def assumptions_of(case: PadCase) -> Iterator[str]:
     if not case.thermal.is_resolved:
         yield (
             "Films of one viscosity that rupture where pressure and its gradient vanish (Reynolds); pads tilt "
-            "without friction about their pivots alone, in the plane of the bearing; rigid pads; ambient or "
-            "groove pressure on all edges of a pad."
+            f"without friction about their pivots alone, in the plane of the bearing; {shapes_of(case)}; ambient "
+            "or groove pressure on all edges of a pad."
+        )
+    if case.turbulence is not None:
+        yield (
+            f"Turbulence after {case.turbulence.name}: films are laminar up to the local Reynolds number "
+            f"41.3 sqrt(R/c) of the widest pad, fully turbulent from {ALL_TURBULENT:g} times that."
         )
     yield "The moment of the shear on a pad about its pivot is left out, as in published tables."
     yield (
@@ -259,6 +266,16 @@ def assumptions_of(case: PadCase) -> Iterator[str]:
         )
     if case.thermal.is_resolved:
         yield from thermal_assumptions(case)
+
+
+def shapes_of(case: PadCase) -> str:
+    """How the pads of films of one temperature keep their shapes."""
+    if not any(pad.bends for pad in case.bearing.pads):
+        return "rigid pads"
+    return (
+        "pads bend by pressure, at rest and in motion, along the one shape that an even pressure gives a beam "
+        "held at the pivot; where they unload is that of their round bores"
+    )
 
 
 def missing_of(case: PadCase, values: Mapping[str, float]) -> dict[str, str]:

@@ -109,6 +109,9 @@ def compared(case: TiltingPadJournalCase, index: int, problem: PadCase) -> Compa
         if problem.oil_supply is None:
             left_out.append(f"{thermal.value} is left out: the temperature of the fresh oil is not given")
             continue
+        if thermal.is_resolved and problem.turbulence is not None:
+            left_out.append(f"{thermal.value} is left out: films with their own temperatures are laminar")
+            continue
         try:
             found.append(by_model(pad_cases(with_thermal(case, thermal))[index]))
         except InputError as error:  # the films of one model may need more oil than is supplied
@@ -131,7 +134,9 @@ def with_thermal(case: TiltingPadJournalCase, thermal: Thermal) -> TiltingPadJou
     """The same case by another thermal model, without what that does not read."""
     changes: dict[str, object] = {"thermal": thermal.value}
     if thermal is not Thermal.FULL:
-        changes |= {"walls": PadJournalWalls(), "deformation": ()}
+        changes |= {"walls": PadJournalWalls()}
+    if thermal.is_resolved or case.thermal_model == "full":  # films of one temperature bend pads by their own
+        changes |= {"deformation": ()}
     return case.model_copy(update=changes)
 
 

@@ -16,6 +16,7 @@ from babbitt.design.heat_balance import (
 )
 from babbitt.design.oil import properties_at
 from babbitt.design.pad_heat import HeatBalance, mixed_temperatures
+from babbitt.design.turbulence import film_turbulence
 from babbitt.kinds.tilting_pad_journal.model import PadCase, Thermal
 from babbitt.kinds.tilting_pad_journal.state import PadFilms
 from babbitt.kinds.tilting_pad_journal.thermal_film import thermal_films
@@ -59,7 +60,9 @@ def film_at_temperature(temperature: float, case: PadCase) -> PadFilms:
         at its limit is no reason: its films stand where the search ended, and another temperature may free it.
     """
     density, viscosity, capacity = properties_at(case.lubricant, temperature)
-    pads = case.bearing.film(viscosity, case.journal_speed)
+    relative = case.bearing.pad_relative_clearance
+    turbulent = None if case.turbulence is None else film_turbulence(case.turbulence, relative, density)
+    pads = case.bearing.film(viscosity, case.journal_speed, turbulent)
     resolution = case.accuracy.resolution
     if isinstance(case.duty, PrescribedLoad):
         load = case.duty.load * math.cos(case.load_angle), case.duty.load * math.sin(case.load_angle)
@@ -77,6 +80,6 @@ def film_at_temperature(temperature: float, case: PadCase) -> PadFilms:
             balance, solution.friction_power, trailing, entering - trailing, temperature
         )
     return PadFilms(
-        temperature, density, viscosity, capacity, case.bearing.pad_clearance * 2.0 / case.bearing.diameter,
-        solution, entering - case.feed.carry_over * trailing, temperatures,
+        temperature, density, viscosity, capacity, relative, solution,
+        entering - case.feed.carry_over * trailing, temperatures,
     )  # fmt: skip

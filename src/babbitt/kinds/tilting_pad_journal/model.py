@@ -20,8 +20,9 @@ from babbitt.properties.lubricants import Lubricant
 from babbitt.properties.materials import BearingMetal, LoadCharacter
 from babbitt.reynolds.heat.heat_model import JournalHeat
 from babbitt.reynolds.model import DRAFT, ENGINEERING, Resolution
+from babbitt.reynolds.oil.turbulence import FilmTurbulence, TurbulenceLaw
 from babbitt.reynolds.tilting_pads.model import TiltingPad, TiltingPadBearing
-from babbitt.reynolds.tilting_pads.pad_heat import THERMAL_PADS, PadBending, PadGrowth, PadWalls
+from babbitt.reynolds.tilting_pads.pad_heat import THERMAL_PADS, PadBending, PadGrowth, PadMaterial, PadWalls
 from babbitt.reynolds.tilting_pads.pedestal import Pedestal
 
 __all__ = ["Accuracy", "Feed", "HeatChoices", "PadBearing", "PadCase", "Thermal", "WHIRL_RATIOS"]
@@ -80,12 +81,15 @@ class HeatChoices:
         None: the pads take no heat.
     bending : PadBending or None
     growth : PadGrowth or None
+    materials : tuple of PadMaterial
+        Of every pad what it has of its own; empty: all are alike.
     """
 
     journal: JournalHeat | None = None
     walls: PadWalls | None = None
     bending: PadBending | None = None
     growth: PadGrowth | None = None
+    materials: tuple[PadMaterial, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -149,10 +153,17 @@ class PadBearing(Proportions):
         """As `relative_clearance`."""
         return self.relative_clearance
 
-    def film(self, viscosity: float, angular_speed: float) -> TiltingPadBearing:
+    @property
+    def pad_relative_clearance(self) -> float:
+        """Largest machined clearance of the pads over the radius, to which the Reynolds number belongs."""
+        return 2.0 * self.pad_clearance / self.diameter
+
+    def film(
+        self, viscosity: float, angular_speed: float, turbulence: FilmTurbulence | None = None
+    ) -> TiltingPadBearing:
         """The bearing of the film engine: viscosity in Pa s, speed in rad/s."""
         return TiltingPadBearing(
-            self.diameter, self.width, viscosity, angular_speed, self.pads, self.groove_pressure
+            self.diameter, self.width, viscosity, angular_speed, self.pads, self.groove_pressure, turbulence
         )
 
 
@@ -163,7 +174,7 @@ class PadCase:
     Speed in rad/s, positive counter-clockwise; `load_angle` in rad from +x. With the thermal model `ISOTHERMAL`
     the films have the `effective_temperature` (K), else it is None and found from friction and fresh oil; `heat`
     counts for films with their own temperatures, whose bores at 75 % of a pad `probe_alarm` and `probe_trip` (K)
-    limit.
+    limit. Without `turbulence` films are laminar whatever their Reynolds number.
     `rotor_mass` (kg) is the part of a rotor that this bearing carries, `shaft_stiffness` (N/m) that of the shaft
     between that mass and the journal; None is rigid. `anticipated_cross_coupling` (N/m) drives the whole rotor, on
     two such bearings, forward; the housing stands on the `pedestal`, None: a rigid one. Coefficients are given at
@@ -180,6 +191,7 @@ class PadCase:
     oil_supply: OilSupply | None = None
     effective_temperature: float | None = None
     heat: HeatChoices = HeatChoices()
+    turbulence: TurbulenceLaw | None = None
     load_angle: float = -0.5 * math.pi
     accuracy: Accuracy = Accuracy.ENGINEERING
     whirl_ratios: tuple[float, ...] = WHIRL_RATIOS

@@ -62,6 +62,7 @@ def found_at(case: PadCase, temperature: float) -> ThermalTiltingPadSolution:
     model = PadHeat(
         bounded_viscosity(case.lubricant), capacity, case.lubricant.conductivity(temperature), supply,
         heat.journal, heat.walls, heat.bending, heat.growth, carry_over=case.feed.carry_over,
+        materials=heat.materials,
     )  # fmt: skip
     resolution = case.accuracy.thermal_resolution
     if isinstance(case.duty, PrescribedLoad):
@@ -95,7 +96,7 @@ def films_of(case: PadCase, found: ThermalTiltingPadSolution, temperature: float
     """The films with the bearing that runs."""
     density, viscosity, capacity = properties_at(case.lubricant, temperature)
     return PadFilms(
-        temperature, density, viscosity, capacity, case.bearing.pad_clearance * 2.0 / case.bearing.diameter,
+        temperature, density, viscosity, capacity, case.bearing.pad_relative_clearance,
         replace(found, bearing=running_bearing(case, found, viscosity)), found.supplied_flow, None,
     )  # fmt: skip
 

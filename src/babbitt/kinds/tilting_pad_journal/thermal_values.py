@@ -62,7 +62,8 @@ def thermal_rows(case: PadCase, films: PadFilms) -> dict[str, Matrix]:
         "pad_probe_temperature": [pad.probe for pad in pads],
     }
     if case.heat.walls is not None:
-        rows |= {"pad_mean_temperature": [pad.mean for pad in pads], "pad_heat": [pad.heat for pad in pads]}
+        rows |= {"pad_mean_temperature": [pad.mean for pad in pads], "pad_heat": [pad.back_heat for pad in pads]}
+        rows["pad_edge_heat"] = [pad.edge_heat for pad in pads]
     if case.heat.growth is not None:
         rows["pad_growth"] = [pad.growth for pad in pads]
     if case.heat.bending is not None:

@@ -14,7 +14,10 @@ from babbitt.kinds.tilting_pad_journal.dynamics import PadDynamics, bounded_decr
 from babbitt.kinds.tilting_pad_journal.margins import PadMargin
 from babbitt.kinds.tilting_pad_journal.model import PadCase
 from babbitt.kinds.tilting_pad_journal.state import PadFilms
+from babbitt.reynolds.tilting_pads.bending_mode import BendingMode
+from babbitt.reynolds.tilting_pads.kernel_pads import pad_widths
 from babbitt.reynolds.tilting_pads.model import TiltingPad
+from babbitt.reynolds.tilting_pads.pad_lands import pad_gaps
 from babbitt.reynolds.tilting_pads.solution import PadState, PadStatus, TiltingPadSolution
 
 __all__ = ["dynamic_rows", "dynamic_values", "eccentricity_ratio", "film_values", "pad_rows", "place_values"]
@@ -69,7 +72,19 @@ def film_values(case: PadCase, films: PadFilms, margins: tuple[PadMargin, ...]) 
     }
     if known:
         named["least_pad_margin"] = min(known)
+    if case.turbulence is not None:
+        named["turbulent_share"] = turbulent_share(solution)
     return named
+
+
+def turbulent_share(solution: TiltingPadSolution) -> float:
+    """Share of the bores of all pads where the local Reynolds number exceeds that at which turbulence sets in."""
+    bearing, law = solution.bearing, solution.bearing.turbulence
+    assert law is not None
+    speed = bearing.radius * abs(bearing.angular_speed)
+    turbulent = law.density * speed * pad_gaps(solution) / bearing.viscosity > law.onset
+    areas = pad_widths(bearing) * [pad.extent for pad in bearing.pads]
+    return float(np.average(np.trapezoid(turbulent, dx=1.0 / (turbulent.shape[1] - 1)), weights=areas))
 
 
 def mass_balance_error(solution: TiltingPadSolution) -> float:
@@ -206,7 +221,17 @@ def pad_rows(case: PadCase, solution: TiltingPadSolution) -> dict[str, Matrix]:
         "pivot_displacement": [state.position.pivot_displacement for state in states],
         "pivot_stiffness": [state.pivot_stiffness if state.load > 0.0 else math.nan for state in states],
     }
+    if any(pad.bends for pad in pads):
+        rows["pad_bending"] = [largest_bending(pad, state) for pad, state in zip(pads, states, strict=True)]
+        rows["pad_bending_stiffness"] = [pad.bending_stiffness for pad in pads]
     return {name: (tuple(map(float, row)),) for name, row in rows.items() if any(map(math.isfinite, row))}
+
+
+def largest_bending(pad: TiltingPad, state: PadState) -> float:
+    """What an edge of a pad that bends moves outward, m; 0 of one without load."""
+    mode = BendingMode.of(pad)
+    edges = mode.shape(np.array([-mode.leading, mode.trailing]))
+    return 0.0 if state.bend is None else state.bend.deflection * float(edges.max())
 
 
 def pivot_film(pad: TiltingPad, state: PadState) -> float:

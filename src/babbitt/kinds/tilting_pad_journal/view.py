@@ -66,6 +66,7 @@ KEY_RESULTS = (
     "growth_share",
     "effective_viscosity",
     "film_reynolds_number",
+    "turbulent_share",
     "stiffness_xx",
     "stiffness_xy",
     "stiffness_yx",
@@ -132,8 +133,10 @@ def _citations(problem: PadCase) -> Iterable[str]:
         yield DOWSON
         yield PATANKAR
         yield FILLON
-    if problem.heat.bending is not None:
+    if problem.heat.bending is not None or any(pad.bends for pad in problem.bearing.pads):
         yield TIMOSHENKO
+    if problem.turbulence is not None:
+        yield problem.turbulence.source
     if problem.thermal is not Thermal.ISOTHERMAL:
         yield CARRY_OVER
     if any(isinstance(pad.pivot, HertzContact) for pad in problem.bearing.pads):

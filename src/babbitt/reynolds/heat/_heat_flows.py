@@ -20,6 +20,7 @@ from numpy import float64, int64
 from numpy.typing import NDArray
 
 from babbitt.reynolds._compiling import compiled, inlined
+from babbitt.reynolds.oil._turbulent_oil import stirred
 from babbitt.reynolds.surface._surface_film import Counted, gap_at
 
 Array = NDArray[float64]
@@ -243,11 +244,9 @@ def flow_across(surface, film, work, columns, flows, warmth):
 
 @inlined
 def stirring(surface, i, q, gap):
-    """Turbulent over laminar shear at a place of the film, as ``turbulence.FilmTurbulence.shear_factor``."""
+    """Turbulent over laminar shear at a place of the film."""
     law = surface.turbulence
-    number = law[0] * surface.radius[q] * gap / surface.viscosity[i, q]
-    t = min(max((number - law[1]) / (law[2] - law[1]), 0.0), 1.0)
-    return 1.0 + t * t * (3.0 - 2.0 * t) * law[7] * number ** law[8]
+    return stirred(law, law[0] * surface.radius[q] * gap / surface.viscosity[i, q])
 
 
 @inlined

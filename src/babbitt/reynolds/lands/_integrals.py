@@ -8,8 +8,11 @@ less what is drawn in. In every land inflow = outflow + side flow + squeezed vol
 
 from __future__ import annotations
 
+import numpy as np
+
 from babbitt.reynolds._compiling import compiled, inner
 from babbitt.reynolds.lands._grids import film_coefficients
+from babbitt.reynolds.oil._turbulent_oil import stirred, thickened
 
 INFLOW, OUTFLOW, SIDE_FLOW, SIDE_INFLOW, IMBALANCE = range(5)
 JOURNAL_TORQUE, BEARING_TORQUE, STREAMER_TORQUE, TOTALS = range(5, 9)
@@ -21,16 +24,18 @@ def integrate(axial, bearing, grid, film, x, y, x_rate, y_rate, pressure, void, 
 
     Flows by omega R c B, torques by mu omega R^3 B / c.
     """
+    laminar = np.zeros(0)
     for k in range(bearing.lands.shape[0]):
-        integrate_land(axial, bearing, grid, k, film, x, y, x_rate, y_rate, pressure, void, totals)
+        film_coefficients(bearing, grid, k, x, y, x_rate, y_rate, film)
+        integrate_land(axial, bearing, grid, k, film, x, y, laminar, pressure, void, totals)
 
 
 @inner
-def integrate_land(axial, bearing, grid, k, film, x, y, x_rate, y_rate, pressure, void, totals):
-    """Fill pressure, void and totals of land k (`integrate`)."""
+def integrate_land(axial, bearing, grid, k, film, x, y, law, pressure, void, totals):
+    """Fill pressure, void and totals of land k (`integrate`) from coefficients of its film that are known, ``law``
+    that of their turbulence or empty."""
     m = len(axial.size)
     n = film.conductance.size
-    film_coefficients(bearing, grid, k, x, y, x_rate, y_rate, film)
     totals[k, :] = 0.0
     for i in range(n + 1):
         for j in range(m):
@@ -40,8 +45,8 @@ def integrate_land(axial, bearing, grid, k, film, x, y, x_rate, y_rate, pressure
         pressure[k, i, m] = bearing.side_pressure
         void[k, i, m] = 0.0
     for j in range(m):
-        inner_column(axial, bearing, grid, k, j, film, x, y, pressure, void, totals)
-    edge_column(axial, bearing, grid, k, film, x, y, pressure, void, totals)
+        inner_column(axial, bearing, grid, k, j, film, x, y, law, pressure, void, totals)
+    edge_column(axial, bearing, grid, k, film, x, y, law, pressure, void, totals)
     stored = 0.0
     for i in range(1, n):
         for j in range(m):
@@ -51,7 +56,7 @@ def integrate_land(axial, bearing, grid, k, film, x, y, x_rate, y_rate, pressure
 
 
 @inner
-def inner_column(axial, bearing, grid, k, j, film, x, y, pressure, void, totals):
+def inner_column(axial, bearing, grid, k, j, film, x, y, law, pressure, void, totals):
     """Flux and friction along the column of an inner node; the void behind a Reynolds rupture by continuity."""
     n = film.conductance.size
     weight = axial.root_weights[j] ** 2
@@ -67,13 +72,13 @@ def inner_column(axial, bearing, grid, k, j, film, x, y, pressure, void, totals)
             flux += film.conductance[i] * (pressure[k, i, j] - pressure[k, i + 1, j])
         if i == 0:
             totals[k, INFLOW] += weight * flux
-        add_friction(bearing, grid, k, i, film, x, y, weight, flux, here, pressure[k, i, j], pressure[k, i + 1, j],
+        add_friction(bearing, grid, k, i, law, x, y, weight, flux, here, pressure[k, i, j], pressure[k, i + 1, j],
                      void[k, i, j], totals)  # fmt: skip
     totals[k, OUTFLOW] += weight * flux
 
 
 @inner
-def edge_column(axial, bearing, grid, k, film, x, y, pressure, void, totals):
+def edge_column(axial, bearing, grid, k, film, x, y, law, pressure, void, totals):
     """Side flow: what the row of the edge node can neither pass on nor store.
 
     With the liquid fraction phi, w (Q_i + S_i) phi + side flow = w q_i-1 - kappa H_i (K p)_edge. Of what arrives,
@@ -100,23 +105,30 @@ def edge_column(axial, bearing, grid, k, film, x, y, pressure, void, totals):
             flux = liquid * film.couette[i]
             totals[k, SIDE_FLOW] += arriving - liquid * room
             totals[k, SIDE_INFLOW] += max(liquid * room - arriving, 0.0)
-        add_friction(bearing, grid, k, i, film, x, y, weight, flux, i == 0, 0.0, 0.0, void[k, i, m], totals)
+        add_friction(bearing, grid, k, i, law, x, y, weight, flux, i == 0, 0.0, 0.0, void[k, i, m], totals)
     totals[k, OUTFLOW] += weight * flux
 
 
 @inner
-def add_friction(bearing, grid, k, i, film, x, y, weight, flux, full, p_here, p_behind, void, totals):
+def add_friction(bearing, grid, k, i, law, x, y, weight, flux, full, p_here, p_behind, void, totals):
     """Shear of one interval of one column: Couette part with the liquid fraction, and +- (h/2) dp/dtheta; the part
     of streamers apart from both torques, too.
 
-    In a full interval dp/dtheta = 12 (h/2 - q)/h^3 integrates exactly to 3 J_1 - 6 q J_2.
+    In a full interval dp/dtheta = 12 (h/2 - q)/h^3 integrates exactly to 3 J_1 - 6 q J_2. In a turbulent one the
+    shear and dp/dtheta have factors of their own.
     """
     half = 0.5 * grid.step[k, i]
     ha = grid.gap_a[k, i] - x * grid.cos_a[k, i] - y * grid.sin_a[k, i]
     hb = grid.gap_b[k, i] - x * grid.cos_b[k, i] - y * grid.sin_b[k, i]
     j1 = half * (1.0 / ha + 1.0 / hb)
     j2 = half * (1.0 / (ha * ha) + 1.0 / (hb * hb))
-    couette = bearing.speed * j1 * (1.0 - void)
+    sheared = j1
+    if law.size > 0:
+        fa, _ = thickened(law, law[0] * ha, 0)
+        fb, _ = thickened(law, law[0] * hb, 0)
+        j1, j2 = half * (fa / ha + fb / hb), half * (fa / (ha * ha) + fb / (hb * hb))
+        sheared = half * (stirred(law, law[0] * ha) / ha + stirred(law, law[0] * hb) / hb)
+    couette = bearing.speed * sheared * (1.0 - void)
     if full and (p_here > 0.0 or p_behind > 0.0):
         slope = 3.0 * bearing.speed * j1 - 6.0 * flux * j2
     else:

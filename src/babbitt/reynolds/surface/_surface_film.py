@@ -23,6 +23,7 @@ from numpy.typing import NDArray
 
 from babbitt.reynolds._compiling import compiled, inner
 from babbitt.reynolds.lands._grids import FAR, GAUSS, NEAR, growth_to_rupture
+from babbitt.reynolds.oil._turbulent_oil import thickened
 
 Array = NDArray[float64]
 
@@ -166,24 +167,12 @@ def smallest_surface_gap(surface, at):
 
 @inner
 def thickening(surface, viscosity, radius, gap, direction):
-    """Effective over true viscosity of a turbulent film along (0) or across (1), and its d ln / d ln h.
-
-    1 + w a Re^b / 12 with Re = Re_1 r h / mu; the weight w rises from onset to end as 3 t^2 - 2 t^3.
-    """
+    """Effective over true viscosity of a turbulent film along (0) or across (1), and its d ln / d ln h, with
+    Re = Re_1 r h / mu."""
     law = surface.turbulence
     if law.size == 0:
         return 1.0, 0.0
-    number = law[0] * radius * gap / viscosity
-    if number <= law[1]:
-        return 1.0, 0.0
-    factor, exponent = law[3 + 2 * direction], law[4 + 2 * direction]
-    excess = factor * number**exponent / 12.0
-    weight, growth = 1.0, 0.0
-    if number < law[2]:
-        t = (number - law[1]) / (law[2] - law[1])
-        weight, growth = t * t * (3.0 - 2.0 * t), 6.0 * t * (1.0 - t) * number / (law[2] - law[1])
-    total = 1.0 + weight * excess
-    return total, excess * (weight * exponent + growth) / total
+    return thickened(law, law[0] * radius * gap / viscosity, direction)
 
 
 @inner

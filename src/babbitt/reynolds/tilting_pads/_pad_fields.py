@@ -13,6 +13,7 @@ from babbitt.reynolds.lands._integrals import (
     OUTFLOW,
     integrate_land,
 )
+from babbitt.reynolds.oil._turbulent_oil import stirred
 from babbitt.reynolds.tilting_pads._tilt import LOADED, pad_film, pad_land
 
 
@@ -30,10 +31,10 @@ def finish_pads(axial, pads, grid, places, pressure, void, totals, narrowest):
         if places.status[k] == LOADED:
             pad_film(axial, pads, grid, k, film, lines, e, eta, bool(0), pads.bearing.smooth, places)
             integrate_land(
-                axial, pad_land(pads, k), grid, k, film, e, eta, 0.0, 0.0, pressure, void, totals
+                axial, pad_land(pads, k), grid, k, film, e, eta, pads.turbulence[k], pressure, void, totals
             )  # fmt: skip
         else:
-            add_streamers(grid, k, e, max(narrowest[k], 0.0), void, totals)
+            add_streamers(grid, k, e, max(narrowest[k], 0.0), pads.turbulence[k], void, totals)
 
 
 @inlined
@@ -48,7 +49,7 @@ def narrowest_gap(grid, k, e, eta):
 
 
 @inlined
-def add_streamers(grid, k, e, narrowest, void, totals):
+def add_streamers(grid, k, e, narrowest, law, void, totals):
     """Void, flow and torques of a pad that does not carry, concentric with its bore (eta = 0).
 
     Its narrowest place passes its drag flow, half the speed times the gap; elsewhere the same oil fills a part
@@ -62,6 +63,9 @@ def add_streamers(grid, k, e, narrowest, void, totals):
         void[k, i, :] = min(max(1.0 - narrowest / max(on_line, 1e-300), 0.0), 1.0)
         if i < n:
             before = grid.gap_b[k, i] - e * grid.cos_b[k, i]
-            shear += 0.5 * grid.step[k, i] * (1.0 / (behind * behind) + 1.0 / (before * before))
+            sa, sb = 1.0, 1.0
+            if law.size > 0:
+                sa, sb = stirred(law, law[0] * behind), stirred(law, law[0] * before)
+            shear += 0.5 * grid.step[k, i] * (sa / (behind * behind) + sb / (before * before))
     totals[k, INFLOW] = totals[k, OUTFLOW] = 0.5 * narrowest
     totals[k, JOURNAL_TORQUE] = totals[k, BEARING_TORQUE] = narrowest * shear if narrowest > 0.0 else math.nan

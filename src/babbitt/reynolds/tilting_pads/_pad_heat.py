@@ -60,6 +60,8 @@ class WallState(NamedTuple):
     given: Array  # bore temperature over that of leading edge, trailing edge and back, (pads, n + 1, 3)
     answer_mean: Array  # mean of answer along the bore, that of the leading edge with the next, (pads, n + 1)
     given_mean: Array  # mean of given along the bore, (pads, 3)
+    edge_answer: Array  # heat over leading and trailing edge over q + alpha T, by flow_heat, (pads, 2, n + 1)
+    edge_given: Array  # the same over the temperatures around, (pads, 2, 3)
     back: float  # temperature behind the pads, K
     bore: Array  # temperature, K, (lines,)
     flux: Array  # into the bore, W/m2, (lines,)
@@ -182,10 +184,12 @@ def balance_grooves(ring, columns, flows, cells, oil, walls, rows, films):
     """Temperatures of the oil that enters every pad, of the journal and of the pads, and with them of all films.
 
     As ``_heat_cells.mix``: of the oil brought to a groove, by the pad in front and by what flows back, the share
-    that is carried over enters, and fresh oil for what is missing. Returns the largest change, K.
+    that is carried over enters, and fresh oil for what is missing; the edges of both pads at the groove warm it.
+    Returns the largest change, K.
     """
     count, layers, states = films.inlet.size, len(columns.layers), films.states
     matrix, right = np.eye(2 * count + 1), np.zeros(2 * count + 1)
+    fed = np.ones(count, np.bool_)
     for k in range(count):
         b, first = oil.previous[k], k * rows
         matrix[k, k] = 0.0
@@ -213,11 +217,14 @@ def balance_grooves(ring, columns, flows, cells, oil, walls, rows, films):
         films.capped[k] = kept > taken
         added = max(taken - kept, 0.0)
         if kept + added <= 0.0:
-            added = 1.0
+            added, fed[k] = 1.0, False
         matrix[k, k] += kept + added
         right[k] += added * oil.fresh
         if walls.pads_open:
             pad_balance(ring, cells, oil, walls, k, rows, films, matrix, right)
+    if walls.pads_open:
+        for k in range(count):
+            edge_balance(ring, cells, oil, walls, k, rows, films, fed, matrix, right)
     right[count] = walls.journal[0]
     if walls.journal_open and not walls.journal_given:
         journal_balance(cells, oil, walls, rows, films, matrix[count], right)
@@ -265,6 +272,30 @@ def pad_balance(ring, cells, oil, walls, k, rows, films, matrix, right):
     matrix[level, k] -= walls.given_mean[k, LEADING]
     matrix[level, follower(oil, k)] -= walls.given_mean[k, TRAILING]
     right[level] += walls.given_mean[k, BACK] * walls.back
+
+
+@inlined
+def edge_balance(ring, cells, oil, walls, k, rows, films, fed, matrix, right):
+    """Heat that pad k gives off over its edges, into the rows of the oil of both grooves where that flows.
+
+    Linear in q + alpha T, as `pad_balance`; over rho c omega R c B a flow times a temperature.
+    """
+    count, first, alpha = films.inlet.size, k * rows, walls.exchange
+    level, behind = count + 1 + k, follower(oil, k)
+    for side in range(2):
+        groove = behind if side == TRAILING else k
+        if not fed[groove]:
+            continue
+        for i in range(1, rows):
+            r, share = first + i, walls.edge_answer[k, side, i]
+            conduct, s = 2.0 * film_conductance(ring, cells, oil, r), films.states[r, 0]
+            right[groove] += share * (conduct * (s[0] - walls.datum[r]) + alpha * walls.datum[r])
+            matrix[groove, k] -= share * conduct * s[1]
+            matrix[groove, count] -= share * conduct * s[2]
+            matrix[groove, level] -= share * (conduct * (s[3] - 1.0) + alpha)
+        matrix[groove, k] -= walls.edge_given[k, side, LEADING]
+        matrix[groove, behind] -= walls.edge_given[k, side, TRAILING]
+        right[groove] += walls.edge_given[k, side, BACK] * walls.back
 
 
 @inlined

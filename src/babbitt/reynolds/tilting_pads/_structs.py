@@ -34,6 +34,7 @@ class Pads(NamedTuple):
     plain: NDArray[bool_]  # whether its bore is a circle and no pressure stands at its edges, (pads,)
     fluidity: Array  # of every interval: unit of viscosity over effective viscosity, (pads, intervals or 0)
     drag: Array  # of every interval: flow by shear over half the gap, (pads, intervals or 0)
+    turbulence: Array  # law of every pad (``turbulence.FilmTurbulence.kernel_row``), (pads, numbers or 0)
 
 
 class PadPlaces(NamedTuple):

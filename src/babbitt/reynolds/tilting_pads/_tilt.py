@@ -17,6 +17,7 @@ from babbitt.reynolds._compiling import compiled, inlined, inner
 from babbitt.reynolds._structs import CLEARANCE, END, START, Bearing
 from babbitt.reynolds.lands._equilibrium import answer_land
 from babbitt.reynolds.lands._grids import film_coefficients, new_film, new_grid, new_lines, uniform_lines
+from babbitt.reynolds.tilting_pads._turbulent_pads import turbulent_coefficients
 
 LOADED, UNLOADED, AT_LIMIT, NO_FILM, NOT_FOUND = 0, 1, 2, 3, 4
 
@@ -52,7 +53,11 @@ def pad_land(pads, k):
 
 @inlined
 def pad_coefficients(pads, grid, k, e, eta, film):
-    """Coefficients of the film of pad k at (e, eta), with a viscosity that differs from interval to interval."""
+    """Coefficients of the film of pad k at (e, eta), turbulent or of a viscosity that differs from interval to
+    interval."""
+    if pads.turbulence.shape[1] > 0:
+        turbulent_coefficients(pads.turbulence[k], grid, k, e, eta, film)
+        return
     film_coefficients(pad_land(pads, k), grid, k, e, eta, 0.0, 0.0, film)
     if pads.fluidity.shape[1] == 0:
         return

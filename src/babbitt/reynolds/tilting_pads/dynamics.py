@@ -1,7 +1,8 @@
 """Stiffness, damping and mass of journal and pads together, and what a rotor sees of them at a frequency.
 
-The motions are q = (x, y | of every pad its tilt as a length s, the way u of its pivot, and v along tau where that
-gives way). A film feels r = (xi, eta) = B q, and by virtual work acts with B^T F; so
+The motions are q = (x, y | of every pad its tilt as a length s, the way u of its pivot, v along tau where that
+gives way, and its bending where it bends). A film feels r = (xi, eta) = B q, with bending as a third part, and by
+virtual work acts with B^T F; so
 
     K = sum B^T K_f B + pivots,    C = sum B^T C_f B + damping of pivots,    M: pads,
 
@@ -20,6 +21,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from babbitt.core.notices import InputError
+from babbitt.reynolds.tilting_pads.bending_mode import BendingMode
 from babbitt.reynolds.tilting_pads.model import TiltingPad, TiltingPadBearing
 from babbitt.reynolds.tilting_pads.solution import PadState, PadStatus, TiltingPadSolution
 
@@ -49,7 +51,7 @@ class PadCoefficients:
     labels : tuple of str
         x and y of the journal, then of every pad with a film ``pad N tilt`` (s, the tilt times the lever of its
         pivot, m), ``pad N pivot`` (u) and ``pad N tangential`` (v) where the pivot gives way along n and along
-        tau. Numbers from 1.
+        tau, and ``pad N bending`` (q). Numbers from 1.
     mass, stiffness, damping : ndarray, shape (n, n)
         kg, N/m, N s/m. The journal has no mass here.
     levers : ndarray, shape (n,)
@@ -136,8 +138,9 @@ def full_coefficients(solution: TiltingPadSolution) -> PadCoefficients:
     for (number, pad, state), own in zip(chosen, motions, strict=True):
         last = first + len(own)
         rows = film_motions(pad, own, size, first)
-        stiffness += rows.T @ state.stiffness @ rows
-        damping += rows.T @ state.damping @ rows
+        answer = state if state.bend is None else state.bend
+        stiffness += rows.T @ answer.stiffness @ rows
+        damping += rows.T @ answer.damping @ rows
         block = slice(first, last)
         m, c, k = pad_matrices(bearing, pad, state, own)
         mass[block, block] += m
@@ -158,15 +161,18 @@ def own_motions(pad: TiltingPad, state: PadState) -> tuple[str, ...]:
         names.append("pivot")
     if math.isfinite(pad.tangential_stiffness):
         names.append("tangential")
+    if state.bend is not None:
+        names.append("bending")
     return tuple(names)
 
 
 def film_motions(pad: TiltingPad, own: Sequence[str], size: int, first: int) -> Array:
-    """Matrix B of a pad, shape (2, size): xi = n q - u, eta = tau q - v + s."""
-    rows = np.zeros((2, size))
+    """Matrix B of a pad, shape (2, size): xi = n q - u, eta = tau q - v + s; with a third row for its bending."""
+    rows = np.zeros((3 if "bending" in own else 2, size))
     rows[0, :2], rows[1, :2] = pad.normal(), pad.tangent()
     for column, name in enumerate(own, first):
-        rows[:, column] = {"tilt": (0.0, 1.0), "pivot": (-1.0, 0.0), "tangential": (0.0, -1.0)}[name]
+        row, sign = {"tilt": (1, 1.0), "pivot": (0, -1.0), "tangential": (1, -1.0), "bending": (2, 1.0)}[name]
+        rows[row, column] = sign
     return rows
 
 
@@ -177,7 +183,8 @@ def pad_matrices(
 
     With b_g and a_g the distances of the centre of gravity from the pivot along tau and towards the centre of the
     bearing, a tilt moves it outward by -b_g delta and along tau by -a_g delta:
-    M = (J, -m b_g, -m a_g; -m b_g, m, 0; -m a_g, 0, m) in (delta, u, v).
+    M = (J, -m b_g, -m a_g; -m b_g, m, 0; -m a_g, 0, m) in (delta, u, v). Bending moves m times the mean of psi^2,
+    which is not coupled with the others.
     """
     lever = bearing.lever(pad)
     size = len(own)
@@ -186,6 +193,10 @@ def pad_matrices(
     damping[0, 0] = pad.rotational_damping / lever**2
     stiffness[0, 0] = pad.rotational_stiffness / lever**2
     for place, name in enumerate(own[1:], 1):
+        if name == "bending":
+            mass[place, place] = pad.mass * BendingMode.of(pad).mean_square
+            stiffness[place, place] = pad.bending_stiffness
+            continue
         mass[place, place] = pad.mass
         if name == "pivot":
             mass[0, place] = mass[place, 0] = -bearing.sense * pad.mass * pad.mass_offset / lever

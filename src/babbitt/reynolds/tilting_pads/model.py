@@ -20,6 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.core.notices import InputError
+from babbitt.reynolds.oil.turbulence import FilmTurbulence
 from babbitt.reynolds.tilting_pads.pivots import Pivot, RigidPivot
 
 __all__ = ["TiltingPad", "TiltingPadBearing"]
@@ -66,6 +67,11 @@ class TiltingPad:
     mass_offset, mass_inset : float
         Distances of the centre of gravity from the contact of the pivot, m: in the sense of rotation, and towards
         the centre of the bearing.
+    bending_stiffness : float
+        Against bending along its one mode (`bending_mode.BendingMode`), N/m; infinite: it does not bend. Its part
+        of the mass moves with it.
+    probe_fraction : float
+        Angle from the leading edge to a probe of the temperature of the bore, over ``extent``.
     profile : tuple of float
         Departure of the bore from its circle, m, outward positive, at equally spaced angles from the smaller to
         the larger (bending, wear). Empty: none.
@@ -90,13 +96,15 @@ class TiltingPad:
     inertia: float = 0.0
     mass_offset: float = 0.0
     mass_inset: float = 0.0
+    bending_stiffness: float = math.inf
+    probe_fraction: float = 0.75
     profile: tuple[float, ...] = ()
 
     def __post_init__(self) -> None:
         for name in ("pivot_angle", "rest_tilt", "mass_offset", "mass_inset"):
             if not math.isfinite(getattr(self, name)):
                 raise InputError("E101", f"{name} of a pad is {getattr(self, name)}; it must be a finite number.")
-        for name in ("extent", "clearance", "thickness", "tangential_stiffness"):
+        for name in ("extent", "clearance", "thickness", "tangential_stiffness", "bending_stiffness"):
             if not getattr(self, name) > 0.0:
                 raise InputError(
                     "E101", f"{name} of a pad is {getattr(self, name)}; it must be a positive number."
@@ -117,6 +125,9 @@ class TiltingPad:
                              "positive (preload below 1).")  # fmt: skip
         if not all(math.isfinite(place) for place in self.profile):
             raise InputError("E101", "profile of a pad has entries that are not finite; give lengths in m.")
+        if not 0.0 <= self.probe_fraction <= 1.0:
+            raise InputError("E101", f"probe_fraction of a pad is {self.probe_fraction}; the probe must stand in "
+                             "the pad, 0 to 1.")  # fmt: skip
         if not 0.0 < self.pivot_fraction < 1.0:
             raise InputError("E101", f"pivot_fraction of a pad is {self.pivot_fraction}; the pivot must stand "
                              "between the edges of the pad, 0 to 1.")  # fmt: skip
@@ -125,6 +136,11 @@ class TiltingPad:
     def preload(self) -> float:
         """Preload 1 - c_b/c_p."""
         return 1.0 - self.assembled_clearance / self.clearance
+
+    @property
+    def bends(self) -> bool:
+        """Whether it bends under the pressure of its film."""
+        return math.isfinite(self.bending_stiffness)
 
     @property
     def is_rigid(self) -> bool:
@@ -157,6 +173,8 @@ class TiltingPadBearing:
         Gauge pressure of the oil between the pads, Pa: over the full width of the gaps between them, and at both
         edges of every loaded pad. An unloaded pad is taken to carry nothing, though the same pressure at its edges
         would push.
+    turbulence : FilmTurbulence or None
+        Of all films; None: laminar.
     """
 
     diameter: float
@@ -165,6 +183,7 @@ class TiltingPadBearing:
     angular_speed: float
     pads: tuple[TiltingPad, ...]
     groove_pressure: float = 0.0
+    turbulence: FilmTurbulence | None = None
 
     def __post_init__(self) -> None:
         for name in ("diameter", "width", "viscosity"):

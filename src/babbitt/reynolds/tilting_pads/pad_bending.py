@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from babbitt.reynolds.tilting_pads.pad_heat import PadBending
 
-__all__ = ["bending_matrices", "deflection_matrix", "moment_matrix"]
+__all__ = ["bending_matrices", "deflection_matrix", "moments_ahead", "moments_behind"]
 
 Array = NDArray[np.float64]
 
@@ -57,10 +57,14 @@ def deflection_matrix(angles: Array) -> Array:
     return sine_integral(angles, np.minimum(zero, angles), np.maximum(zero, angles), angles)
 
 
-def moment_matrix(angles: Array) -> Array:
-    """int from phi to the free end of p sin|phi' - phi| dphi', over p at angles from the pivot."""
-    ahead = angles >= 0.0
-    return sine_integral(angles, np.where(ahead, angles, angles[0]), np.where(ahead, angles[-1], angles), angles)
+def moments_ahead(angles: Array) -> Array:
+    """int from phi to the trailing edge of p sin(phi' - phi) dphi', over p at angles from the pivot."""
+    return sine_integral(angles, angles, np.full_like(angles, angles[-1]), angles)
+
+
+def moments_behind(angles: Array) -> Array:
+    """int from the leading edge to phi of p sin(phi - phi') dphi', over p at angles from the pivot."""
+    return sine_integral(angles, np.full_like(angles, angles[0]), angles, angles)
 
 
 @lru_cache(maxsize=64)
@@ -74,6 +78,8 @@ def bending_matrices(
     neutral = radius + 0.5 * thickness
     shape = deflection_matrix(angles)
     per_moment = neutral**2 * 12.0 / (modulus * thickness**3)
-    by_pressure = per_moment * radius * neutral * shape @ moment_matrix(angles)
+    # the moment jumps at the pivot: each side goes on with its own to the line behind it
+    sides = np.where(angles[:, None] < 0.0, shape @ moments_behind(angles), shape @ moments_ahead(angles))
+    by_pressure = per_moment * radius * neutral * sides
     by_heat = neutral**2 * bending.thermal_expansion / thickness * shape
     return by_pressure, by_heat

@@ -43,12 +43,15 @@ class PadConduction:
         dT = (12/t^2) int (T - T_m) (t/2 - y) dy, y from the bore.
     pivot, mean : ndarray, shape (n + 1 + 3,)
         Mean through the thickness at the pivot, and of the whole pad.
+    edges : ndarray, shape (2, n + 1 + 3)
+        Heat given off over leading and trailing edge, W per metre of width.
     """
 
     bore: Array
     difference: Array
     pivot: Array
     mean: Array
+    edges: Array
 
 
 @lru_cache(maxsize=64)
@@ -88,6 +91,8 @@ def pad_conduction(
     lever = 12.0 / thickness * (0.5 * thickness - (r - radius)) * through
     lever /= lever @ (0.5 - (r - radius) / thickness)  # exact for a linear profile on these circles
     columns = np.einsum("ijd,j->id", solved, through)
+    edges = np.einsum("eid,i->ed", solved[[0, -1]], edge)
+    edges[[0, 1], [rows, rows + 1]] -= edge.sum()
     place = fraction * intervals
     before = min(int(place), intervals - 1)
     share = place - before
@@ -96,4 +101,5 @@ def pad_conduction(
         np.einsum("ijd,j->id", solved, lever),
         (1.0 - share) * columns[before] + share * columns[before + 1],
         width @ columns / extent,
+        edges,
     )

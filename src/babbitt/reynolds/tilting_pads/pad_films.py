@@ -25,11 +25,12 @@ from babbitt.reynolds.tilting_pads._pads import CLOSED, CONVERGED, LIMIT, STUCK,
 from babbitt.reynolds.tilting_pads._place import new_places, pads_at
 from babbitt.reynolds.tilting_pads._structs import PadPlaces, Pads
 from babbitt.reynolds.tilting_pads._tilt import AT_LIMIT
+from babbitt.reynolds.tilting_pads.kernel_pads import PadScales, kernel_pads
 from babbitt.reynolds.tilting_pads.model import TiltingPadBearing
 from babbitt.reynolds.tilting_pads.pad_bending import bending_matrices
 from babbitt.reynolds.tilting_pads.pad_conduction import SURROUNDINGS, PadConduction, pad_conduction
 from babbitt.reynolds.tilting_pads.pad_heat import PadHeat
-from babbitt.reynolds.tilting_pads.solve import PadScales, kernel_pads, no_total
+from babbitt.reynolds.tilting_pads.solve import no_total
 
 __all__ = ["PadFilms", "Placement"]
 
@@ -105,6 +106,15 @@ class PadFilms:
     @classmethod
     def of(cls, bearing: TiltingPadBearing, heat: PadHeat, resolution: Resolution) -> PadFilms:
         """Films at a temperature somewhat above that of the supply."""
+        if bearing.turbulence is not None:
+            raise InputError("E101", "turbulence is given; films with their own temperatures are laminar. Leave "
+                             "it out, or take films of one temperature.")  # fmt: skip
+        if heat.materials and len(heat.materials) != len(bearing.pads):
+            raise InputError("E101", f"materials has {len(heat.materials)} entries for {len(bearing.pads)} pads; "
+                             "give one for each, or none.")  # fmt: skip
+        if any(pad.bends for pad in bearing.pads):
+            raise InputError("E101", "bending_stiffness of a pad is given; films with their own temperatures bend "
+                             "pads by bending. Leave it out.")  # fmt: skip
         if any(pad.viscosity is not None for pad in bearing.pads):
             raise InputError("E101", "viscosity of a pad is given; films with their own temperatures have that of "
                              "the oil. Leave it out.")  # fmt: skip
@@ -131,7 +141,7 @@ class PadFilms:
         return cls(
             bearing, heat, resolution, scales, kernel_operator(resolution.axial_unknowns), pads, new_places(pads),
             ring_of(bearing, n), columns, flows, new_cells(rows, 1, layers), oil,
-            walls_of(bearing, heat, conduction, rows, start), films, conduction, bending_of(bearing, heat, n),
+            walls_of(bearing, heat, conduction, oil, rows, start), films, conduction, bending_of(bearing, heat, n),
             profiles.copy(), pads.bearing.lands[:, CLEARANCE].copy(), np.zeros((count, n + 1)), np.zeros(count),
             totals=np.zeros((count, PAD_TOTALS)), can_unload=centred,
         )  # fmt: skip
@@ -252,7 +262,7 @@ class PadFilms:
         journal = growth.journal_expansion * self.bearing.radius * (self.walls.journal[0] - reference)
         for k, (pad, conduction) in enumerate(zip(self.bearing.pads, self.conduction, strict=True)):
             radius = self.bearing.lever(pad) if growth.housing_radius is None else growth.housing_radius
-            grown[k] = growth.pad_expansion * pad.thickness * (conduction.pivot @ drives[k] - reference)
+            grown[k] = self.heat.pad_expansion_of(k) * pad.thickness * (conduction.pivot @ drives[k] - reference)
             grown[k] += journal - growth.housing_expansion * radius * (housing - reference)
         return self.share * grown / self.scales.length
 
@@ -309,14 +319,13 @@ def oil_of(bearing: TiltingPadBearing, heat: PadHeat, scales: PadScales) -> Oil:
 
 
 def conduction_of(bearing: TiltingPadBearing, heat: PadHeat, n: int) -> tuple[PadConduction, ...]:
-    """Conduction of every pad, or nothing."""
+    """Conduction of every pad, or nothing. Its bore has the radius of the film, so that no heat is lost there."""
     if heat.walls is None:
         return ()
     return tuple(
-        pad_conduction(
-            bearing.radius + pad.clearance, pad.thickness, pad.extent, pad.pivot_fraction, n, heat.walls
-        )
-        for pad in bearing.pads
+        pad_conduction(bearing.radius, pad.thickness, pad.extent, pad.pivot_fraction, n, walls)
+        for k, pad in enumerate(bearing.pads)
+        if (walls := heat.walls_of(k)) is not None
     )
 
 
@@ -325,25 +334,29 @@ def bending_of(bearing: TiltingPadBearing, heat: PadHeat, n: int) -> tuple[tuple
     if heat.bending is None:
         return ()
     return tuple(
-        bending_matrices(
-            bearing.radius + pad.clearance, pad.thickness, pad.extent, pad.pivot_fraction, n, heat.bending
-        )
-        for pad in bearing.pads
+        bending_matrices(bearing.radius + pad.clearance, pad.thickness, pad.extent, pad.pivot_fraction, n, bending)
+        for k, pad in enumerate(bearing.pads)
+        if (bending := heat.bending_of(k)) is not None
     )
 
 
 def walls_of(
-    bearing: TiltingPadBearing, heat: PadHeat, conduction: tuple[PadConduction, ...], rows: int, start: float
-) -> WallState:
+    bearing: TiltingPadBearing, heat: PadHeat, conduction: tuple[PadConduction, ...], oil: Oil, rows: int,
+    start: float,
+) -> WallState:  # fmt: skip
     """Journal and pads at a uniform temperature."""
     count, supply = len(bearing.pads), heat.supply_temperature
     lines = rows // count
     journal = JournalHeat() if heat.journal is None else heat.journal
     exchange = WALL_EXCHANGE * heat.conductivity / min(pad.clearance for pad in bearing.pads)
     answer, given = np.zeros((count, lines, lines)), np.zeros((count, lines, SURROUNDINGS))
+    edges = np.zeros((count, 2, lines + SURROUNDINGS))
     for k, one in enumerate(conduction):
         solved = met_at(one, exchange)
         answer[k], given[k] = solved[:, :lines], solved[:, lines:]
+        over_edges = one.edges - exchange * one.edges[:, :lines] @ solved  # the flux is q + alpha (T - bore)
+        edges[k] = over_edges * (bearing.width * oil.share[k] / oil.flow_heat)
+    edges[:, :, 1] += edges[:, :, 0]  # the first cell lies along the half step at the leading edge, too
     share = np.full(lines, 1.0 / (lines - 1))
     share[[0, -1]] *= 0.5
     answer_mean = share @ answer
@@ -356,7 +369,7 @@ def walls_of(
         ]),
         journal_open=heat.journal is not None, journal_given=journal.temperature is not None,
         pads_open=bool(conduction), exchange=exchange, answer=answer, given=given, answer_mean=answer_mean,
-        given_mean=share @ given, back=back,
+        given_mean=share @ given, edge_answer=edges[:, :, :lines], edge_given=edges[:, :, lines:], back=back,
         bore=np.full(rows, start), flux=np.zeros(rows), datum=np.full(rows, start),
     )  # fmt: skip
 

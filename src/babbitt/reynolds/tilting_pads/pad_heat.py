@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,7 +16,7 @@ from babbitt.core.notices import InputError
 from babbitt.reynolds.heat.heat_model import JournalHeat
 from babbitt.reynolds.model import Resolution
 
-__all__ = ["THERMAL_PADS", "PadBending", "PadGrowth", "PadHeat", "PadWalls"]
+__all__ = ["THERMAL_PADS", "PadBending", "PadGrowth", "PadHeat", "PadMaterial", "PadWalls"]
 
 Array = NDArray[np.float64]
 
@@ -124,6 +124,22 @@ class PadGrowth:
 
 
 @dataclass(frozen=True)
+class PadMaterial:
+    """What one pad is made of where it differs from the others. None: as all.
+
+    Attributes
+    ----------
+    conductivity, elastic_modulus, thermal_expansion, poisson_ratio : float or None
+        As of `PadWalls`, `PadBending` and `PadGrowth`.
+    """
+
+    conductivity: float | None = None
+    elastic_modulus: float | None = None
+    thermal_expansion: float | None = None
+    poisson_ratio: float | None = None
+
+
+@dataclass(frozen=True)
 class PadHeat:
     """Heat of the films of tilting pads.
 
@@ -149,6 +165,8 @@ class PadHeat:
         Share of the oil that leaves a pad and enters the next one, as far as that takes oil, 0 to 1.
     layers : int
         Across the gap.
+    materials : tuple of PadMaterial
+        Of every pad what it has of its own; empty: all are alike.
     """
 
     viscosity: Callable[[Array], Array]
@@ -161,6 +179,7 @@ class PadHeat:
     growth: PadGrowth | None = None
     carry_over: float = 1.0
     layers: int = 8
+    materials: tuple[PadMaterial, ...] = ()
 
     def __post_init__(self) -> None:
         for name in ("volumetric_heat_capacity", "conductivity", "supply_temperature"):
@@ -175,3 +194,24 @@ class PadHeat:
             raise InputError("E101", "bending and growth of pads need their temperatures; give walls.")
         if self.growth is not None and self.journal is None:
             raise InputError("E101", "growth of the journal needs its temperature; give journal.")
+
+    def walls_of(self, number: int) -> PadWalls | None:
+        """How a pad conducts."""
+        own = self._material(number).conductivity
+        return self.walls if self.walls is None or own is None else replace(self.walls, conductivity=own)
+
+    def bending_of(self, number: int) -> PadBending | None:
+        """How a pad bends."""
+        own = self._material(number)
+        names = ("elastic_modulus", "thermal_expansion", "poisson_ratio")
+        changes = {name: value for name in names if (value := getattr(own, name)) is not None}
+        return self.bending if self.bending is None else replace(self.bending, **changes)
+
+    def pad_expansion_of(self, number: int) -> float:
+        """Thermal expansion of a pad that grows, 1/K."""
+        assert self.growth is not None
+        own = self._material(number).thermal_expansion
+        return self.growth.pad_expansion if own is None else own
+
+    def _material(self, number: int) -> PadMaterial:
+        return self.materials[number] if self.materials else PadMaterial()

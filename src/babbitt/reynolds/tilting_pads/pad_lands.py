@@ -5,12 +5,18 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
+import numpy as np
+from numpy.typing import NDArray
+
 from babbitt.core.notices import InputError
 from babbitt.reynolds.model import Cavitation, JournalFilm, Land
+from babbitt.reynolds.tilting_pads.bending_mode import BendingMode
 from babbitt.reynolds.tilting_pads.model import TiltingPad, TiltingPadBearing
 from babbitt.reynolds.tilting_pads.solution import PadPosition, TiltingPadSolution
 
-__all__ = ["film_of", "pad_positions", "tilted_land"]
+__all__ = ["film_of", "pad_gaps", "pad_positions", "tilted_land"]
+
+Array = NDArray[np.float64]
 
 
 def tilted_land(bearing: TiltingPadBearing, pad: TiltingPad, position: PadPosition) -> Land:
@@ -55,6 +61,7 @@ def film_of(
     return JournalFilm(
         bearing.diameter, bearing.width, bearing.assembled_clearance, bearing.viscosity, bearing.angular_speed,
         tuple(tilted_land(bearing, pad, at) for pad, at in zip(bearing.pads, positions, strict=True)), cavitation,
+        turbulence=bearing.turbulence,
     )  # fmt: skip
 
 
@@ -68,3 +75,21 @@ def pad_positions(solution: TiltingPadSolution) -> tuple[PadPosition, ...]:
             at = replace(at, tilt=-along / solution.bearing.lever(pad))
         places.append(at)
     return tuple(places)
+
+
+def pad_gaps(solution: TiltingPadSolution) -> Array:
+    """Gap of every pad at the lines of its film, m, shape (pads, n + 1)."""
+    bearing, gaps = solution.bearing, []
+    for pad, state, position in zip(bearing.pads, solution.pads, pad_positions(solution), strict=True):
+        land = tilted_land(bearing, pad, position)
+        x, y = solution.position - np.asarray(land.centre)
+        gap = pad.clearance - x * np.cos(state.angles) - y * np.sin(state.angles)
+        if pad.profile:
+            place = (state.angles - land.start_angle) / pad.extent
+            gap += np.interp(place, np.linspace(0.0, 1.0, len(pad.profile)), pad.profile)
+        if state.bend is not None:
+            gap += state.bend.deflection * BendingMode.of(pad).shape(
+                bearing.sense * (state.angles - pad.pivot_angle)
+            )
+        gaps.append(gap)
+    return np.array(gaps)

@@ -103,4 +103,6 @@ def way_of_gravity(bearing: TiltingPadBearing, pad: TiltingPad, motion: str) -> 
         return outward
     if motion == "tangential":
         return along
+    if motion == "bending":  # not coupled with the ways of the pad as a whole
+        return np.zeros(2)
     return -(bearing.sense * pad.mass_offset * outward + pad.mass_inset * along) / bearing.lever(pad)

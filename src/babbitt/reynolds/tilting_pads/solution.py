@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from babbitt.core.result import Outcome
 from babbitt.reynolds.tilting_pads.model import TiltingPadBearing
 
-__all__ = ["PadPosition", "PadState", "PadStatus", "TiltingPadSolution"]
+__all__ = ["PadBend", "PadPosition", "PadState", "PadStatus", "TiltingPadSolution"]
 
 Array = NDArray[np.float64]
 
@@ -42,6 +42,23 @@ class PadPosition:
     tilt: float = 0.0
     pivot_displacement: float = 0.0
     tangential_displacement: float = 0.0
+
+
+@dataclass(frozen=True, eq=False)
+class PadBend:
+    """A pad bent along its mode (`bending_mode.BendingMode`).
+
+    Attributes
+    ----------
+    deflection : float
+        q, m: the bore moves outward by q times the shape of the mode.
+    stiffness, damping : ndarray, shape (3, 3)
+        Of the film in (xi, eta, q), N/m and N s/m, the force along q being the pressure times the shape.
+    """
+
+    deflection: float
+    stiffness: Array
+    damping: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,6 +97,8 @@ class PadState:
         From the mid-plane to the side edge, m.
     pressure, void : ndarray, shape (n + 1, m + 1)
         Gauge, Pa, and 1 - liquid fraction.
+    bend : PadBend or None
+        Of a loaded pad that bends.
     """
 
     status: PadStatus
@@ -103,6 +122,7 @@ class PadState:
     axial_positions: Array
     pressure: Array
     void: Array
+    bend: PadBend | None = None
 
 
 @dataclass(frozen=True, eq=False)

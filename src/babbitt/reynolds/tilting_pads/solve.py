@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from babbitt.core.notices import InputError
 from babbitt.core.result import Outcome
-from babbitt.reynolds._structs import LAND_COLUMNS, Axial, Bearing, Grid
+from babbitt.reynolds._structs import Axial, Grid
 from babbitt.reynolds.lands._integrals import (
     BEARING_TORQUE,
     INFLOW,
@@ -22,19 +22,19 @@ from babbitt.reynolds.lands._integrals import (
 )
 from babbitt.reynolds.lands.axial import even_axial_operator
 from babbitt.reynolds.lands.operators import kernel_operator
-from babbitt.reynolds.lands.profiles import common_profiles
 from babbitt.reynolds.model import ENGINEERING, Resolution
 from babbitt.reynolds.tilting_pads._pad_fields import finish_pads
 from babbitt.reynolds.tilting_pads._pads import CLOSED, CONVERGED, LIMIT, TOUCH, WORK, find_pads
-from babbitt.reynolds.tilting_pads._pivot_curve import CURVE_COLUMNS
 from babbitt.reynolds.tilting_pads._place import new_places, pads_at
 from babbitt.reynolds.tilting_pads._structs import PadPlaces, Pads
 from babbitt.reynolds.tilting_pads._tilt import AT_LIMIT, LOADED, find_fold
-from babbitt.reynolds.tilting_pads.model import TiltingPad, TiltingPadBearing
-from babbitt.reynolds.tilting_pads.pivots import Curve, stiffness_of
+from babbitt.reynolds.tilting_pads.flexible_pads import with_bending
+from babbitt.reynolds.tilting_pads.kernel_pads import PadScales, kernel_pads, pad_widths
+from babbitt.reynolds.tilting_pads.model import TiltingPadBearing
+from babbitt.reynolds.tilting_pads.pivots import stiffness_of
 from babbitt.reynolds.tilting_pads.solution import PadPosition, PadState, PadStatus, TiltingPadSolution
 
-__all__ = ["Fold", "PadScales", "fold_of", "kernel_pads", "solve_tilting_pads", "tilting_pads_at"]
+__all__ = ["Fold", "fold_of", "solve_tilting_pads", "tilting_pads_at"]
 
 Array = NDArray[np.float64]
 
@@ -54,81 +54,6 @@ STATUSES = {LOADED: PadStatus.LOADED, AT_LIMIT: PadStatus.AT_LIMIT}
 def no_total() -> Array:
     """What `find_pads` fills: force (2), stiffness (4)."""
     return np.zeros(6)
-
-
-class PadScales:
-    """Units of the dimensionless bearing: those of its first pad.
-
-    Attributes
-    ----------
-    length, pressure, force, torque, flow : float
-        c_p of the first pad, mu omega (R/c_p)^2, mu omega (R/c_p)^2 R L, mu omega R^3 L/c_p, omega R c_p L.
-    rate : float
-        rad/s.
-    sense : ndarray, shape (2,)
-        What mirrors a vector into the counter-clockwise world and back.
-    """
-
-    def __init__(self, bearing: TiltingPadBearing) -> None:
-        radius, width = bearing.radius, bearing.width
-        self.length = bearing.pads[0].clearance
-        self.rate = abs(bearing.angular_speed)
-        self.pressure = bearing.viscosity * self.rate * (radius / self.length) ** 2
-        self.force = self.pressure * radius * width
-        self.torque = bearing.viscosity * self.rate * radius**3 * width / self.length
-        self.flow = self.rate * radius * self.length * width
-        self.sense = np.array([1.0, bearing.sense])
-
-
-def kernel_pads(bearing: TiltingPadBearing, scales: PadScales) -> Pads:
-    """Pads in the frames and units of the kernels."""
-    count = len(bearing.pads)
-    lands, curves = np.zeros((count, LAND_COLUMNS)), np.zeros((count, CURVE_COLUMNS))
-    profiles = common_profiles([pad.profile[:: int(bearing.sense)] for pad in bearing.pads]) / scales.length
-    laws = [pad.pivot.curve() for pad in bearing.pads]
-    points = max(len(law.loads) for law in laws)
-    loads, displacements = np.zeros((count, points)), np.zeros((count, points))
-    kappa, weight, angle, offset, rotational, neutral = np.zeros((6, count))
-    plain, centred = np.zeros((2, count), dtype=bool)
-    for k, pad in enumerate(bearing.pads):
-        width = bearing.width if pad.width is None else pad.width
-        thickness = 1.0 if pad.viscosity is None else pad.viscosity / bearing.viscosity
-        kappa[k] = (bearing.diameter / width) ** 2 / 12.0
-        weight[k] = thickness * width / bearing.width
-        angle[k] = bearing.sense * pad.pivot_angle
-        lands[k, :2] = -pad.pivot_fraction * pad.extent, (1.0 - pad.pivot_fraction) * pad.extent
-        lands[k, 2] = pad.clearance / scales.length
-        lands[k, 5:] = bearing.groove_pressure / (scales.pressure * thickness)
-        offset[k] = (pad.clearance - pad.assembled_clearance) / scales.length
-        rotational[k] = tangential_spring(bearing, pad) * scales.length / scales.force
-        neutral[k] = bearing.sense * bearing.lever(pad) * pad.rest_tilt / scales.length
-        fill_curve(laws[k], scales, curves[k], loads[k], displacements[k])
-        plain[k] = not pad.profile and bearing.groove_pressure == 0.0
-        centred[k] = plain[k] and abs(pad.pivot_fraction - 0.5) < 1e-12
-    return Pads(
-        Bearing(lands, profiles, math.nan, 1.0, 0.0, False, True, 1.0), kappa, weight, np.cos(angle),
-        np.sin(angle), offset, rotational, neutral, curves, loads, displacements, centred, plain,
-        np.ones((count, 0)), np.ones((count, 0)),
-    )  # fmt: skip
-
-
-def tangential_spring(bearing: TiltingPadBearing, pad: TiltingPad) -> float:
-    """Stiffness against eta, N/m: of the flexure at the lever of the pivot, in series with the tangential one."""
-    flexure = pad.rotational_stiffness / bearing.lever(pad) ** 2
-    return flexure / (1.0 + flexure / pad.tangential_stiffness)
-
-
-def fill_curve(curve: Curve, scales: PadScales, row: Array, loads: Array, displacements: Array) -> None:
-    """Displacement of a pivot in the units of the kernels."""
-    row[:] = curve.columns(scales.force, scales.length)
-    if curve.loads:
-        given = len(curve.loads)
-        loads[:given] = np.asarray(curve.loads) / scales.force
-        displacements[:given] = np.asarray(curve.displacements) / scales.length
-        slope = (displacements[given - 1] - displacements[given - 2]) / (loads[given - 1] - loads[given - 2])
-        for place in range(given, loads.size):  # the last piece goes on
-            loads[place] = 2.0 * loads[place - 1]
-            displacements[place] = displacements[place - 1] + slope * (loads[place] - loads[place - 1])
 
 
 def solve_tilting_pads(
@@ -165,6 +90,21 @@ def solve_tilting_pads(
     """
     if not all(math.isfinite(part) for part in load):
         raise InputError("E101", f"load is {load}; both components must be finite, in N.")
+
+    def stiff(bent: TiltingPadBearing, near: tuple[float, float]) -> TiltingPadSolution:
+        return stiff_pads_under(bent, load, resolution, near, max_steps)
+
+    return with_bending(bearing, start, stiff)
+
+
+def stiff_pads_under(
+    bearing: TiltingPadBearing,
+    load: tuple[float, float],
+    resolution: Resolution,
+    start: tuple[float, float],
+    max_steps: int,
+) -> TiltingPadSolution:
+    """Pads whose bores stay as they are under a load."""
     begun = time.perf_counter()
     scales = PadScales(bearing)
     pads, axial = kernel_pads(bearing, scales), kernel_operator(resolution.axial_unknowns)
@@ -194,6 +134,17 @@ def tilting_pads_at(
         With `Outcome.OUTSIDE_CLEARANCE` where the journal would touch a pad, `Outcome.PAD_AT_LIMIT` where a pad
         on an elastic pivot would have to carry less than it can.
     """
+
+    def stiff(bent: TiltingPadBearing, near: tuple[float, float]) -> TiltingPadSolution:
+        return stiff_pads_at(bent, near, resolution)
+
+    return with_bending(bearing, position, stiff)
+
+
+def stiff_pads_at(
+    bearing: TiltingPadBearing, position: tuple[float, float], resolution: Resolution
+) -> TiltingPadSolution:
+    """Pads whose bores stay as they are around a journal at a position."""
     begun = time.perf_counter()
     scales = PadScales(bearing)
     pads, axial = kernel_pads(bearing, scales), kernel_operator(resolution.axial_unknowns)
@@ -298,11 +249,6 @@ def pad_states(
             void=void[k],
         ))  # fmt: skip
     return tuple(states)
-
-
-def pad_widths(bearing: TiltingPadBearing) -> Array:
-    """Width of every pad, m."""
-    return np.array([bearing.width if pad.width is None else pad.width for pad in bearing.pads])
 
 
 def groove_force(bearing: TiltingPadBearing) -> Array:

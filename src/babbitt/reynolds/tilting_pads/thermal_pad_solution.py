@@ -11,12 +11,9 @@ from babbitt.reynolds.heat.heat_model import mean_over_layers
 from babbitt.reynolds.tilting_pads.pad_heat import PadHeat
 from babbitt.reynolds.tilting_pads.solution import TiltingPadSolution
 
-__all__ = ["PROBE", "PadTemperatures", "ThermalTiltingPadSolution"]
+__all__ = ["PadTemperatures", "ThermalTiltingPadSolution"]
 
 Array = NDArray[np.float64]
-
-PROBE = 0.75
-"""Share of the arc of a pad, from its leading edge, at which a probe would read the temperature of its bore."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,7 +29,7 @@ class PadTemperatures:
     maximum : float
         Highest in the film and at the bore, K.
     probe : float
-        Of the bore at 75 % of the arc, K.
+        Of the bore where the probe of the pad stands, K.
     bore : ndarray, shape (n + 1,)
         At the lines of the film, K.
     film : ndarray, shape (n + 1, layers)
@@ -43,6 +40,8 @@ class PadTemperatures:
         Of the pad itself, K; nan where it takes no heat.
     heat : float
         Into the pad, W.
+    edge_heat : float
+        Of that over both edges into the oil of the grooves, W.
     deflection : ndarray, shape (n + 1,)
         Bending at the lines, m, outward; zero at the pivot.
     growth : float
@@ -60,9 +59,15 @@ class PadTemperatures:
     layers: Array
     mean: float
     heat: float
+    edge_heat: float
     deflection: Array
     growth: float
     is_capped: bool
+
+    @property
+    def back_heat(self) -> float:
+        """What the pad gives off at its back, W."""
+        return self.heat - self.edge_heat
 
     @property
     def film_mean(self) -> Array:
@@ -111,8 +116,8 @@ class ThermalTiltingPadSolution(TiltingPadSolution):
 
     @property
     def pad_heat(self) -> float:
-        """What the pads take, W."""
-        return sum(pad.heat for pad in self.temperatures)
+        """What the pads give off at their backs, W; over their edges they give it back to the oil."""
+        return sum(pad.back_heat for pad in self.temperatures)
 
     @property
     def groove_temperatures(self) -> Array:

@@ -21,7 +21,7 @@ from babbitt.reynolds.tilting_pads._pad_flows import (
 from babbitt.reynolds.tilting_pads.pad_films import PadFilms, Placement
 from babbitt.reynolds.tilting_pads.solution import PadState, PadStatus, TiltingPadSolution
 from babbitt.reynolds.tilting_pads.solve import assembled
-from babbitt.reynolds.tilting_pads.thermal_pad_solution import PROBE, PadTemperatures, ThermalTiltingPadSolution
+from babbitt.reynolds.tilting_pads.thermal_pad_solution import PadTemperatures, ThermalTiltingPadSolution
 
 __all__ = ["Settled", "thermal_solution"]
 
@@ -103,11 +103,12 @@ def layer_flows(films: PadFilms) -> Array:
 
 
 def oil_enthalpy(films: PadFilms) -> tuple[float, float]:
-    """Heat that the oil carries off above the supply, and the fresh oil that enters, in units of the kernels."""
+    """Heat above the supply of the oil that leaves the bearing, and the fresh oil that enters, in units of the
+    kernels: over the sides, and of the grooves what is not carried over or is more than the pad takes."""
     count, fresh = films.films.inlet.size, films.oil.fresh
     rows = films.films.temperature.shape[0] // count
     through, above = layer_flows(films), films.films.temperature[:, 0] - fresh
-    enthalpy, added = 0.0, 0.0
+    enthalpy = 0.0
     brought_heat, brought, taken = np.zeros(count), np.zeros(count), np.zeros(count)
     for k in range(count):
         first, last, width = k * rows, k * rows + rows - 1, films.oil.share[k]
@@ -123,7 +124,8 @@ def oil_enthalpy(films: PadFilms) -> tuple[float, float]:
         carried = (films.flows.pressure_profile[lines, 0] * above[lines]).sum(axis=1)
         enthalpy += width * float(np.maximum(leak, 0.0) @ carried)
     kept = films.oil.carry_over * brought
-    enthalpy += float((brought_heat - taken * (films.films.inlet - fresh)).sum())
+    surplus = np.maximum(kept - taken, 0.0) * (films.films.inlet - fresh)
+    enthalpy += float(((1.0 - films.oil.carry_over) * brought_heat + surplus).sum())
     added = float(np.maximum(taken - kept, 0.0).sum())
     return enthalpy, added
 
@@ -138,24 +140,26 @@ def pad_temperatures(films: PadFilms, k: int) -> PadTemperatures:
     through = layer_flows(films)[k * rows + rows - 1]
     leaving = through.sum()
     trailing = float(through @ films.films.temperature[lines, 0][-1] / leaving) if leaving > 0.0 else math.nan
-    bore, heat, mean = insulated_bore(film, thickness), 0.0, math.nan
+    bore, heat, over_edges, mean = insulated_bore(film, thickness), 0.0, 0.0, math.nan
     if films.conduction:
         bore = films.walls.bore[lines].copy()
         width = np.full(rows, pad.extent / (rows - 1))
         width[[0, -1]] *= 0.5
-        area = films.bearing.radius * films.bearing.width * films.oil.share[k]
-        heat = float(films.walls.flux[lines] @ width) * area
-        mean = float(films.conduction[k].mean @ films.drives()[k])
+        across, drives = films.bearing.width * films.oil.share[k], films.drives()[k]
+        heat = float(films.walls.flux[lines] @ width) * films.bearing.radius * across
+        over_edges = float((films.conduction[k].edges @ drives).sum()) * across
+        mean = float(films.conduction[k].mean @ drives)
     return PadTemperatures(
         inlet=float(films.films.inlet[k]),
         trailing=trailing,
         maximum=float(max(film.max(), bore.max())),
-        probe=float(np.interp(PROBE * (rows - 1), np.arange(rows), bore)),
+        probe=float(np.interp(pad.probe_fraction * (rows - 1), np.arange(rows), bore)),
         bore=bore,
         film=film,
         layers=np.cumsum(thickness) - 0.5 * thickness,
         mean=mean,
         heat=heat,
+        edge_heat=over_edges,
         deflection=films.bent[k] * films.scales.length,
         growth=float(films.grown[k]) * films.scales.length,
         is_capped=bool(films.films.capped[k]),

@@ -19,10 +19,11 @@ from babbitt.core.result import Outcome
 from babbitt.reynolds.lands._equilibrium import THINNEST
 from babbitt.reynolds.model import Resolution
 from babbitt.reynolds.tilting_pads._pads import CLOSED, CONVERGED, LIMIT
+from babbitt.reynolds.tilting_pads.kernel_pads import PadScales
 from babbitt.reynolds.tilting_pads.model import TiltingPadBearing
 from babbitt.reynolds.tilting_pads.pad_films import PadFilms
 from babbitt.reynolds.tilting_pads.pad_heat import THERMAL_PADS, PadHeat
-from babbitt.reynolds.tilting_pads.solve import OUTCOMES, PadScales, groove_force
+from babbitt.reynolds.tilting_pads.solve import OUTCOMES, groove_force
 from babbitt.reynolds.tilting_pads.thermal_pad_solution import ThermalTiltingPadSolution
 from babbitt.reynolds.tilting_pads.thermal_pad_states import Settled, thermal_solution
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 
+from babbitt.case.parts.turbulence import LAWS_OF_TURBULENCE
 from babbitt.kinds.journal.case.as_given import words_of
 from babbitt.kinds.journal.case.assumptions import common_assumptions_of
 from babbitt.kinds.journal.case.film_heat_cases import heat_assumptions, heat_model
 from babbitt.kinds.journal.case.film_layout import film_layout
-from babbitt.kinds.journal.case.film_oil import LAWS_OF_TURBULENCE
 from babbitt.kinds.journal.case.joined_inputs import (
     Inputs,
     Point,

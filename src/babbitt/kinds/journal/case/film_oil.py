@@ -1,4 +1,4 @@
-"""How the oil of the film method flows and thickens: turbulence, viscosity under pressure."""
+"""How the oil of the film method thickens under pressure."""
 
 from __future__ import annotations
 
@@ -9,17 +9,8 @@ from pydantic import Field
 from babbitt.case.part import Part
 from babbitt.core.units import si
 from babbitt.kinds.journal.film.model import OilUnderPressure, PressureLaw
-from babbitt.reynolds.oil.turbulence import CONSTANTINESCU, NG_PAN, TurbulenceLaw
 
-__all__ = ["LAWS_OF_TURBULENCE", "PressureViscosityInput", "TurbulenceInput"]
-
-TurbulenceInput = Literal["laminar", "ng_pan", "constantinescu"]
-
-LAWS_OF_TURBULENCE: dict[str, TurbulenceLaw | None] = {
-    "laminar": None,
-    "ng_pan": NG_PAN,
-    "constantinescu": CONSTANTINESCU,
-}
+__all__ = ["PressureViscosityInput"]
 
 
 class PressureViscosityInput(Part):

@@ -8,13 +8,13 @@ from pydantic import Field
 
 from babbitt.case.method_choices import MethodChoices, MethodInput
 from babbitt.case.method_mapping import MethodMapping
+from babbitt.case.parts.turbulence import TurbulenceInput
 from babbitt.kinds.journal.case.film_heat import (
     AxialTemperatureInput,
     CarryOverInput,
     CoefficientsInput,
     ThermalInput,
 )
-from babbitt.kinds.journal.case.film_oil import TurbulenceInput
 from babbitt.kinds.journal.case.heat_exchange import LongFilmChoices
 
 __all__ = [

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from babbitt.core.units import ZERO_CELSIUS
 from babbitt.design.conditions import PrescribedEccentricity, PrescribedPosition
-from babbitt.kinds.journal.film.layout import ALL_TURBULENT
+from babbitt.design.turbulence import ALL_TURBULENT
 from babbitt.kinds.journal.film.model import FilmCase
 from babbitt.kinds.journal.film.orbit_results import orbit_assumptions
 from babbitt.kinds.journal.film.thermal_results import coefficient_settings, thermal_assumptions, thermal_setting

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from babbitt.core.notices import InputError
 from babbitt.design.conditions import PrescribedPosition
 from babbitt.design.heat_balance import NoFilmError
-from babbitt.design.numbers import critical_reynolds_number
+from babbitt.design.turbulence import film_turbulence
 from babbitt.kinds.journal.film.bore import Arc, steps_of
 from babbitt.kinds.journal.film.model import FeedSize, FilmCase
 from babbitt.reynolds.equilibrium.starved import PrescribedFlow
@@ -36,12 +36,6 @@ __all__ = [
 
 TURN = 2.0 * math.pi
 ALL_AROUND = TURN * (1.0 - 1e-9)
-
-
-ALL_TURBULENT = 2.0
-"""Local Reynolds number, in those at which vortices set in, from which the film is fully turbulent.
-
-Assumption: for the common clearances it puts full turbulence at about 2000, as usual for films."""
 
 
 def film_of(
@@ -208,8 +202,7 @@ def _turbulence(case: FilmCase, relative_clearance: float, density: float | None
         return None
     if density is None:
         raise InputError("E101", "a turbulent film needs the density of the oil.")
-    onset = critical_reynolds_number(relative_clearance)
-    return FilmTurbulence(case.turbulence, density, onset, ALL_TURBULENT * onset)
+    return film_turbulence(case.turbulence, relative_clearance, density)
 
 
 def _ordered_grooves(case: FilmCase) -> list[FeedSize]:

@@ -241,6 +241,12 @@ class TiltingPadJournalCase(PadFilmChoices, CaseFile):
         yield from rules.temperature_is_known(self)
 
     @rule
+    def _turbulent_films_have_one_temperature(self) -> Iterator[Issue]:
+        if self.turbulence != "laminar" and self.thermal_model in ("adiabatic", "full"):
+            says = f"{self.thermal_model} films, which have their own temperatures, are laminar"
+            yield Issue(("turbulence",), says, "thermal: global or isothermal, or turbulence: laminar")
+
+    @rule
     def _heat_goes_with_the_films(self) -> Iterator[Issue]:
         yield from heat_goes_with_the_films(self)
 

@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from babbitt.case.grouped_digits import about_grouped_digits
 from babbitt.case.part import is_given, not_read
+from babbitt.case.parts.turbulence import LAWS_OF_TURBULENCE
 from babbitt.core.notices import Notice
 from babbitt.core.result_name import ResultName
 from babbitt.design.conditions import OilSupply, PrescribedLoad, PrescribedPosition
 from babbitt.kinds.tilting_pad_journal.case.as_given import words_of
-from babbitt.kinds.tilting_pad_journal.case.heat import heat_assumptions, heat_choices
+from babbitt.kinds.tilting_pad_journal.case.heat import heat_assumptions, heat_choices, mode_stiffness
 from babbitt.kinds.tilting_pad_journal.case.pads import JournalPads, OnePad, clearances
 from babbitt.kinds.tilting_pad_journal.model import Accuracy, Feed, PadBearing, PadCase, Thermal
 from babbitt.properties.materials import LoadCharacter
@@ -66,6 +68,7 @@ def pad_case(case: TiltingPadJournalCase, point: PadOperatingPoint | None, named
         oil_supply=supply_of(case, temperature),
         effective_temperature=effective,
         heat=heat_choices(case, temperature),
+        turbulence=LAWS_OF_TURBULENCE[case.turbulence],
         load_angle=angle,
         accuracy=Accuracy(case.accuracy),
         whirl_ratios=case.whirl_ratios,
@@ -126,9 +129,10 @@ def pad_of(case: TiltingPadJournalCase, number: int, which: str, backward: bool)
     machined, assembled = clearances(fields, case.diameter, which)
     pivot = fields["pivot"]
     motions = pivot.motions()
+    probe = fields["probe_fraction"]
     if backward:
-        motions["pivot_fraction"] = 1.0 - motions["pivot_fraction"]
-    return TiltingPad(
+        motions["pivot_fraction"], probe = 1.0 - motions["pivot_fraction"], 1.0 - probe
+    pad = TiltingPad(
         pivot_angle=case.pads.angles[number],
         extent=fields["extent"],
         clearance=machined,
@@ -140,8 +144,10 @@ def pad_of(case: TiltingPadJournalCase, number: int, which: str, backward: bool)
         inertia=fields["inertia"],
         mass_offset=-fields["mass_offset"] if backward else fields["mass_offset"],
         mass_inset=fields["mass_inset"],
+        probe_fraction=probe,
         **motions,
     )
+    return replace(pad, bending_stiffness=mode_stiffness(case, number, pad))
 
 
 def assumptions_of(case: TiltingPadJournalCase) -> Iterator[str]:
@@ -151,7 +157,7 @@ def assumptions_of(case: TiltingPadJournalCase) -> Iterator[str]:
         yield f"Carry-over {feed.carry_over:g} of {CARRY_OVER_OF[case.feed]}."
     if case.thermal_model == "isothermal" and case.effective_temperature is None:
         yield "The films are as warm as the fresh oil."
-    if "growth" not in case.deformation:
+    if not case.deformation:
         yield "Clearances hold in operation: neither heat nor load changes them."
     if case.anticipated_cross_coupling is not None:
         yield "The rotor stands on two such bearings, of which each bears half of the cross-coupling."
@@ -209,8 +215,9 @@ def masses_not_felt(case: TiltingPadJournalCase) -> Iterator[str]:
         return
     pads = pad_bearing(case, "mean", case.sense).pads
     still = [pad.is_rigid for pad in pads]
+    light = [rigid and not pad.bends for rigid, pad in zip(still, pads, strict=True)]
     fixed = [math.isinf(pad.tangential_stiffness) for pad in pads]
-    for name, rigid in (("mass", still), ("mass_offset", still), ("mass_inset", fixed)):
+    for name, rigid in (("mass", light), ("mass_offset", still), ("mass_inset", fixed)):
         if all(rigid) and is_given(case.pads, name):
             yield f"pads.{name}"
         for number, one in enumerate(case.pads.each):

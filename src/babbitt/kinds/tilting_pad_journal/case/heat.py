@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Annotated, ClassVar
 
@@ -11,14 +12,18 @@ from babbitt.case.error_messages import MISSING
 from babbitt.case.part import Issue, Part, is_given, refused
 from babbitt.case.parts.walls import ConductingJournalInput, Conductivity, HeatTransfer, Surroundings
 from babbitt.core.units import si, written
+from babbitt.kinds.tilting_pad_journal.case.materials import PadStructure
 from babbitt.kinds.tilting_pad_journal.model import HeatChoices, Thermal
 from babbitt.reynolds.heat.heat_model import JournalHeat
+from babbitt.reynolds.tilting_pads.bending_mode import bending_stiffness
+from babbitt.reynolds.tilting_pads.model import TiltingPad
 from babbitt.reynolds.tilting_pads.pad_heat import (
     HEAT_TRANSFER,
     STEEL_CONDUCTIVITY,
     STEEL_EXPANSION,
     PadBending,
     PadGrowth,
+    PadMaterial,
     PadWalls,
 )
 
@@ -31,7 +36,11 @@ __all__ = [
     "heat_assumptions",
     "heat_choices",
     "heat_goes_with_the_films",
+    "mode_stiffness",
 ]
+
+STEEL_POISSON = 0.3
+"""Poisson's ratio of steel."""
 
 ReferenceTemperature = Annotated[float, si("K", "-30 degC", "200 degC")]
 
@@ -82,8 +91,7 @@ def heat_goes_with_the_films(case: TiltingPadJournalCase) -> Iterator[Issue]:
     if is_given(case, "walls") and case.thermal_model != "full":
         yield Issue(("walls",), "walls take heat from full thermal films only", "thermal: full")
         return
-    if case.deformation and case.thermal_model != "full":
-        says = "pads bend and grow by the temperatures of full thermal films"
+    if (says := without_films(case)) is not None:
         yield Issue(("deformation",), says, "thermal: full, with walls.pads")
         return
     if len(set(case.deformation)) < len(case.deformation):
@@ -94,12 +102,24 @@ def heat_goes_with_the_films(case: TiltingPadJournalCase) -> Iterator[Issue]:
     yield from idle(case)
 
 
+def without_films(case: TiltingPadJournalCase) -> str | None:
+    """Why the films of a case do not deform pads as it asks; None where they do."""
+    if case.thermal_model == "full":
+        return None
+    if "growth" in case.deformation:
+        return "pads grow by the temperatures of full thermal films"
+    if case.deformation and case.thermal_model == "adiabatic":
+        return "adiabatic films, whose pads take no heat, leave them rigid"
+    return None
+
+
 def lacking(case: TiltingPadJournalCase) -> Iterator[Issue]:
     """What deformation needs and the case does not give."""
     if not case.deformation:
         return
     words = " and ".join(case.deformation)
-    if case.walls.pads is None:
+    full = case.thermal_model == "full"
+    if full and case.walls.pads is None:
         hint = f"{words} of pads needs their temperatures: pads that conduct, such as {{}}"
         yield Issue(("walls", "pads"), MISSING, hint=hint, code="E003")
     growing, bending = ("growth" in case.deformation, "bending" in case.deformation)
@@ -111,10 +131,10 @@ def lacking(case: TiltingPadJournalCase) -> Iterator[Issue]:
         hint = f"{words} of pads needs their material, such as C45, or its expansion and elastic modulus"
         yield Issue(("materials", "pads"), MISSING, hint=hint, code="E003")
         return
-    if bending and material.modulus() is None:
+    if bending and material.known("elastic_modulus") is None:
         hint = "bending needs the elastic modulus of the pads, such as '210 GPa', or materials.pads by its name"
         yield Issue(("materials", "pads", "elastic_modulus"), MISSING, hint=hint, code="E003")
-    if material.expansion() is None:
+    if full and material.known("thermal_expansion") is None:
         hint = f"{words} needs the expansion of the pads, such as '12e-6 1/K', or materials.pads by its name"
         yield Issue(("materials", "pads", "thermal_expansion"), MISSING, hint=hint, code="E003")
 
@@ -138,18 +158,39 @@ def idle(case: TiltingPadJournalCase) -> Iterator[Issue]:
     if journal.ambient_temperature is not None and not journal.shaft_conductance:
         says = "the surroundings of a shaft that conducts no heat make no difference"
         yield Issue(("walls", "journal", "ambient_temperature"), says, "shaft_conductance, or leave it out")
-    material = case.materials.pads
-    if material is None:
+    if case.pad_bending == "plate" and not bending:
+        yield Issue(("pad_bending",), "nothing bends", "deformation: [bending], or leave it out")
+    given: list[tuple[tuple[str | int, ...], PadStructure]] = []
+    if case.materials.pads is not None:
+        given.append((("materials", "pads"), case.materials.pads))
+    given += [
+        (("pads", "each", number, "material"), one.material)
+        for number, one in enumerate(case.pads.each) if one.material is not None
+    ]  # fmt: skip
+    for path, material in given:
+        yield from idle_material(case, path, material)
+
+
+def idle_material(
+    case: TiltingPadJournalCase, path: tuple[str | int, ...], material: PadStructure
+) -> Iterator[Issue]:
+    """What the material of pads gives and would make no difference."""
+    bending, heated = "bending" in case.deformation, case.walls.pads is not None
+    if not (heated or case.deformation):
+        says = "the material of pads that take no heat and do not bend makes no difference"
+        yield Issue(path, says, "walls.pads such as {}, or leave it out")
         return
-    if case.walls.pads is None and not case.deformation:
-        says = "the material of pads that take no heat makes no difference"
-        yield Issue(("materials", "pads"), says, "walls.pads such as {}, or leave it out")
-    elif is_given(material, "elastic_modulus") and not bending:
-        says = "the elastic modulus counts for bending alone"
-        yield Issue(("materials", "pads", "elastic_modulus"), says, "deformation: [bending], or leave it out")
-    elif is_given(material, "thermal_expansion") and not case.deformation:
-        says = "thermal expansion counts for growth and bending alone"
-        yield Issue(("materials", "pads", "thermal_expansion"), says, "deformation: [growth], or leave it out")
+    full, plate = case.thermal_model == "full", bending and case.pad_bending == "plate"
+    for name, counts, what, hint in (
+        ("elastic_modulus", bending, "the elastic modulus counts for bending alone", "deformation: [bending]"),
+        ("thermal_expansion", full and bool(case.deformation),
+         "thermal expansion counts for growth and bending by heat alone", "deformation: [growth]"),
+        ("conductivity", full, "conductivity counts for pads that take heat alone", "walls.pads such as {}"),
+        ("poisson_ratio", plate, "Poisson's ratio counts for plates alone", "pad_bending: plate"),
+    ):  # fmt: skip
+        if is_given(material, name) and not counts:
+            yield Issue((*path, name), what, f"{hint}, or leave it out")
+            return
 
 
 def growth_with_what_it_needs(case: TiltingPadJournalCase) -> str:
@@ -174,6 +215,7 @@ def heat_choices(case: TiltingPadJournalCase, supply: float | None) -> HeatChoic
         pad_walls(case),
         pad_bending(case),
         pad_growth(case),
+        pad_materials(case),
     )
 
 
@@ -188,7 +230,7 @@ def pad_walls(case: TiltingPadJournalCase) -> PadWalls | None:
     pads, material = case.walls.pads, case.materials.pads
     if pads is None:
         return None
-    named = None if material is None else material.conductivity()
+    named = None if material is None else material.known("conductivity")
     chosen = (pads.conductivity, named, STEEL_CONDUCTIVITY)
     return PadWalls(
         next(one for one in chosen if one is not None),
@@ -203,10 +245,42 @@ def pad_bending(case: TiltingPadJournalCase) -> PadBending | None:
     material = case.materials.pads
     if "bending" not in case.deformation or material is None:
         return None
-    modulus, expansion = material.modulus(), material.expansion()
+    modulus, expansion = material.known("elastic_modulus"), material.known("thermal_expansion")
     assert modulus is not None
     assert expansion is not None
-    return PadBending(modulus, expansion)
+    return PadBending(modulus, expansion, poisson_ratio(case, material))
+
+
+def poisson_ratio(case: TiltingPadJournalCase, material: PadStructure) -> float:
+    """Poisson's ratio of pads that bend as plates, 0 of beams."""
+    if case.pad_bending == "beam":
+        return 0.0
+    known = material.known("poisson_ratio")
+    return STEEL_POISSON if known is None else known
+
+
+def pad_materials(case: TiltingPadJournalCase) -> tuple[PadMaterial, ...]:
+    """What the pads have of their own; empty where they are alike."""
+    own = [case.pads.fields_of(number)["material"] for number in range(case.pads.count)]
+    if not any(own):
+        return ()
+    return tuple(PadMaterial() if one is None else PadMaterial(
+        one.known("conductivity"), one.known("elastic_modulus"), one.known("thermal_expansion"),
+        poisson_ratio(case, one) if one.known("poisson_ratio") is not None else None,
+    ) for one in own)  # fmt: skip
+
+
+def mode_stiffness(case: TiltingPadJournalCase, number: int, pad: TiltingPad) -> float:
+    """Stiffness of a pad of films of one temperature against bending, N/m; infinite where it does not bend."""
+    common = case.materials.pads
+    if "bending" not in case.deformation or case.thermal_model == "full" or common is None:
+        return math.inf
+    own = case.pads.fields_of(number)["material"]
+    known = [material.known("elastic_modulus") for material in (own, common) if material is not None]
+    modulus = next(one for one in known if one is not None)
+    ratio = poisson_ratio(case, common if own is None or own.known("poisson_ratio") is None else own)
+    width = case.pads.width if pad.width is None else pad.width
+    return bending_stiffness(pad, 0.5 * case.diameter + pad.clearance, width, modulus / (1.0 - ratio**2))
 
 
 def pad_growth(case: TiltingPadJournalCase) -> PadGrowth | None:
@@ -214,7 +288,7 @@ def pad_growth(case: TiltingPadJournalCase) -> PadGrowth | None:
     materials = case.materials
     if "growth" not in case.deformation or materials.pads is None or case.reference_temperature is None:
         return None
-    expansion = materials.pads.expansion()
+    expansion = materials.pads.known("thermal_expansion")
     assert expansion is not None
     return PadGrowth(
         case.reference_temperature,
@@ -226,7 +300,10 @@ def pad_growth(case: TiltingPadJournalCase) -> PadGrowth | None:
 
 
 def heat_assumptions(case: TiltingPadJournalCase) -> Iterator[str]:
-    """Numbers of walls and growth that the case does not give."""
+    """Numbers of walls, bending and growth that the case does not give."""
+    material = case.materials.pads
+    if case.pad_bending == "plate" and material is not None and material.known("poisson_ratio") is None:
+        yield f"Poisson's ratio of the pads is that of steel, {STEEL_POISSON:g}."
     if case.thermal_model != "full":
         return
     pads = case.walls.pads
@@ -238,7 +315,7 @@ def heat_assumptions(case: TiltingPadJournalCase) -> Iterator[str]:
             yield f"Heat transfer of {usual} on the edges of the pads."
         if pads.temperature is None:
             yield "The oil behind the pads is as warm as the fresh oil."
-        named = None if case.materials.pads is None else case.materials.pads.conductivity()
+        named = None if case.materials.pads is None else case.materials.pads.known("conductivity")
         if pads.conductivity is None and named is None:
             yield f"The pads conduct heat as steel, {STEEL_CONDUCTIVITY:g} W/(m K)."
     if "growth" in case.deformation:

@@ -30,28 +30,25 @@ class PadStructure(Part):
         None, description="Coefficient of linear thermal expansion. That of the name if not given."
     )
 
+    conductivity: Annotated[float, si("W/(m K)", "0.1 W/(m K)", "1000 W/(m K)")] | None = Field(
+        None, description="Thermal conductivity. That of the name if not given."
+    )
+    poisson_ratio: Annotated[float, si("1", "0", "0.5")] | None = Field(
+        None, description="Poisson's ratio, of pads that bend as plates. That of the name if not given."
+    )
+
     @rule
     def _name_is_known(self) -> Iterator[Issue]:
         name = self.name
         if name is not None:
             yield from refused(("name",), lambda: structural_material(name))
 
-    def modulus(self) -> float | None:
-        """Young's modulus in Pa; None where neither it nor a name is given."""
-        return self._own_or_named("elastic_modulus")
-
-    def expansion(self) -> float | None:
-        """Coefficient of linear thermal expansion in 1/K; None where neither it nor a name is given."""
-        return self._own_or_named("thermal_expansion")
-
-    def conductivity(self) -> float | None:
-        """Thermal conductivity in W/(m K); None without a name."""
-        return None if self.name is None else structural_material(self.name).thermal_conductivity
-
-    def _own_or_named(self, field: str) -> float | None:
+    def known(self, field: str) -> float | None:
+        """A number of the material, by its field here: its own, else that of its name; None where neither is."""
         if is_given(self, field):
             return float(getattr(self, field))
-        return None if self.name is None else float(getattr(structural_material(self.name), field))
+        named = {"conductivity": "thermal_conductivity"}.get(field, field)
+        return None if self.name is None else float(getattr(structural_material(self.name), named))
 
 
 def _named(given: Any) -> Any:

@@ -8,6 +8,7 @@ from pydantic import Field
 
 from babbitt.case.method_choices import MethodChoices, MethodInput
 from babbitt.case.method_mapping import MethodMapping
+from babbitt.case.parts.turbulence import TurbulenceInput
 from babbitt.core.units import si
 
 __all__ = ["METHOD_MAPPING", "PadFilmChoices", "PadFilmMethod"]
@@ -27,11 +28,22 @@ class PadFilmChoices(MethodChoices):
         description="Share of the hot oil leaving a pad over its trailing edge that enters the next one; the rest "
         "leaves.",
     )
+    turbulence: TurbulenceInput = Field(
+        "laminar",
+        description="Turbulence of films of one temperature where the local Reynolds number exceeds "
+        "41.3 sqrt(R/c) of the widest pad: none, whatever the Reynolds number, or flow factors by Ng and Pan or "
+        "Constantinescu.",
+    )
     deformation: tuple[Literal["growth", "bending"], ...] = Field(
         (),
         max_length=2,
         description="What heat and pressure deform: growth of pads, journal and housing, bending of the pads. "
-        "With walls.pads.",
+        "Full films with walls.pads bend by heat and pressure; films of one temperature bend pads by pressure, at "
+        "rest and in motion.",
+    )
+    pad_bending: Literal["beam", "plate"] = Field(
+        "beam",
+        description="Pads bend as beams, with the elastic modulus E, or as plates, with E/(1 - nu^2).",
     )
     accuracy: Literal["draft", "engineering", "reference"] = Field(
         "engineering", description="How fine the grid of every pad is."

@@ -14,6 +14,7 @@ from babbitt.case.part import Issue, Part, exactly_one, is_given, rule
 from babbitt.case.parts.clearance import ClearanceInput
 from babbitt.case.parts.fields import WholeNumber
 from babbitt.core.units import si, written
+from babbitt.kinds.tilting_pad_journal.case.materials import PadStructureInput
 from babbitt.kinds.tilting_pad_journal.case.pivots import PivotInput, RigidPivotInput
 
 __all__ = ["THREE", "JournalPads", "OnePad", "clearances", "pad_fields"]
@@ -26,6 +27,7 @@ Preload = Annotated[float, si("1", "-0.5", "0.99")]
 Mass = Annotated[float, si("kg", "0 kg", "1000 t")]
 Inertia = Annotated[float, si("kg m2", "0 kg m2", "1e6 kg m2")]
 Offset = Annotated[float, si("m", "-1 m", "1 m")]
+Fraction = Annotated[float, si("1", "0", "1")]
 
 THREE = ("clearance", "preload", "assembled_clearance")
 """Of these two are given, and the third follows: 1 - preload is assembled over machined clearance."""
@@ -52,6 +54,12 @@ class OnePad(Part):
     )
     mass_inset: Offset | None = Field(
         None, description="How much nearer to the bearing centre its centre of gravity is than its pivot."
+    )
+    material: PadStructureInput | None = Field(
+        None, description="Material of this pad, in place of materials.pads: what it gives."
+    )
+    probe_fraction: Fraction | None = Field(
+        None, description="Where a probe of the temperature stands in this pad, a share of its arc."
     )
 
 
@@ -98,6 +106,11 @@ class JournalPads(Part):
         0.0,
         description="How much nearer to the bearing centre the centre of gravity of a pad is than its pivot. It "
         "counts where a flexure gives way along the motion.",
+    )
+    probe_fraction: Fraction = Field(
+        0.75,
+        description="Where a probe of the temperature stands in the bore of a pad: share of its arc from the "
+        "leading edge.",
     )
     each: tuple[OnePad, ...] = Field(
         (),
@@ -180,7 +193,7 @@ def own_three(part: Part) -> list[str]:
 
 def field_of(pads: JournalPads, one: OnePad | None, name: str) -> Any:
     """Give a field of a pad: its own, else that of all pads."""
-    return getattr(one, name) if one is not None and is_given(one, name) else getattr(pads, name)
+    return getattr(one, name) if one is not None and is_given(one, name) else getattr(pads, name, None)
 
 
 def pad_fields(pads: JournalPads, one: OnePad | None) -> dict[str, Any]:

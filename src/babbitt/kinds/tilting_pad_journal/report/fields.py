@@ -9,7 +9,7 @@ from babbitt.core.notices import InputError
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.solution import Solution
 from babbitt.report.fields import require_package
-from babbitt.reynolds.tilting_pads.pad_lands import pad_positions, tilted_land
+from babbitt.reynolds.tilting_pads.pad_lands import pad_gaps
 
 if TYPE_CHECKING:
     import xarray
@@ -42,19 +42,12 @@ def pad_fields(solution: Solution) -> xarray.Dataset:
     pads = films.pads
     theta = np.array([state.angles for state in pads])
     z = np.array([state.axial_positions for state in pads])
-    gaps = []
-    for pad, position, angles in zip(films.bearing.pads, pad_positions(films), theta, strict=True):
-        land = tilted_land(films.bearing, pad, position)
-        x, y = films.position - np.asarray(land.centre)
-        gaps.append(land.clearance - x * np.cos(angles) - y * np.sin(angles))
     thermal = solution.state.films.thermal
-    if thermal is not None:
-        gaps = [gap + heat.deflection for gap, heat in zip(gaps, thermal.temperatures, strict=True)]
     over = ("pad", "line", "place")
     variables: dict[str, Any] = {
         "pressure": (over, np.array([state.pressure for state in pads]), _named("Pa", "film pressure, gauge")),
         "void": (over, np.array([state.void for state in pads]), _named("1", "share of the gap without oil")),
-        "film_thickness": (("pad", "line"), np.array(gaps), _named("m", "film thickness")),
+        "film_thickness": (("pad", "line"), pad_gaps(films), _named("m", "film thickness")),
         "theta": (("pad", "line"), theta, _named("rad", "angle, counter-clockwise from +x")),
         "z": (("pad", "place"), z, _named("m", "place along the shaft, from the mid-plane to the side")),
     }

@@ -66,7 +66,7 @@ def _painted(case: PadCase, state: PadSolutionState) -> Iterator[Painted]:
         yield (
             "pad-temperatures",
             "Temperatures of bores and films over the angle, numbers at the pivots; groove, trailing edge, "
-            "probe at 75 % of the arc and highest of every pad, from the temperature of the fresh oil on.",
+            "probe and highest of every pad, from the temperature of the fresh oil on.",
             temperatures.pad_temperatures(case, thermal),
             True,
         )

@@ -39,6 +39,12 @@ def _bearing(case: PadCase) -> Iterator[Row]:
         ("Inertia of a pad about its pivot", "kg m²", lambda pad: f"{pad.inertia:.4g}"),
     ):
         yield from _of_pads(label, unit, bearing.pads, of)
+    if case.thermal.is_resolved:
+        label = "Probe, from the leading edge"
+        yield from _of_pads(label, "%", bearing.pads, lambda pad: f"{100.0 * pad.probe_fraction:.4g}")
+    if any(pad.bends for pad in bearing.pads):
+        label = "Stiffness against bending"
+        yield from _of_pads(label, "MN/m", bearing.pads, lambda pad: f"{1e-6 * pad.bending_stiffness:.4g}")
     if bearing.groove_pressure:
         yield Row("Pressure between the pads", f"{1e-3 * bearing.groove_pressure:.4g}", None, "kPa")
 
@@ -85,6 +91,7 @@ def _oil(case: PadCase) -> Iterator[Row]:
         yield named_row("supply_temperature", supply.temperature)
         if supply.flow is not None:
             yield named_row("given_flow", supply.flow)
+    yield Row("Flow", "laminar" if case.turbulence is None else f"turbulent after {case.turbulence.name}")
     yield Row("Feed", case.feed.kind.replace("_", " "))
     yield Row("Hot oil carried over", f"{100.0 * case.feed.carry_over:.4g}", None, "%")
     if case.effective_temperature is not None:
@@ -93,6 +100,19 @@ def _oil(case: PadCase) -> Iterator[Row]:
         yield Row("Temperature of the films", "one, from friction and fresh oil (global)")
     else:
         yield from _heat(case)
+
+
+def _own_materials(case: PadCase) -> Iterator[Row]:
+    """What single pads are made of."""
+    for number, own in enumerate(case.heat.materials, 1):
+        for label, value, unit in (
+            ("Conductivity", own.conductivity, "W/(m K)"),
+            ("Elastic modulus", None if own.elastic_modulus is None else 1e-9 * own.elastic_modulus, "GPa"),
+            ("Expansion", None if own.thermal_expansion is None else 1e6 * own.thermal_expansion, "10⁻⁶/K"),
+            ("Poisson's ratio", own.poisson_ratio, ""),
+        ):
+            if value is not None:
+                yield Row(f"{label} of pad {number}", f"{value:.4g}", None, unit)
 
 
 def _heat(case: PadCase) -> Iterator[Row]:
@@ -113,6 +133,9 @@ def _heat(case: PadCase) -> Iterator[Row]:
             yield named_row("ambient_temperature", heat.walls.back_temperature, "Oil behind the pads")
     if heat.bending is not None:
         yield Row("Elastic modulus of the pads", f"{1e-9 * heat.bending.elastic_modulus:.4g}", None, "GPa")
+        if heat.bending.poisson_ratio:
+            yield Row("Poisson's ratio of the pads, plates", f"{heat.bending.poisson_ratio:.4g}")
+    yield from _own_materials(case)
     if heat.growth is not None:
         growth = heat.growth
         yield Row("Clearances hold at", f"{growth.reference_temperature - ZERO_CELSIUS:.4g}", None, "°C")

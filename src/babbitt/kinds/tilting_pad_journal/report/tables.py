@@ -30,10 +30,12 @@ HEAT = (
     "pad_maximum_temperature",
     "pad_mean_temperature",
     "pad_heat",
+    "pad_edge_heat",
     "pad_growth",
     "pad_bending",
 )
 PIVOTS = ("pad_load", "pivot_displacement", "pivot_stiffness")
+BENDING = ("pad_load", "pad_bending", "pad_bending_stiffness")
 
 
 def tables(result: Result) -> list[dict[str, Any]]:
@@ -61,12 +63,16 @@ def _tables(result: Result) -> Iterator[dict[str, Any]]:
             result,
             "Temperatures of the pads",
             names,
-            "Oil at the leading edge, after mixing, and at the trailing edge; bore at 75 % of the arc and "
-            "highest; of pads that conduct their mean and the heat into them; growth and bending.",
+            "Oil at the leading edge, after mixing, and at the trailing edge; bore at the probe and highest; of "
+            "pads that conduct their mean and the heat that leaves by backs and edges; growth and bending.",
         )
     if "pivot_stiffness" in result.arrays:
         yield table_by_pad(
             result, "Pivots", PIVOTS, "Load, how far the pivot gives way, and its stiffness under the load."
+        )
+    if "pad_bending_stiffness" in result.arrays:
+        yield table_by_pad(
+            result, "Bending", BENDING, "Load, how far the pad bends under it, and its stiffness against bending."
         )
     yield _coefficients(result)
     if "rotor_modes" in result.arrays:
