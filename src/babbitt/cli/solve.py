@@ -247,7 +247,7 @@ def size(
     from babbitt.report.size_output import require_size_outputs, write_size
     from babbitt.report.size_table import print_choices, print_size
     from babbitt.study.size import find_size
-    from babbitt.study.size_choices import appraise_choices, preferred_numbers, standard_choices
+    from babbitt.study.size_choices import Choices, appraise_choices, preferred_numbers, standard_choices
     from babbitt.study.size_range import range_of
 
     variation = case_variation(file, path, bearing, reach(allow_outside))
@@ -257,24 +257,25 @@ def size(
     words = tuple(one.strip() for one in among.split(",")) if among else standard_choices(path)
     try:
         with raised_interrupts():
+            held: Choices | None
             if words:
-                choices = appraise_choices(variation, words, counted, over_tolerance, progress)
-                print_choices(choices)
-                if not any(one.permitted for one in choices.appraisals.values()):
+                held = appraise_choices(variation, words, counted, over_tolerance, progress)
+                print_choices(held)
+                if not any(one.permitted for one in held.appraisals.values()):
                     raise typer.Exit(NO_SOLUTION)
                 return
             scan = range_of(variation, first, last, points)
             found = find_size(variation, scan, counted, over_tolerance, progress)
             numbers = preferred_numbers(found) if preferred else ()
             texts = [str(scan.given(one)) for one in numbers]
-            choices = appraise_choices(variation, texts, counted, over_tolerance) if texts else None
+            held = appraise_choices(variation, texts, counted, over_tolerance) if texts else None
     except KeyboardInterrupt:
         print("interrupted", file=sys.stderr)
         raise typer.Exit(INTERRUPTED) from None
     write_size(found, json, plot)
     print_size(found)
-    if choices is not None:
-        print_choices(choices)
+    if held is not None:
+        print_choices(held)
     if not found.intervals:
         raise typer.Exit(NO_SOLUTION)
 
