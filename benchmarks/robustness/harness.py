@@ -23,7 +23,6 @@ from babbitt.case import CaseFile, case_from_dict
 from babbitt.case.problems import CaseError
 from babbitt.core.notices import InputError
 from babbitt.core.result import Result
-from babbitt.design.warnings import OPEN_HEAT
 from babbitt.solving import solve
 
 __all__ = ["Family", "Outcome", "faults_of", "in_other_units", "reordered"]
@@ -168,9 +167,7 @@ def imbalances(result: Result, case: Case) -> Iterator[str]:
     conserving = case.get("cavitation", "mass_conserving") == "mass_conserving"
     for name, codes in OPEN.items():
         error = abs(result.values.get(name, 0.0))
-        # Pads with temperatures of their own settle to 1e-4 K: their heat is held to the bound of their warning.
-        bound = OPEN_HEAT if name[0] == "e" and case["kind"].startswith("thrust") else BALANCE
-        if error > bound and (conserving or name[0] == "e") and not told & codes:
+        if error > BALANCE and (conserving or name[0] == "e") and not told & codes:
             yield f"{name} {error:.2g}"
     given = case.get("load")
     if isinstance(given, str) and given.endswith(" kN") and "load" in result.values:

@@ -5,7 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from babbitt.core.notices import Notice
-from babbitt.design.warnings import LARGEST_RISE, OPEN_HEAT, warnings_about_heating, warnings_about_pressure
+from babbitt.design.warnings import (
+    LARGEST_RISE,
+    OPEN_HEAT,
+    warnings_about_heat_balance,
+    warnings_about_heating,
+    warnings_about_pressure,
+)
 from babbitt.kinds.thrust.design import ThrustDesign, ThrustState
 from babbitt.kinds.thrust.state import CONTACT, condensed
 from babbitt.kinds.thrust.values import effective_viscosity, hottest_oil, reynolds_number, rise_of_passing_oil
@@ -62,6 +68,8 @@ def _about_the_model(design: ThrustDesign, state: ThrustState) -> Iterator[Notic
     heat = 0.0 if state.temperatures is None else abs(state.temperatures.error)
     if not heat < OPEN_HEAT:
         yield Notice("W211", "heat", {"error": heat, "bound": OPEN_HEAT})
+    else:
+        yield from warnings_about_heat_balance(heat)
     if state.temperatures is None and (rise := rise_of_passing_oil(design, share)) > LARGEST_RISE:
         yield Notice("W127", "passing", {"rise": rise, "limit": LARGEST_RISE})
     damping = [condensed(pad, design.speed, share.bearing.inertia).imag for pad in share.states]
