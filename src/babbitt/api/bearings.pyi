@@ -192,6 +192,7 @@ class TiltingPadBearing(Case, TiltingPadJournalCase):
         thermal: Literal["isothermal", "global", "adiabatic", "full"] | Enum | None = ...,
         carry_over: Quantity | None = ...,
         deformation: Iterable[Any] | None = ...,
+        assumption_sensitivity: bool | None = ...,
         accuracy: Literal["draft", "engineering", "reference"] | Enum | None = ...,
         kind: Literal["tilting_pad_journal"] | Enum | None = ...,
         name: str | None = ...,

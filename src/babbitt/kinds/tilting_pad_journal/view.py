@@ -145,6 +145,12 @@ def _tables(result: Result) -> list[dict[str, Any]]:
     return tables(result)
 
 
+def _terminal_tables(result: Result) -> list[dict[str, Any]]:
+    from babbitt.kinds.tilting_pad_journal.report.tables import sensitivity_tables
+
+    return list(sensitivity_tables(result))
+
+
 def _fields(solution: Solution) -> xarray.Dataset:
     from babbitt.kinds.tilting_pad_journal.report.fields import pad_fields
 
@@ -189,6 +195,7 @@ FILM = View(
     figures=_figures,
     report_figures=_figures,
     tables=_tables,
+    terminal_tables=_terminal_tables,
     columns=COLUMNS,
     sweep=SWEEP,
     alike=_alike,

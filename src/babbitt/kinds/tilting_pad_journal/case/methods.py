@@ -33,6 +33,12 @@ class PadFilmChoices(MethodChoices):
         description="What heat and pressure deform: growth of pads, journal and housing, bending of the pads. "
         "With walls.pads.",
     )
+    assumption_sensitivity: bool = Field(
+        False,
+        description="Whether the bearing is solved with less and more of what is assumed of its heat, too: "
+        "carry-over 0.2, heat transfer on the backs a third and three times, housing 10 K. Up to six more "
+        "solutions.",
+    )
     accuracy: Literal["draft", "engineering", "reference"] = Field(
         "engineering", description="How fine the grid of every pad is."
     )
