@@ -12,6 +12,7 @@ from babbitt.kinds.tilting_pad_journal.report.stability import stability_table
 from babbitt.kinds.tilting_pad_journal.sensitivity import ASSUMED, MOVED, written
 from babbitt.report.columns import ABSENT
 from babbitt.report.plain_tables import plain_table, table_by_pad
+from babbitt.report.symbols import symbol_node
 
 __all__ = ["sensitivity_tables", "tables"]
 
@@ -87,21 +88,20 @@ def sensitivity_tables(result: Result) -> Iterator[dict[str, Any]]:
     moved = [QUANTITIES[name] for name in MOVED if f"sensitivity_of_{name}" in result.arrays]
     moved = [one.suited(*_finite(result.arrays[f"sensitivity_of_{one.name}"])) for one in moved]
     rows = [
-        (name, *(
+        [name, *(
             one.format(row[place]) if math.isfinite(row[place]) else ABSENT
             for one in moved
             for row in (result.arrays[f"sensitivity_of_{one.name}"][number],)
-        ))
+        )]
         for number, place, name in _ends(result, assumed)
     ]  # fmt: skip
-    yield plain_table(
-        "What assumptions move",
-        ("Assumed", *(one.symbol for one in moved)),
-        ("", *(one.display.label for one in moved)),
-        rows,
+    heads: list[dict[str, Any]] = [{"text": "Assumed", "symbol": None, "unit": ""}]
+    heads += [{"text": one.symbol, "symbol": symbol_node(one.symbol), "unit": one.display.label} for one in moved]
+    note = (
         "The bearing solved again with less and with more of each number that is assumed of its heat; a dash "
-        "where it has no film, or its pads starve.",
+        "where it has no film, or its pads starve."
     )
+    yield {"title": "What assumptions move", "columns": heads, "rows": rows, "note": note}
 
 
 def _ends(result: Result, assumed: Sequence[str]) -> Iterator[tuple[int, int, str]]:
