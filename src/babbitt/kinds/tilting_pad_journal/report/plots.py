@@ -45,6 +45,9 @@ SIDE_BY_SIDE, ABOVE_EACH_OTHER = 0.04, 0.1
 CLOSE = 0.12, 0.07
 """Shares of the width and the height of the locus within which motions are named together."""
 
+NEAR_THE_END = 0.22
+"""Share of the width of the locus at its right end where a name stands to the left of its point."""
+
 AT_THE_EDGE = 0.1
 """Share of the width of a panel at its left edge where a name stands to the right of its point."""
 
@@ -138,11 +141,13 @@ def root_locus(case: PadCase, dynamics: PadDynamics) -> Figure:
     low, high = panel.get_xlim()
     panel.set_xlim(low, max(high, 0.15 * (high - low)))
     panel.set_ylim(bottom=0.0)
+    left, right = panel.get_xlim()
     for modes in close_together(own, panel):
+        before = modes[0].growth > right - NEAR_THE_END * (right - left)
         panel.annotate(
             f"δ {', '.join(f'{one.log_decrement:.2g}' for one in modes)}",
-            (modes[0].growth, modes[0].frequency / math.tau), xytext=(5, 3), textcoords="offset points",
-            fontsize=6.5,
+            (modes[0].growth, modes[0].frequency / math.tau), xytext=(-5, 3) if before else (5, 3),
+            textcoords="offset points", ha="right" if before else "left", fontsize=6.5,
         )  # fmt: skip
     panel.set(xlabel="growth Re $λ$ in 1/s", ylabel="frequency Im $λ$/2π in Hz")
     return figure
@@ -192,7 +197,8 @@ def pad_curve(case: PadCase, solution: TiltingPadSolution, margins: tuple[PadMar
     for first, numbers in pads_side_by_side(solution).items():
         at = solution.pads[first].eccentricity_ratio, 1e-3 * solution.pads[first].load
         right = at[0] < low + AT_THE_EDGE * (high - low)
-        panel.annotate(", ".join(str(number + 1) for number in numbers), at, xytext=(4, 4) if right else (-4, 3),
+        up = 6 if at[1] < 0.1 * largest else 3
+        panel.annotate(", ".join(str(number + 1) for number in numbers), at, xytext=(4, 6) if right else (-4, up),
                        textcoords="offset points", fontsize=7, ha="left" if right else "right")  # fmt: skip
     panel.set_ylim(0.0, 1.6 * largest if largest > 0.0 else None)
     panel.set(xlabel="$ε_\\mathrm{p}$", ylabel="$W_\\mathrm{p}$ in kN")
