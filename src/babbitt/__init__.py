@@ -157,6 +157,9 @@ if TYPE_CHECKING:
     from babbitt.api.own_viscosity import (
         viscosity_law,
     )
+    from babbitt.api.pad_batch import (
+        solve_pad_batch,
+    )
     from babbitt.api.thrust_parts import (
         FilmHeatBalance,
         FilmTemperature,
@@ -242,6 +245,7 @@ _NAMES = {
     "babbitt.api.catalogue": "explain lubricants materials published_cases validate",
     "babbitt.api.own_bore": "Gap",
     "babbitt.api.own_viscosity": "viscosity_law",
+    "babbitt.api.pad_batch": "solve_pad_batch",
     "babbitt.api.thrust_parts": (
         "FilmHeatBalance FilmTemperature FilmViscosity FixedPad LineLimits PadMaterials Pads Propeller "
         "Runout Seating ShaftPiece SpeedRange StepFace Taper ThrustRipple Tilt TiltingPivot"
@@ -416,6 +420,7 @@ __all__ = [
     "relative_clearance",
     "solve",
     "solve_batch",
+    "solve_pad_batch",
     "template",
     "validate",
     "viscosity_law",

@@ -83,6 +83,18 @@ def test_decrements_over_speed_are_those_of_every_speed(rigid):
         assert row == pytest.approx([v[kind + end] for kind in ("", "synchronous_") for end in ends], rel=1e-6)
 
 
+def test_the_result_holds_the_decrements_over_speed(rigid):
+    """Those of the case at its own speed; less with what drives the whirl, at every speed."""
+    over = np.array(rigid.result.arrays["decrement_over_speed"])
+    values = rigid.result.values
+    assert over[4, 0] == pytest.approx(4000.0 * math.pi / 30.0)
+    ends = ("log_decrement", "log_decrement_anticipated")
+    assert over[4, 1:] == pytest.approx([values[kind + end] for kind in ("", "synchronous_") for end in ends])
+    assert over[:, 0] / over[4, 0] == pytest.approx([0.5, 0.625, 0.75, 0.875, 1.0, 1.125, 1.25])
+    assert np.all(over[:, 2] < over[:, 1])
+    assert np.all(over[:, 4] < over[:, 3])
+
+
 def test_either_sense_of_rotation_is_driven_forward(rigid):
     other = result_of(**ROTOR | {"speed": "-4000 rpm"}).values
     for name in ("critical_cross_coupling", "log_decrement_anticipated", "synchronous_critical_cross_coupling"):

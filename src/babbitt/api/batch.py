@@ -9,6 +9,7 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from babbitt.core.arrays import numbers, positive, require_one_count, require_workers
 from babbitt.core.notices import InputError
 from babbitt.kinds.journal.film.model import Accuracy
 from babbitt.reynolds.lands.batch import BatchSolution
@@ -90,18 +91,21 @@ def solve_batch(
         "viscosity": viscosity,
         "speed": speed,
     }
-    arrays = {name: _positive(name, values) for name, values in given.items()}
+    arrays = {
+        name: positive(name, UNITS[name], values, why=CLOCKWISE * (name == "speed"))
+        for name, values in given.items()
+    }
     force = _force(load, load_angle)
-    _require_one_count({**{name: values.shape for name, values in arrays.items()}, "load": force.shape[:-1]})
-    angles, extent = _numbers("groove_angles", groove_angles), _numbers("groove_extent", groove_extent)
+    require_one_count({**{name: values.shape for name, values in arrays.items()}, "load": force.shape[:-1]})
+    angles = numbers("groove_angles", UNITS["groove_angles"], groove_angles)
+    extent = numbers("groove_extent", UNITS["groove_extent"], groove_extent)
     if not angles.size:
         raise InputError("E101", "groove_angles is empty; a batch takes bearings with grooves")
     if angles.ndim != 1 or extent.ndim:
         raise InputError("E101", "groove_angles is one axis and groove_extent one number, in rad")
     if not (np.isfinite(angles).all() and np.isfinite(extent)):
         raise InputError("E101", "groove_angles and groove_extent must be finite, in rad")
-    if workers is not None and not (isinstance(workers, int | np.integer) and workers >= 1):
-        raise InputError("E101", f"workers is {workers!r}; it must be a whole number, one or more")
+    require_workers(workers)
     found = solve_lands(
         arrays["diameter"],
         arrays["width"],
@@ -135,37 +139,12 @@ UNITS = {
 }
 """What the numbers of a batch are in."""
 
-
-def _numbers(name: str, given: object) -> Array:
-    """An array of numbers; text and quantities, which a single bearing would take, are refused by name."""
-    says = f"{name}: a batch takes numbers in {UNITS[name]} or arrays of them"
-    if hasattr(given, "magnitude"):
-        raise InputError("E101", f"{says}, not quantities; give .to({UNITS[name]!r}).magnitude")
-    try:
-        found = np.asarray(given)
-    except ValueError:
-        raise InputError("E101", f"{says}; the rows of this list differ in length") from None
-    if found.dtype.kind not in "iuf":
-        first = next(iter(found.ravel().tolist()), given)
-        raise InputError("E101", f"{says}, not {first!r}, which is a {type(first).__name__}")
-    return found.astype(np.float64)
-
-
-def _positive(name: str, given: ArrayLike) -> Array:
-    values = _numbers(name, given)
-    if values.ndim > 1:
-        raise InputError("E101", f"{name} has shape {values.shape}; give a scalar or one axis, (bearings,)")
-    if not (np.isfinite(values) & (values > 0.0)).all():
-        clockwise = "; a clockwise bearing is the mirror image of one with x and the load turned about" * (
-            name == "speed"
-        )
-        raise InputError("E101", f"{name} must be positive and finite everywhere, in SI{clockwise}")
-    return values
+CLOCKWISE = "; a clockwise bearing is the mirror image of one with x and the load turned about"
 
 
 def _force(load: ArrayLike, load_angle: ArrayLike | None) -> Array:
     """Load vectors of shape (2,) or (bearings, 2)."""
-    values = _numbers("load", load)
+    values = numbers("load", UNITS["load"], load)
     if load_angle is None:
         if values.ndim not in (1, 2) or values.shape[-1] != 2:
             raise InputError(
@@ -174,24 +153,16 @@ def _force(load: ArrayLike, load_angle: ArrayLike | None) -> Array:
             )  # fmt: skip
         force = values
     else:
-        angle = _numbers("load_angle", load_angle)
+        angle = numbers("load_angle", UNITS["load_angle"], load_angle)
         if values.ndim > 1 or angle.ndim > 1:
             raise InputError("E101", "with load_angle the load is a magnitude: a scalar or one axis, (bearings,)")
         if (values < 0.0).any():
             raise InputError("E101", "with load_angle the load is a magnitude, in N; it must not be negative")
-        _require_one_count({"load": values.shape, "load_angle": angle.shape})
+        require_one_count({"load": values.shape, "load_angle": angle.shape})
         force = np.stack(np.broadcast_arrays(values * np.cos(angle), values * np.sin(angle)), axis=-1)
     if not np.isfinite(force).all():
         raise InputError("E101", "load and load_angle must be finite everywhere, in N and rad")
     return force
-
-
-def _require_one_count(shapes: dict[str, tuple[int, ...]]) -> None:
-    """Refuse arrays of different lengths, by name; one bearing goes with any number."""
-    counts = {name: shape[0] for name, shape in shapes.items() if shape and shape[0] != 1}
-    if len(set(counts.values())) > 1:
-        listed = ", ".join(f"{name} {count}" for name, count in counts.items())
-        raise InputError("E101", f"the numbers of bearings differ: {listed}")
 
 
 def _member(choices: type[Choice], name: str, given: Choice | str) -> Choice:

@@ -194,6 +194,7 @@ class TiltingPadBearing(Case, TiltingPadJournalCase):
         turbulence: Literal["laminar", "ng_pan", "constantinescu"] | Enum | None = ...,
         deformation: Iterable[Any] | None = ...,
         pad_bending: Literal["beam", "plate"] | Enum | None = ...,
+        assumption_sensitivity: bool | None = ...,
         accuracy: Literal["draft", "engineering", "reference"] | Enum | None = ...,
         kind: Literal["tilting_pad_journal"] | Enum | None = ...,
         name: str | None = ...,

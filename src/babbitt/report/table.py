@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from io import StringIO
 from shutil import get_terminal_size
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from rich.cells import cell_len
 from rich.console import Console, Group, RenderableType
@@ -107,6 +107,12 @@ def render(name: str, results: Sequence[Result], width: int) -> RenderableType:
     else:
         parts.append(_machine(name, rows, width))
         parts += [bearing_table(result) for result in results if result not in rows]
+    parts += [
+        part
+        for result in results
+        for data in view_of(result).terminal_tables(result)
+        for part in (Text(), terminal_table(data, plain_text(result.name)))
+    ]
     said = [sentence for result in results for sentence in view_of(result).sentences(result)]
     parts += [Text(), *(Padding(Text(sentence), (0, 0, 0, 2)) for sentence in said)] if said else []
     parts += _remarks(results)
@@ -168,6 +174,17 @@ def _column_width(column: Column, results: Sequence[Result]) -> int:
 
 def _longest_name(results: Sequence[Result]) -> int:
     return max(cell_len(plain_text(result.name)) for result in results)
+
+
+def terminal_table(data: Mapping[str, Any], name: str) -> Table:
+    """A table of `plain_tables` of the bearing of a name."""
+    table = engineers_table(title=Text(f"{data['title']}: {name}", style="bold"), title_justify="left")
+    for place, column in enumerate(data["columns"]):
+        head = f"{column['text']}\n{column['unit']}"
+        table.add_column(Text(head), justify="right" if place else "left", no_wrap=place > 0)
+    for row in data["rows"]:
+        table.add_row(*map(Text, row))
+    return table
 
 
 def _remarks(results: Sequence[Result]) -> list[RenderableType]:

@@ -70,6 +70,8 @@ class View:
         Solutions of one problem are steady states: sections and figures are those of each of them.
     tables : callable
         Result -> tables of the report.
+    terminal_tables : callable
+        Result -> those of them that the terminal shows, too.
     sentences : callable
         Result -> answers in words.
     columns : tuple of Column
@@ -102,6 +104,7 @@ class View:
     report_figures: Callable[[Solution], Iterable[Drawing]] = _none
     of_every_state: bool = False
     tables: Callable[[Result], Iterable[Data]] = _none
+    terminal_tables: Callable[[Result], Iterable[Data]] = _none
     sentences: Callable[[Result], Iterable[str]] = _none
     columns: tuple[Column, ...] = ()
     in_machine_table: bool = True

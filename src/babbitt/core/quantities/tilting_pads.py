@@ -124,6 +124,31 @@ TILTING_PADS: tuple[Quantity, ...] = (
         4,
         "Cross-coupling N/m, log decrement, the same by synchronously reduced coefficients",
     ),
+    quantity(
+        "decrement_over_speed",
+        "δ(n)",
+        "SI",
+        "",
+        4,
+        "Speed rad/s, log decrement without and with the anticipated cross-coupling, both by synchronously "
+        "reduced coefficients",
+    ),
+    quantity("assumed_carry_over", "λ", "1", "", 3, "Carry-over: less, as assumed, more"),
+    quantity(
+        "assumed_back_coefficient", "h_b", "W/(m2 K)", "", 3, "Heat transfer on the backs: less, as assumed, more"
+    ),
+    quantity("assumed_housing_temperature", "T_h", "K", "degC", 4, "Housing: colder, as assumed, warmer"),
+    *(
+        quantity(f"sensitivity_of_{name}", symbol, unit, shown, 4, f"{what} with less and more of what is assumed")
+        for name, symbol, unit, shown, what in (
+            ("maximum_temperature", "T_max", "K", "degC", "Highest temperature of films and bores"),
+            ("effective_temperature", "T_eff", "K", "degC", "Mean temperature of the films"),
+            ("minimum_film_thickness", "h_min", "m", "um", "Minimum film thickness"),
+            ("friction_power", "P_f", "W", "kW", "Friction power"),
+            ("stiffness_yy", "k_yy", "N/m", "MN/m", "Synchronous stiffness"),
+            ("damping_yy", "c_yy", "N s/m", "kNs/m", "Synchronous damping"),
+        )
+    ),
     quantity("pedestal_x", "x_P", "m", "um", 4, "Way of the housing on its pedestal, to the right"),
     quantity("pedestal_y", "y_P", "m", "um", 4, "Way of the housing on its pedestal, upward"),
     quantity("bearing_stiffness", "K_B", "N/m", "MN/m", 4, "Synchronous stiffness without the pedestal"),

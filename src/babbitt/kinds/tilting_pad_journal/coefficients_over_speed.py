@@ -91,8 +91,9 @@ def run_over_speed(case: PadCase, speeds: Iterable[float]) -> PadSpeedRun:
     taken = tuple(sorted(set(speeds)))
     if not taken or not all(math.isfinite(speed) and speed > 0.0 for speed in taken):
         raise InputError("E003", f"{case.name}: give one speed or more, each positive, in rad/s")
+    plain = replace(case, assumption_sensitivity=False)  # no table tells of it
     return PadSpeedRun(
-        case, tuple(pad_solution(replace(case, journal_speed=case.sense * speed)) for speed in taken)
+        case, tuple(pad_solution(replace(plain, journal_speed=case.sense * speed)) for speed in taken)
     )
 
 

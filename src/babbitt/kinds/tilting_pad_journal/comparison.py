@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from babbitt.core.notices import InputError
 from babbitt.core.quantities import AXES, QUANTITIES
@@ -13,6 +13,7 @@ from babbitt.kinds.tilting_pad_journal.case.build import pad_cases
 from babbitt.kinds.tilting_pad_journal.case.heat import PadJournalWalls
 from babbitt.kinds.tilting_pad_journal.methods import PAD_FILM
 from babbitt.kinds.tilting_pad_journal.model import PadCase, Thermal
+from babbitt.kinds.tilting_pad_journal.sensitivity import MOVED, Assumption, assumptions
 from babbitt.study.comparison import Comparison, Variant
 
 __all__ = ["compare"]
@@ -53,39 +54,8 @@ COMPARED = (
 )
 """What is put side by side."""
 
-MOVED = (
-    "maximum_temperature",
-    "effective_temperature",
-    "minimum_film_thickness",
-    "friction_power",
-    "stiffness_yy",
-    "damping_yy",
-)
-"""What the assumptions are asked about, in sentences."""
-
 SPREAD = "What assumptions move"
 """Heading of these sentences."""
-
-CARRIED, TRANSFER, WARMER = 0.2, 3.0, 10.0
-"""By how much carry-over (a share), heat transfer on the backs (a factor) and the temperature of the housing (K)
-are varied: as far as published values of one bearing lie apart."""
-
-
-End = tuple[str, TiltingPadJournalCase] | None
-"""A number as it is printed, and the case with it."""
-
-
-@dataclass(frozen=True)
-class Assumption:
-    """One number that is assumed, or known no better, with the same case at less and at more of it.
-
-    ``low`` and ``high`` are None where there is no less or no more.
-    """
-
-    name: str
-    base: str
-    low: End
-    high: End
 
 
 def compare(case: TiltingPadJournalCase) -> tuple[Comparison, ...]:
@@ -96,7 +66,8 @@ def compare(case: TiltingPadJournalCase) -> tuple[Comparison, ...]:
     case : TiltingPadJournalCase
         Its walls and deformation count for full thermal films alone.
     """
-    return tuple(compared(case, index, problem) for index, problem in enumerate(pad_cases(case)))
+    plain = case.model_copy(update={"assumption_sensitivity": False})  # here it is columns
+    return tuple(compared(plain, index, problem) for index, problem in enumerate(pad_cases(plain)))
 
 
 def compared(case: TiltingPadJournalCase, index: int, problem: PadCase) -> Comparison:
@@ -117,14 +88,14 @@ def compared(case: TiltingPadJournalCase, index: int, problem: PadCase) -> Compa
         except InputError as error:  # the films of one model may need more oil than is supplied
             left_out.append(f"{thermal.value} is left out: {error.message}")
     sentences: list[str] = []
-    for assumption in assumptions(case, problem):
+    for assumption in assumptions(problem):
         ends: list[Variant | None] = []
         for end in (assumption.low, assumption.high):
             try:
-                ends.append(None if end is None else at_one_end(assumption, end, index))
+                ends.append(None if math.isnan(end) else at_one_end(assumption, end))
             except InputError as error:
                 ends.append(None)
-                left_out.append(f"one end of {assumption.name} is left out: {error.message}")
+                left_out.append(f"one end of {assumption.label} is left out: {error.message}")
         found += [one for one in ends if one is not None]
         sentences += spread(assumption, ends[0], asked, ends[1])
     return Comparison(problem.name, tuple(found), COMPARED, "\n".join(left_out), tuple(sentences), heading=SPREAD)
@@ -156,59 +127,18 @@ def by_model(problem: PadCase) -> Variant:
     return Variant(label, remark, PAD_FILM.solve_one(problem), detail=list(Thermal).index(thermal))
 
 
-def assumptions(case: TiltingPadJournalCase, problem: PadCase) -> Iterator[Assumption]:
-    """What of the heat of a bearing may be otherwise; nothing of films at a given temperature."""
-    if problem.thermal is Thermal.ISOTHERMAL:
-        return
-    share = problem.feed.carry_over
-    low, high = max(share - CARRIED, 0.0), min(share + CARRIED, 1.0)
-    yield Assumption(
-        "Carry-over",
-        f"{share:.3g}",
-        (f"{low:.3g}", case.model_copy(update={"carry_over": low})) if low < share else None,
-        (f"{high:.3g}", case.model_copy(update={"carry_over": high})) if high > share else None,
-    )
-    walls, growth = problem.heat.walls, problem.heat.growth
-    if walls is not None:
-        least, most = walls.back_coefficient / TRANSFER, walls.back_coefficient * TRANSFER
-        yield Assumption(
-            "Heat transfer on the backs in W/(m² K)",
-            f"{walls.back_coefficient:.3g}",
-            (f"{least:.3g}", with_wall(case, "pads", "heat_transfer_coefficient", least)),
-            (f"{most:.3g}", with_wall(case, "pads", "heat_transfer_coefficient", most)),
-        )
-    if growth is not None and problem.oil_supply is not None:
-        housing = growth.housing_temperature
-        base = problem.oil_supply.temperature if housing is None else housing
-        cold, warm = base - WARMER, base + WARMER
-        yield Assumption(
-            "Housing in °C",
-            f"{base - ZERO_CELSIUS:.4g}",
-            (f"{cold - ZERO_CELSIUS:.4g}", with_wall(case, "housing", "temperature", cold)),
-            (f"{warm - ZERO_CELSIUS:.4g}", with_wall(case, "housing", "temperature", warm)),
-        )
-
-
-def with_wall(case: TiltingPadJournalCase, wall: str, name: str, value: float) -> TiltingPadJournalCase:
-    """The same case with another number of pads or housing."""
-    changed = getattr(case.walls, wall).model_copy(update={name: value})
-    return case.model_copy(update={"walls": case.walls.model_copy(update={wall: changed})})
-
-
-def at_one_end(assumption: Assumption, end: tuple[str, TiltingPadJournalCase], index: int) -> Variant:
+def at_one_end(assumption: Assumption, end: float) -> Variant:
     """The bearing with less or more of what is assumed."""
-    value, case = end
-    remark = f"as the case, with {value} in place of {assumption.base}"
-    solution = PAD_FILM.solve_one(pad_cases(case)[index])
-    return Variant(f"{assumption.name} {value}", remark, solution, is_method=False)
+    value = assumption.written(end)
+    remark = f"as the case, with {value} in place of {assumption.written(assumption.base)}"
+    return Variant(f"{assumption.label} {value}", remark, PAD_FILM.solve_one(assumption.at(end)), is_method=False)
 
 
 def spread(assumption: Assumption, low: Variant | None, asked: Variant, high: Variant | None) -> Iterator[str]:
     """Low, base and high of what an assumption moves, in a sentence; nothing where only the base has a film."""
-    ends = (assumption.low and assumption.low[0], assumption.base, assumption.high and assumption.high[0])
     columns = [
-        (str(value), one.result.values if one.result.outcome.solved else {})
-        for value, one in zip(ends, (low, asked, high), strict=True)
+        (assumption.written(value), one.result.values if one.result.outcome.solved else {})
+        for value, one in zip((assumption.low, assumption.base, assumption.high), (low, asked, high), strict=True)
         if one is not None
     ]
     if sum(bool(values) for _, values in columns) < 2:
@@ -221,4 +151,4 @@ def spread(assumption: Assumption, low: Variant | None, asked: Variant, high: Va
         quantity = QUANTITIES[name].suited(*(one for one in known if one is not None))
         cells = ", ".join("–" if one is None else quantity.format(one) for one in known)
         said.append(f"{quantity.symbol} {cells} {quantity.display.label}")
-    yield f"{assumption.name} {', '.join(value for value, _ in columns)}: {'; '.join(said)}."
+    yield f"{assumption.label} {', '.join(value for value, _ in columns)}: {'; '.join(said)}."

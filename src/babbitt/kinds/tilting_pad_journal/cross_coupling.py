@@ -40,6 +40,9 @@ BEYOND = 1.25
 POINTS = 24
 """Of that curve."""
 
+SPEEDS = (0.5, 0.625, 0.75, 0.875, 1.0, 1.125, 1.25)
+"""Speeds over that of the case at which the decrement is told, too."""
+
 
 @dataclass(frozen=True)
 class CrossCouplingMargin:
@@ -76,12 +79,15 @@ class CrossCoupling:
         By synchronously reduced coefficients.
     curve : tuple
         Cross-coupling, N/m, and log decrement by both kinds, point after point.
+    over_speed : tuple
+        Speed, rad/s, and what `decrements_over_speed` tells there, point after point.
     """
 
     anticipated: float
     full: CrossCouplingMargin
     synchronous: CrossCouplingMargin
     curve: tuple[tuple[float, float, float], ...]
+    over_speed: tuple[tuple[float, float, float, float, float], ...]
 
 
 def cross_coupling_of(case: PadCase, full: PadCoefficients) -> CrossCoupling | None:
@@ -102,7 +108,12 @@ def cross_coupling_of(case: PadCase, full: PadCoefficients) -> CrossCoupling | N
     known = [one.critical for one in (full_margin, synchronous) if math.isfinite(one.critical)]
     crosses = np.linspace(0.0, BEYOND * max(2.0 * anticipated, *known), POINTS).tolist()
     curves = (decrements_over(one, mass, crosses) for one in (chain, reduced))
-    return CrossCoupling(anticipated, full_margin, synchronous, tuple(zip(crosses, *curves, strict=True)))
+    speeds = [share * abs(case.journal_speed) for share in SPEEDS]
+    over_speed = zip(speeds, decrements_over_speed(case, speeds), strict=True)
+    return CrossCoupling(
+        anticipated, full_margin, synchronous, tuple(zip(crosses, *curves, strict=True)),
+        tuple((speed, *row) for speed, row in over_speed),
+    )  # fmt: skip
 
 
 def margin_of(chain: PadCoefficients, mass: float, anticipated: float) -> CrossCouplingMargin:

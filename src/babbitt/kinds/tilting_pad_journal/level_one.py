@@ -45,8 +45,10 @@ def cross_coupling_values(found: CrossCoupling | None) -> dict[str, float]:
 
 
 def cross_coupling_rows(found: CrossCoupling | None) -> dict[str, Matrix]:
-    """The curve of the log decrement."""
-    return {} if found is None else {"decrement_over_cross_coupling": found.curve}
+    """The curves of the log decrement."""
+    if found is None:
+        return {}
+    return {"decrement_over_cross_coupling": found.curve, "decrement_over_speed": found.over_speed}
 
 
 def cross_coupling_checks(

@@ -203,6 +203,7 @@ class PadCase:
     least_log_decrement: float | None = None
     probe_alarm: float | None = None
     probe_trip: float | None = None
+    assumption_sensitivity: bool = False
     given: tuple[tuple[str, str], ...] = ()
     assumptions: tuple[str, ...] = ()
     warnings: tuple[Notice, ...] = ()

@@ -28,6 +28,9 @@ STATUS = {PadStatus.LOADED: 1.0, PadStatus.AT_LIMIT: 0.5, PadStatus.UNLOADED: 0.
 CENTRED = 1e-9
 """Eccentricity ratio below which its direction is round-off, and angle in rad that is."""
 
+LEVEL = 1e-12
+"""Tilt in rad that is round-off: of a pad that a flexure holds straight."""
+
 ROUND_OFF = 1e-12
 """Share of the largest entry of a matrix below which another one is round-off."""
 
@@ -209,7 +212,7 @@ def pad_rows(case: PadCase, solution: TiltingPadSolution) -> dict[str, Matrix]:
         "pad_preload": [pad.preload for pad in pads],
         "pad_status": [STATUS[state.status] for state in states],
         "pad_load": of_states("load"),
-        "pad_tilt": [state.position.tilt for state in states],
+        "pad_tilt": [0.0 if abs(tilt) < LEVEL else tilt for tilt in (state.position.tilt for state in states)],
         "pad_eccentricity_ratio": of_states("eccentricity_ratio"),
         "pad_film_thickness": [pivot_film(*one) for one in zip(solution.bearing.pads, states, strict=True)],
         "pad_minimum_film_thickness": of_states("minimum_film_thickness"),

@@ -154,6 +154,7 @@ FILM = View(
     figures=FIGURES,
     report_figures=FIGURES,
     tables=LazyFunction("babbitt.kinds.tilting_pad_journal.report.tables:tables"),
+    terminal_tables=LazyFunction("babbitt.kinds.tilting_pad_journal.report.tables:sensitivity_tables"),
     columns=COLUMNS,
     sweep=SWEEP,
     alike=_alike,

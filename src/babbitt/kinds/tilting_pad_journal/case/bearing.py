@@ -251,6 +251,12 @@ class TiltingPadJournalCase(PadFilmChoices, CaseFile):
         yield from heat_goes_with_the_films(self)
 
     @rule
+    def _assumptions_are_made(self) -> Iterator[Issue]:
+        if self.assumption_sensitivity and self.thermal_model == "isothermal":
+            says = "of films at a given temperature nothing is assumed of their heat"
+            yield Issue(("assumption_sensitivity",), says, "thermal: global, adiabatic or full, or leave it out")
+
+    @rule
     def _probes_know_their_pads(self) -> Iterator[Issue]:
         yield from rules.probes_know_their_pads(self)
 

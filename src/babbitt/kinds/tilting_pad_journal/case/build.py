@@ -80,6 +80,7 @@ def pad_case(case: TiltingPadJournalCase, point: PadOperatingPoint | None, named
         least_log_decrement=case.limits.log_decrement,
         probe_alarm=case.limits.probe_alarm,
         probe_trip=case.limits.probe_trip,
+        assumption_sensitivity=case.assumption_sensitivity,
         given=tuple(words_of(case, speed, which)),
         assumptions=(*case.assumptions, *assumptions_of(case)),
         warnings=(*about_grouped_digits(case), *warnings_of(case, speed), *fields_not_read(case, point)),

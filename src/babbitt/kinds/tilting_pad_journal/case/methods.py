@@ -45,6 +45,12 @@ class PadFilmChoices(MethodChoices):
         "beam",
         description="Pads bend as beams, with the elastic modulus E, or as plates, with E/(1 - nu^2).",
     )
+    assumption_sensitivity: bool = Field(
+        False,
+        description="Whether the bearing is solved with less and more of what is assumed of its heat, too: "
+        "carry-over 0.2, heat transfer on the backs a third and three times, housing 10 K. Up to six more "
+        "solutions.",
+    )
     accuracy: Literal["draft", "engineering", "reference"] = Field(
         "engineering", description="How fine the grid of every pad is."
     )

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from babbitt.kinds.tilting_pad_journal.dynamics import PadDynamics, chain_of
+from babbitt.kinds.tilting_pad_journal.dynamics import PadDynamics, chain_of, motions_of_the_rotor
 from babbitt.kinds.tilting_pad_journal.margins import PadMargin
 from babbitt.kinds.tilting_pad_journal.model import PadCase
 from babbitt.report.drawing import GREY, INK, Array, Sheet, mark
@@ -38,8 +39,17 @@ SLOW = 3.0
 NEAREST = 0.05
 """Film at the pivot over the machined clearance at which the curve of a pad ends."""
 
-SIDE_BY_SIDE = 0.04
-"""Share of the ratio and of the largest load within which pads are named together."""
+SIDE_BY_SIDE, ABOVE_EACH_OTHER = 0.04, 0.1
+"""Ratio, and share of the largest load, within which pads are named together: their names would touch."""
+
+CLOSE = 0.12, 0.07
+"""Shares of the width and the height of the locus within which motions are named together."""
+
+NEAR_THE_END = 0.22
+"""Share of the width of the locus at its right end where a name stands to the left of its point."""
+
+AT_THE_EDGE = 0.1
+"""Share of the width of a panel at its left edge where a name stands to the right of its point."""
 
 POINTS = 45
 """Of that curve."""
@@ -117,25 +127,49 @@ def root_locus(case: PadCase, dynamics: PadDynamics) -> Figure:
     assert case.rotor_mass is not None
     figure, ((panel,),) = Sheet(81.0, 64.0, left=12.0).panels()
     chain = chain_of(case, dynamics.full)
-    bound = SLOW * chain.speed
+    own = rotor_modes(chain, case.rotor_mass)
+    bound = max(SLOW * chain.speed, *(1.25 * one.frequency for one in motions_of_the_rotor(own)))
     for place, share in enumerate(MASSES):
         shade = str(round(0.82 - 0.62 * place / (MASSES.size - 1), 3))
         modes = [one for one in rotor_modes(chain, share * case.rotor_mass) if shown(one, bound)]
         panel.plot([one.growth for one in modes], [one.frequency / math.tau for one in modes], ".", color=shade,
                    markersize=2.5, markeredgewidth=0.0)  # fmt: skip
-    for mode in rotor_modes(chain, case.rotor_mass):
-        if shown(mode, bound):
-            mark(panel, mode.growth, mode.frequency / math.tau)
-            panel.annotate(
-                f"δ {mode.log_decrement:.2g}", (mode.growth, mode.frequency / math.tau), xytext=(5, 3),
-                textcoords="offset points", fontsize=6.5,
-            )  # fmt: skip
+    own = tuple(one for one in own if shown(one, bound))
+    for mode in own:
+        mark(panel, mode.growth, mode.frequency / math.tau)
     panel.axvline(0.0, color=GREY, linewidth=0.7, linestyle=(0, (5, 2)), zorder=1)
     low, high = panel.get_xlim()
     panel.set_xlim(low, max(high, 0.15 * (high - low)))
     panel.set_ylim(bottom=0.0)
+    left, right = panel.get_xlim()
+    for modes in close_together(own, panel):
+        before = modes[0].growth > right - NEAR_THE_END * (right - left)
+        panel.annotate(
+            f"δ {', '.join(f'{one.log_decrement:.2g}' for one in modes)}",
+            (modes[0].growth, modes[0].frequency / math.tau), xytext=(-5, 3) if before else (5, 3),
+            textcoords="offset points", ha="right" if before else "left", fontsize=6.5,
+        )  # fmt: skip
     panel.set(xlabel="growth Re $λ$ in 1/s", ylabel="frequency Im $λ$/2π in Hz")
     return figure
+
+
+def close_together(modes: Iterable[Mode], panel: Axes) -> list[list[Mode]]:
+    """Motions whose names would touch, together."""
+    (left, right), (bottom, top) = panel.get_xlim(), panel.get_ylim()
+    across, up = CLOSE[0] * (right - left), CLOSE[1] * (top - bottom)
+    groups: list[list[Mode]] = []
+    for mode in modes:
+        near = (
+            group for group in groups
+            if abs(group[0].growth - mode.growth) < across
+            and abs(group[0].frequency - mode.frequency) < up * math.tau
+        )  # fmt: skip
+        found = next(near, None)
+        if found is None:
+            groups.append([mode])
+        else:
+            found.append(mode)
+    return groups
 
 
 def shown(mode: Mode, bound: float) -> bool:
@@ -159,10 +193,13 @@ def pad_curve(case: PadCase, solution: TiltingPadSolution, margins: tuple[PadMar
     largest = max(1e-3 * state.load for state in solution.pads)
     for state in solution.pads:
         mark(panel, state.eccentricity_ratio, 1e-3 * state.load)
+    low, high = panel.get_xlim()
     for first, numbers in pads_side_by_side(solution).items():
         at = solution.pads[first].eccentricity_ratio, 1e-3 * solution.pads[first].load
-        panel.annotate(", ".join(str(number + 1) for number in numbers), at, xytext=(-4, 3),
-                       textcoords="offset points", fontsize=7, ha="right")  # fmt: skip
+        right = at[0] < low + AT_THE_EDGE * (high - low)
+        up = 6 if at[1] < 0.1 * largest else 3
+        panel.annotate(", ".join(str(number + 1) for number in numbers), at, xytext=(4, 6) if right else (-4, up),
+                       textcoords="offset points", fontsize=7, ha="left" if right else "right")  # fmt: skip
     panel.set_ylim(0.0, 1.6 * largest if largest > 0.0 else None)
     panel.set(xlabel="$ε_\\mathrm{p}$", ylabel="$W_\\mathrm{p}$ in kN")
     return figure
@@ -171,7 +208,7 @@ def pad_curve(case: PadCase, solution: TiltingPadSolution, margins: tuple[PadMar
 def pads_side_by_side(solution: TiltingPadSolution) -> dict[int, list[int]]:
     """Numbers of the pads whose points in the curve nearly touch, by the first of them."""
     pads, groups = solution.pads, dict[int, list[int]]()
-    reach = SIDE_BY_SIDE * max(state.load for state in pads)
+    reach = ABOVE_EACH_OTHER * max(state.load for state in pads)
     for number, state in enumerate(pads):
         near = (
             first for first in groups

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from babbitt.core.result import Result
-from babbitt.kinds.tilting_pad_journal.cross_coupling import CrossCoupling, decrements_over_speed
+from babbitt.kinds.tilting_pad_journal.cross_coupling import CrossCoupling
 from babbitt.kinds.tilting_pad_journal.model import PadCase
 from babbitt.report.drawing import GREY, INK, Sheet, mark
 from babbitt.report.plain_tables import plain_table
@@ -19,9 +19,6 @@ if TYPE_CHECKING:
 
 __all__ = ["log_decrements", "stability_table"]
 
-
-SPEEDS = np.linspace(0.5, 1.25, 10)
-"""Speeds over that of the case along the right panel."""
 
 DASHED = (0, (5, 2))
 
@@ -38,8 +35,7 @@ def log_decrements(case: PadCase, found: CrossCoupling, least: float) -> Figure:
     """
     figure, ((left, right),) = Sheet(166.0, 60.0, 1, 2, across=17.0).panels()
     _over_cross_coupling(left, found, least)
-    speeds = SPEEDS * abs(case.journal_speed)
-    full, driven, synchronous, reduced = np.array(decrements_over_speed(case, speeds.tolist())).T
+    speeds, full, driven, synchronous, reduced = np.array(found.over_speed).T
     turns = speeds * 30.0 / math.pi
     for values, colour, stroke in (
         (full, GREY, "-"), (synchronous, GREY, DASHED), (driven, INK, "-"), (reduced, INK, DASHED),

@@ -6,12 +6,15 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
-from babbitt.core.quantities import AXES
+from babbitt.core.quantities import AXES, QUANTITIES
 from babbitt.core.result import Result
 from babbitt.kinds.tilting_pad_journal.report.stability import stability_table
+from babbitt.kinds.tilting_pad_journal.sensitivity import ASSUMED, MOVED, written
+from babbitt.report.columns import ABSENT
 from babbitt.report.plain_tables import plain_table, table_by_pad
+from babbitt.report.symbols import symbol_node
 
-__all__ = ["tables"]
+__all__ = ["sensitivity_tables", "tables"]
 
 SHAPE = ("pad_pivot_angle", "pad_clearance", "pad_assembled_clearance", "pad_preload")
 FILM = (
@@ -66,6 +69,7 @@ def _tables(result: Result) -> Iterator[dict[str, Any]]:
             "Oil at the leading edge, after mixing, and at the trailing edge; bore at the probe and highest; of "
             "pads that conduct their mean and the heat that leaves by backs and edges; growth and bending.",
         )
+    yield from sensitivity_tables(result)
     if "pivot_stiffness" in result.arrays:
         yield table_by_pad(
             result, "Pivots", PIVOTS, "Load, how far the pivot gives way, and its stiffness under the load."
@@ -79,6 +83,44 @@ def _tables(result: Result) -> Iterator[dict[str, Any]]:
         yield _motions(result)
     if "decrement_over_cross_coupling" in result.arrays:
         yield stability_table(result)
+
+
+def sensitivity_tables(result: Result) -> Iterator[dict[str, Any]]:
+    """What the assumptions of heat move; nothing where it was not asked for."""
+    assumed = [name for name in ASSUMED if name in result.arrays]
+    if not assumed:
+        return
+    moved = [QUANTITIES[name] for name in MOVED if f"sensitivity_of_{name}" in result.arrays]
+    moved = [one.suited(*_finite(result.arrays[f"sensitivity_of_{one.name}"])) for one in moved]
+    rows = [
+        [name, *(
+            one.format(row[place]) if math.isfinite(row[place]) else ABSENT
+            for one in moved
+            for row in (result.arrays[f"sensitivity_of_{one.name}"][number],)
+        )]
+        for number, place, name in _ends(result, assumed)
+    ]  # fmt: skip
+    heads: list[dict[str, Any]] = [{"text": "Assumed", "symbol": None, "unit": ""}]
+    heads += [{"text": one.symbol, "symbol": symbol_node(one.symbol), "unit": one.display.label} for one in moved]
+    note = (
+        "The bearing solved again with less and with more of each number that is assumed of its heat; a dash "
+        "where it has no film, or its pads starve."
+    )
+    yield {"title": "What assumptions move", "columns": heads, "rows": rows, "note": note}
+
+
+def _ends(result: Result, assumed: Sequence[str]) -> Iterator[tuple[int, int, str]]:
+    """Row and column of the base, then of the low and high end of every assumption, and what stands there."""
+    yield 0, 1, "as calculated"
+    for number, name in enumerate(assumed):
+        low, base, high = result.arrays[name][0]
+        for place, value in ((0, low), (2, high)):
+            if math.isfinite(value):
+                yield number, place, f"{ASSUMED[name]}: {written(name, value)} in place of {written(name, base)}"
+
+
+def _finite(matrix: Sequence[Sequence[float]]) -> list[float]:
+    return [value for row in matrix for value in row if math.isfinite(value)]
 
 
 def _coefficients(result: Result) -> dict[str, Any]:
