@@ -230,11 +230,12 @@ def at_most_one(part: Part, *names: str) -> Iterator[Issue]:
 
 
 def _lines(part: Part, given: Any) -> list[InitErrorDetails]:
-    return [_line(told, given) for told in _issues(part)]
+    return [_line(told, given) for told in broken_rules(part)]
 
 
-def _issues(part: Part) -> Iterator[Issue]:
-    """Ask every rule; what a rule meets as refused is told at the part, where no rule tells it at its field."""
+def broken_rules(part: Part) -> Iterator[Issue]:
+    """Ask every rule of a part; what a rule meets as refused is told at the part, where no rule tells it at its
+    field."""
     said, refusals = set(), {}
     for one in type(part).rules:
         try:

@@ -1,0 +1,13 @@
+"""Statics and bending of shafts with gears, couplings and masses: what their bearings carry."""
+
+from babbitt.core.kind import Kind
+
+KINDS = (
+    Kind(
+        name="shaft",
+        description="shaft with gears, couplings and masses: loads, thrust and slopes of its bearings",
+        model="babbitt.kinds.shaft.case.shaft:ShaftCase",
+        template="babbitt.kinds.shaft:shaft.yaml",
+        views={"statics": "babbitt.kinds.shaft.view:STATICS", "beam": "babbitt.kinds.shaft.view:BEAM"},
+    ),
+)
