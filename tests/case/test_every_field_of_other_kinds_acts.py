@@ -14,7 +14,7 @@ import yaml
 from babbitt.case import CaseError, case_from_dict, template
 from babbitt.case.part import Part
 from babbitt.core.notices import InputError
-from babbitt.kinds.coupling.case.overhung_coupling import OverhungCouplingCase
+from babbitt.kinds.shaft.case.overhung_coupling import OverhungCouplingCase
 from babbitt.kinds.footstep.case.footstep import FootstepCase
 from babbitt.kinds.hydrostatic.case.hydrostatic_journal import HydrostaticJournalCase
 from babbitt.kinds.hydrostatic.case.hydrostatic_pad import HydrostaticPadCase

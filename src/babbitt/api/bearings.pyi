@@ -11,7 +11,7 @@ from babbitt.api.words import of_machine
 from babbitt.case.case_file import CaseFile
 from babbitt.case.part import Part
 from babbitt.core.solution import Calculation
-from babbitt.kinds.coupling.case.overhung_coupling import OverhungCouplingCase
+from babbitt.kinds.shaft.case.overhung_coupling import OverhungCouplingCase
 from babbitt.kinds.footstep.case.footstep import FootstepCase
 from babbitt.kinds.hydrostatic.case.hydrostatic_journal import HydrostaticJournalCase
 from babbitt.kinds.hydrostatic.case.hydrostatic_pad import HydrostaticPadCase

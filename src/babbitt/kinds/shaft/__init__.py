@@ -10,4 +10,11 @@ KINDS = (
         template="babbitt.kinds.shaft:shaft.yaml",
         views={"statics": "babbitt.kinds.shaft.view:STATICS", "beam": "babbitt.kinds.shaft.view:BEAM"},
     ),
+    Kind(
+        name="overhung_coupling",
+        description="load share of two bearings with an overhung coupling; kind shaft does the same and more",
+        model="babbitt.kinds.shaft.case.overhung_coupling:OverhungCouplingCase",
+        template="babbitt.kinds.shaft:overhung_coupling.yaml",
+        views={"statics": "babbitt.kinds.shaft.view:OVERHUNG_COUPLING"},
+    ),
 )

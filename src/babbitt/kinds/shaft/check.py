@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 
 import numpy as np
@@ -71,7 +70,7 @@ def _arrays(answer: ShaftAnswer) -> dict[str, Matrix]:
         "support_load_x": x,
         "support_load_y": y,
         "support_load": np.hypot(x, y),
-        "support_load_angle": [math.atan2(up, across) if across or up else math.nan for across, up in zip(x, y)],
+        "support_load_angle": np.arctan2(y, x),
         "support_axial_load": z,
     }
     if answer.slopes is not None:

@@ -7,9 +7,11 @@ from typing import ClassVar
 
 from babbitt.core.progress import ProgressCallback, no_progress
 from babbitt.core.solution import Method, Solution
+from babbitt.kinds.shaft.check import shaft_solution
 from babbitt.kinds.shaft.model import Shaft, ShaftProblem
+from babbitt.kinds.shaft.overhung_coupling import CouplingProblem, coupling_solution
 
-__all__ = ["BEAM", "STATICS", "Beam", "Statics", "method_of"]
+__all__ = ["BEAM", "COUPLING_STATICS", "STATICS", "Beam", "CouplingStatics", "Statics", "method_of"]
 
 
 @dataclass(frozen=True)
@@ -20,8 +22,6 @@ class Statics(Method):
 
     def solve(self, problem: ShaftProblem, progress: ProgressCallback = no_progress) -> tuple[Solution, ...]:
         """Find the loads of the bearings."""
-        from babbitt.kinds.shaft.check import shaft_solution
-
         return (shaft_solution(problem, self.name),)
 
 
@@ -33,12 +33,21 @@ class Beam(Method):
 
     def solve(self, problem: ShaftProblem, progress: ProgressCallback = no_progress) -> tuple[Solution, ...]:
         """Find the loads of the bearings and the bending of the shaft."""
-        from babbitt.kinds.shaft.check import shaft_solution
-
         return (shaft_solution(problem, self.name),)
 
 
-STATICS, BEAM = Statics(), Beam()
+@dataclass(frozen=True)
+class CouplingStatics(Method):
+    """Equilibrium of a gear shaft with an overhung coupling."""
+
+    name: ClassVar[str] = "statics"
+
+    def solve(self, problem: CouplingProblem, progress: ProgressCallback = no_progress) -> tuple[Solution, ...]:
+        """Find the loads of both bearings."""
+        return (coupling_solution(problem, self.name),)
+
+
+STATICS, BEAM, COUPLING_STATICS = Statics(), Beam(), CouplingStatics()
 
 
 def method_of(shaft: Shaft) -> Method:

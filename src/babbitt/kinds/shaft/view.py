@@ -2,16 +2,38 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
+from babbitt.core.solution import Solution
+from babbitt.kinds.shaft.report.tables import tables
+from babbitt.report.citations import REVERSE_GEAR
 from babbitt.report.columns import column_of
 from babbitt.report.view import View
 
-__all__ = ["BEAM", "STATICS"]
+if TYPE_CHECKING:
+    from babbitt.kinds.shaft.model import ShaftProblem
+    from babbitt.kinds.shaft.overhung_coupling import CouplingProblem
+    from babbitt.report.drawing import Drawing
+    from babbitt.report.line import Section
+
+__all__ = ["BEAM", "OVERHUNG_COUPLING", "STATICS"]
+
+
+def _coupling_citations(_: CouplingProblem) -> tuple[str, ...]:
+    return (REVERSE_GEAR,)
+
 
 STATICS = View(
     title="Equilibrium of the rigid shaft",
+    tables=tables,
     columns=(column_of("largest_support_load", 0), column_of("axial_load", 1)),
     sweep=("largest_support_load", "axial_load", "support_slope", "shaft_deflection", "bending_moment"),
 )
 BEAM = replace(STATICS, title="Stepped beam on its bearings")
+OVERHUNG_COUPLING = View(
+    title="Statics of the shaft",
+    sweep=("reaction_1", "reaction_2", "reaction_angle_1", "reaction_angle_2", "coupling_arm"),
+    citations=_coupling_citations,
+)
