@@ -10,7 +10,7 @@ import math
 from typing import Any
 
 from babbitt.core.units import ZERO_CELSIUS
-from babbitt.kinds.coupling.statics import MeshForce, OverhungCoupling, bearing_loads
+from babbitt.kinds.shaft.overhung_coupling import MeshForce, OverhungCoupling, bearing_loads
 from babbitt.kinds.journal.iso7902.model import Bearing, DesignCase, Friction, OilSupply, PrescribedLoad
 from babbitt.kinds.journal.iso7902.supply import Arrangement, HalfCircumferentialGroove, Pockets, SupplyElement
 from babbitt.properties.lubricants import lubricant

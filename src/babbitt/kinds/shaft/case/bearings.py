@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Discriminator, Field
@@ -18,10 +18,13 @@ from babbitt.kinds.shaft.answer import ShaftAnswer
 from babbitt.kinds.shaft.case.torque import Station
 from babbitt.kinds.shaft.model import Support
 
-__all__ = ["ShaftBearing", "ShaftJournal", "SupportInput"]
+__all__ = ["ShaftBearing", "ShaftJournal", "SupportInput", "holding_issues"]
 
 BearingStiffness = Annotated[float, si("N/m", "1 kN/m", "1e18 N/m", "MN/m")]
 Offset = Annotated[float, si("m", "-50 mm", "50 mm", "um")]
+LEAST_DISTANCE = 1e-4
+"""m. Radial bearings nearer to each other than this are two at one place: an assumption."""
+
 FROM_THE_SHAFT = (*LOADS, "load_angle", "attitude_angle")
 
 
@@ -114,6 +117,34 @@ def _given_by_the_shaft(bearing: ShaftJournal, names: tuple[str, ...], says: str
         for name in names:
             if name in type(part).model_fields and is_given(part, name):
                 yield Issue((*path, name), says, f"no {name} here", "remove it")
+
+
+def holding_issues(bearings: Sequence[SupportInput | ShaftJournal], bends: bool) -> Iterator[Issue]:
+    """Complain about bearings that do not hold a shaft in one way: too few, at one place, two that take the thrust.
+
+    Parameters
+    ----------
+    bearings : sequence of bearings
+    bends : bool
+        Whether the pieces of the shaft are given.
+    """
+    supports = [one.as_support() for one in bearings]
+    radial = [(index, one) for index, one in enumerate(supports) if one.radial]
+    if len(radial) < 2:
+        says = f"{len(radial) or 'none'} of the bearings carries load across the shaft"
+        yield Issue(("bearings",), says, "two radial bearings or more")
+    if len(radial) > 2 and not bends:
+        says = f"{len(radial)} radial bearings share the load by the bending of the shaft"
+        yield Issue(("shaft",), says, "the pieces of the shaft, such as [{length: 2 m, diameter: 200 mm}]")
+    for place, (index, one) in enumerate(radial):
+        other = next((two for _, two in radial[:place] if abs(two.station - one.station) < LEAST_DISTANCE), None)
+        if other is not None:
+            says = f"the bearing '{other.name}' stands there, too"
+            yield Issue(("bearings", index, "station"), says, "each radial bearing at a place of its own")
+    axial = [(index, one) for index, one in enumerate(supports) if one.axial]
+    for index, _ in axial[1:]:
+        says = f"the bearing '{axial[0][1].name}' takes the thrust already"
+        yield Issue(("bearings", index, "kind"), says, "one bearing that carries axially")
 
 
 ShaftBearing = Annotated[SupportInput | ShaftJournal, Discriminator("kind")]

@@ -18,7 +18,7 @@ from babbitt.kinds.journal.case.completeness import issues_of
 from babbitt.kinds.journal.case.machine import JournalFile
 from babbitt.kinds.shaft.answer import ShaftAnswer, answered
 from babbitt.kinds.shaft.case.as_given import words_of
-from babbitt.kinds.shaft.case.bearings import ShaftBearing, ShaftJournal
+from babbitt.kinds.shaft.case.bearings import ShaftBearing, ShaftJournal, holding_issues
 from babbitt.kinds.shaft.case.machine import journal_calculations
 from babbitt.kinds.shaft.case.parts import CouplingInput, ForceInput, GearInput, MassInput
 from babbitt.kinds.shaft.case.torque import Station, TorquePart, torque_issues, torques
@@ -86,29 +86,7 @@ class ShaftCase(SharedInputs, JournalFile):
 
     @rule
     def _bearings_hold_the_shaft(self) -> Iterator[Issue]:
-        supports = [one.as_support() for one in self.bearings]
-        radial = [one for one in supports if one.radial]
-        if len(radial) < 2:
-            says = f"{len(radial)} of the bearings carries load across the shaft"
-            yield Issue(("bearings",), says, "two radial bearings or more")
-        if len(radial) > 2 and not self.shaft:
-            says = f"{len(radial)} radial bearings share the load by the bending of the shaft"
-            yield Issue(("shaft",), says, "the pieces of the shaft, such as [{length: 2 m, diameter: 200 mm}]")
-        axial = [index for index, one in enumerate(supports) if one.axial]
-        for index in axial[1:]:
-            says = f"the bearing '{supports[axial[0]].name}' takes the thrust already"
-            yield Issue(("bearings", index, "kind"), says, "one bearing that carries axially")
-
-    @rule
-    def _bearings_stand_apart(self) -> Iterator[Issue]:
-        seen: dict[float, str] = {}
-        for index, bearing in enumerate(self.bearings):
-            if not bearing.as_support().radial:
-                continue
-            if bearing.station in seen:
-                says = f"the bearing '{seen[bearing.station]}' stands there, too"
-                yield Issue(("bearings", index, "station"), says, "each radial bearing at a place of its own")
-            seen[bearing.station] = bearing.name
+        yield from holding_issues(self.bearings, bool(self.shaft))
 
     @rule
     def _bending_needs_pieces(self) -> Iterator[Issue]:
@@ -159,6 +137,8 @@ class ShaftCase(SharedInputs, JournalFile):
 
     @rule
     def _journals_can_carry(self) -> Iterator[Issue]:
+        if any(True for _ in holding_issues(self.bearings, bool(self.shaft))):
+            return
         answer = self.answer
         for index, bearing in enumerate(self.bearings):
             if isinstance(bearing, ShaftJournal):
