@@ -7,6 +7,7 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field
 
+from babbitt.case.load_components import load_or_components
 from babbitt.case.part import Issue, at_most_one, exactly_one, is_given, rule
 from babbitt.case.parts import clearance, cooling
 from babbitt.case.parts.choices import FrictionInput, LimitsInput
@@ -66,6 +67,9 @@ class JournalBearing(LoadAndSpeed, SharedInputs, FilmChoices, Iso7902Choices):
         "published models in one dimension: the long film with heat exchange, or its heat balance by segments.",
     )
 
+    load: Annotated[float, load_or_components("N", "1 N", "1000 MN")] | None = Field(
+        None, description="Bearing load F, or its components, such as {x: 22 kN, y: -35 kN}."
+    )
     diameter: Annotated[float, si("m", "1 mm", "3 m")] = Field(description="Nominal bearing inside diameter D.")
     width: Annotated[float, si("m", "0.1 mm", "4.5 m")] | None = Field(None, description="Bearing width B.")
     width_ratio: Annotated[float, si("1", "0.1", "10")] | None = Field(
