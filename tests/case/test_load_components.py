@@ -71,3 +71,16 @@ def test_python_takes_components_in_newtons():
 
 def test_a_load_along_the_shaft_has_no_components():
     assert refusal(given("thrust", load=COMPONENTS))[0] == "load"
+
+
+@pytest.mark.parametrize("kind", ["journal", "tilting_pad_journal"])
+def test_an_operating_point_has_components_of_its_own(kind):
+    points = [{"name": "ahead", "load": COMPONENTS}, {"name": "astern", "load": {"x": "-22 kN", "y": "-35 kN"}}]
+    fields = given(kind, operating_points=points, load_angle="-90 deg")
+    del fields["load"]
+    if kind == "journal":
+        fields["method"] = "film"
+    ahead, astern = (one.problem for one in case_from_dict(fields).calculations())
+    assert ahead.load_angle == pytest.approx(ANGLE)
+    assert astern.load_angle == pytest.approx(-math.pi - ANGLE)
+    assert ahead.duty.load == astern.duty.load == pytest.approx(SIZE)

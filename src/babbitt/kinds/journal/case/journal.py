@@ -7,7 +7,6 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field
 
-from babbitt.case.load_components import load_or_components
 from babbitt.case.part import Issue, at_most_one, exactly_one, is_given, rule
 from babbitt.case.parts import clearance, cooling
 from babbitt.case.parts.choices import FrictionInput, LimitsInput
@@ -43,7 +42,7 @@ from babbitt.kinds.journal.case.grooved_segments import SegmentsInput
 from babbitt.kinds.journal.case.heat_exchange import HeatExchangeInput
 from babbitt.kinds.journal.case.load_direction import DOWNWARD
 from babbitt.kinds.journal.case.methods import METHOD_MAPPING, FilmChoices, Iso7902Choices
-from babbitt.kinds.journal.case.operating_point import LoadAndSpeed, OperatingPoint
+from babbitt.kinds.journal.case.operating_point import LoadAndSpeed, LoadAngle, OperatingPoint
 from babbitt.kinds.journal.case.supply_element import SupplyElementInput, UnevenPockets
 from babbitt.reynolds.model import FilmStart
 
@@ -67,9 +66,6 @@ class JournalBearing(LoadAndSpeed, SharedInputs, FilmChoices, Iso7902Choices):
         "published models in one dimension: the long film with heat exchange, or its heat balance by segments.",
     )
 
-    load: Annotated[float, load_or_components("N", "1 N", "1000 MN")] | None = Field(
-        None, description="Bearing load F, or its components, such as {x: 22 kN, y: -35 kN}."
-    )
     diameter: Annotated[float, si("m", "1 mm", "3 m")] = Field(description="Nominal bearing inside diameter D.")
     width: Annotated[float, si("m", "0.1 mm", "4.5 m")] | None = Field(None, description="Bearing width B.")
     width_ratio: Annotated[float, si("1", "0.1", "10")] | None = Field(
@@ -134,7 +130,7 @@ class JournalBearing(LoadAndSpeed, SharedInputs, FilmChoices, Iso7902Choices):
     bearing_speed: Annotated[float, si("rad/s", "-1000000 rpm", "1000000 rpm")] = Field(
         0.0, description="Rotational speed of the bearing, positive counter-clockwise as that of the journal."
     )
-    load_angle: Annotated[float, si("rad", "-360 deg", "360 deg")] = Field(
+    load_angle: LoadAngle = Field(
         DOWNWARD,
         description="Direction of the load, counter-clockwise from the x axis. -90 deg is downward. "
         "ISO 7902 takes the load through the middle of the arc, whatever its direction, and counts what feeds the "
