@@ -10,7 +10,7 @@ from babbitt.core.notices import Notice
 from babbitt.core.result import Bound, Check, Matrix, Outcome, Result
 from babbitt.core.solution import Solution
 from babbitt.kinds.shaft.answer import ShaftAnswer, answered
-from babbitt.kinds.shaft.model import ShaftProblem
+from babbitt.kinds.shaft.problem import ShaftProblem
 from babbitt.kinds.shaft.statics import thrust
 
 __all__ = ["shaft_solution"]

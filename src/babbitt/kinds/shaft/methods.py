@@ -8,8 +8,9 @@ from typing import ClassVar
 from babbitt.core.progress import ProgressCallback, no_progress
 from babbitt.core.solution import Method, Solution
 from babbitt.kinds.shaft.check import shaft_solution
-from babbitt.kinds.shaft.model import Shaft, ShaftProblem
+from babbitt.kinds.shaft.model import Shaft
 from babbitt.kinds.shaft.overhung_coupling import CouplingProblem, coupling_solution
+from babbitt.kinds.shaft.problem import ShaftProblem
 
 __all__ = ["BEAM", "COUPLING_STATICS", "STATICS", "Beam", "CouplingStatics", "Statics", "method_of"]
 

@@ -13,9 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.core.notices import Notice
-
-__all__ = ["STANDARD_GRAVITY", "Array", "Part", "Piece", "PointLoad", "Shaft", "ShaftLimits", "ShaftProblem", "Support"]
+__all__ = ["STANDARD_GRAVITY", "Array", "Piece", "PointLoad", "Shaft", "Support", "in_planes"]
 
 Array = NDArray[np.float64]
 
@@ -91,16 +89,6 @@ class Support:
 
 
 @dataclass(frozen=True)
-class Part:
-    """What sits on the shaft, for drawings: ``gear``, ``coupling``, ``mass`` or ``force``; its diameter in m, if any."""
-
-    name: str
-    kind: str
-    station: float
-    diameter: float = 0.0
-
-
-@dataclass(frozen=True)
 class Shaft:
     """A shaft with all that acts on it.
 
@@ -154,26 +142,3 @@ def in_planes(loads: Sequence[PointLoad]) -> tuple[Array, Array, Array]:
     forces = np.array([load.force[:2] for load in loads]).reshape(-1, 2)
     couples = np.array([(load.moment[1], -load.moment[0]) for load in loads]).reshape(-1, 2)
     return stations, forces, couples
-
-
-@dataclass(frozen=True)
-class ShaftLimits:
-    """What is permissible: slope in rad, deflection in m; None where nothing is given."""
-
-    slope: float | None = None
-    deflection: float | None = None
-
-
-@dataclass(frozen=True)
-class ShaftProblem:
-    """A shaft whose bearings share its loads."""
-
-    name: str
-    kind: str
-    shaft: Shaft
-    speed: float = 0.0
-    parts: tuple[Part, ...] = ()
-    limits: ShaftLimits = ShaftLimits()
-    given: tuple[tuple[str, str], ...] = ()
-    warnings: tuple[Notice, ...] = ()
-    assumptions: tuple[str, ...] = ()

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from babbitt.core.units import written
+from babbitt.kinds.shaft.case.bearings import Place
 from babbitt.kinds.shaft.case.parts import GearInput
 from babbitt.kinds.shaft.case.torque import TorquePart
 
@@ -28,6 +29,13 @@ def words_of(case: ShaftCase) -> Iterator[Words]:
         yield f"Coupling {coupling.name}", f"{_at(coupling.station)}, {_transmits(coupling)}{_mass(coupling.mass)}"
     for one in case.masses:
         yield f"Mass {one.name}", f"{_at(one.station)}{_mass(one.mass)}"
+    for one in case.forces:
+        sizes = [("x", one.x, "kN"), ("y", one.y, "kN"), ("z", one.z, "kN")]
+        sizes += [("M_x", one.moment_x, "N m"), ("M_y", one.moment_y, "N m")]
+        said = ", ".join(f"{axis} {written(value, unit)}" for axis, value, unit in sizes if value)
+        yield f"Force {one.name}", f"{_at(one.station)}, {said or 'none'}"
+    for bearing in case.bearings:
+        yield f"Bearing {bearing.name}", f"{bearing.kind}, {_at(bearing.station)}{_gives_way(bearing)}"
     for place, piece in enumerate(case.shaft, start=1):
         bore = f", bore {written(piece.inner_diameter, 'mm')}" if piece.inner_diameter else ""
         yield (
@@ -39,6 +47,12 @@ def words_of(case: ShaftCase) -> Iterator[Words]:
 
 def _at(station: float) -> str:
     return f"at {written(station, 'mm')}"
+
+
+def _gives_way(bearing: Place) -> str:
+    stiffness = "" if bearing.stiffness is None else f", {written(bearing.stiffness, 'MN/m')}"
+    offset = bearing.offset
+    return stiffness + (f", offset {1e6 * offset.x:.4g}, {1e6 * offset.y:.4g} µm" if offset.x or offset.y else "")
 
 
 def _mass(mass: float) -> str:

@@ -13,8 +13,9 @@ from babbitt.case.parts.fields import Name, WholeNumber
 from babbitt.core.units import si
 from babbitt.kinds.shaft.case.torque import PartMass, Station, TorquePart
 from babbitt.kinds.shaft.gears import Gear, Helix
+from babbitt.kinds.shaft.model import STANDARD_GRAVITY, PointLoad
 
-__all__ = ["CouplingInput", "ForceInput", "GearInput", "MassInput"]
+__all__ = ["CouplingInput", "ForceInput", "GearInput", "MassInput", "weight"]
 
 Component = Annotated[float, si("N", "-1000 MN", "1000 MN")]
 Moment = Annotated[float, si("N m", "-1e9 N m", "1e9 N m")]
@@ -78,6 +79,10 @@ class GearInput(TorquePart):
 class CouplingInput(TorquePart):
     """A coupling, which hands on torque and weighs on the shaft."""
 
+    def load(self, torque: float) -> PointLoad:
+        """Give the torque of the calculation, N m."""
+        return PointLoad(self.name, self.station, (0.0, 0.0, 0.0), (0.0, 0.0, torque))
+
 
 class MassInput(Part):
     """A mass on the shaft."""
@@ -97,3 +102,12 @@ class ForceInput(Part):
     z: Component = Field(0.0, description="Force along the shaft.")
     moment_x: Moment = Field(0.0, description="Couple about the x axis.")
     moment_y: Moment = Field(0.0, description="Couple about the y axis.")
+
+    def load(self) -> PointLoad:
+        """Give the load of the calculation."""
+        return PointLoad(self.name, self.station, (self.x, self.y, self.z), (self.moment_x, self.moment_y, 0.0))
+
+
+def weight(name: str, station: float, mass: float) -> PointLoad:
+    """The weight of a mass on the shaft."""
+    return PointLoad(f"{name}, weight", station, (0.0, -STANDARD_GRAVITY * mass, 0.0))

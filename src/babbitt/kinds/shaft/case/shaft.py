@@ -20,11 +20,12 @@ from babbitt.kinds.shaft.answer import ShaftAnswer, answered
 from babbitt.kinds.shaft.case.as_given import words_of
 from babbitt.kinds.shaft.case.bearings import ShaftBearing, ShaftJournal, holding_issues
 from babbitt.kinds.shaft.case.machine import journal_calculations
-from babbitt.kinds.shaft.case.parts import CouplingInput, ForceInput, GearInput, MassInput
+from babbitt.kinds.shaft.case.parts import CouplingInput, ForceInput, GearInput, MassInput, weight
 from babbitt.kinds.shaft.case.torque import Station, TorquePart, torque_issues, torques
+from babbitt.kinds.shaft.gears import Gear
 from babbitt.kinds.shaft.methods import method_of
-from babbitt.kinds.shaft.model import STANDARD_GRAVITY, Piece, PointLoad, Shaft, ShaftLimits, ShaftProblem
-from babbitt.kinds.shaft.model import Part as ShaftPart
+from babbitt.kinds.shaft.model import Piece, Shaft
+from babbitt.kinds.shaft.problem import ShaftLimits, ShaftProblem
 from babbitt.kinds.shaft.statics import thrust
 
 __all__ = ["ShaftCase"]
@@ -152,27 +153,27 @@ class ShaftCase(SharedInputs, JournalFile):
         """The solved shaft: statics and a small beam, at once."""
         return answered(self.loaded_shaft())
 
+    def loaded_gears(self) -> tuple[Gear, ...]:
+        """Give the gears of the calculation, each with its torque."""
+        found = torques(self.torque_parts, self.speed)
+        return tuple(one.gear(torque) for one, torque in zip(self.gears, found, strict=False))
+
+    @property
+    def torque_parts(self) -> tuple[TorquePart, ...]:
+        """Gears, then couplings."""
+        return (*self.gears, *self.couplings)
+
     def loaded_shaft(self) -> Shaft:
         """Give the shaft of the calculation with all that acts on it."""
-        carrying: list[TorquePart] = [*self.gears, *self.couplings]
-        found = torques(carrying, self.speed)
-        loads = [one.gear(torque).load() for one, torque in zip(self.gears, found, strict=False)]
-        loads += [
-            PointLoad(one.name, one.station, (0.0, 0.0, 0.0), (0.0, 0.0, torque))
-            for one, torque in zip(self.couplings, found[len(self.gears) :], strict=True)
-        ]
-        loads += [
-            PointLoad(f"{one.name}, weight", one.station, (0.0, -STANDARD_GRAVITY * one.mass, 0.0))
-            for one in (*carrying, *self.masses)
-            if one.mass
-        ]
-        loads += [
-            PointLoad(one.name, one.station, (one.x, one.y, one.z), (one.moment_x, one.moment_y, 0.0))
-            for one in self.forces
-        ]
+        of_couplings = torques(self.torque_parts, self.speed)[len(self.gears) :]
         return Shaft(
             tuple(one.as_support() for one in self.bearings),
-            tuple(loads),
+            (
+                *(gear.load() for gear in self.loaded_gears()),
+                *(one.load(torque) for one, torque in zip(self.couplings, of_couplings, strict=True)),
+                *(one.load() for one in self.forces),
+                *(weight(one.name, one.station, one.mass) for one in (*self.torque_parts, *self.masses) if one.mass),
+            ),
             tuple(
                 Piece(one.length, one.diameter, one.inner_diameter, one.modulus, one.density) for one in self.shaft
             ),
@@ -180,24 +181,18 @@ class ShaftCase(SharedInputs, JournalFile):
         )
 
     def calculations(self) -> tuple[Calculation, ...]:
-        """Give the calculation of the shaft, then those of its journal bearings."""
+        """Give the calculation of the shaft, then those of its bearings."""
         problem = self.shaft_problem()
         return (Calculation(problem, method_of(problem.shaft)), *journal_calculations(self, self.answer))
 
     def shaft_problem(self) -> ShaftProblem:
         """Give the shaft as a problem."""
-        gears = [ShaftPart(one.name, "gear", one.station, one.diameter) for one in self.gears]
-        others = [
-            ShaftPart(one.name, kind, one.station)
-            for kind, group in (("coupling", self.couplings), ("mass", self.masses), ("force", self.forces))
-            for one in group
-        ]
         return ShaftProblem(
             self.name,
             self.kind,
             self.loaded_shaft(),
             self.speed,
-            (*gears, *others),
+            self.loaded_gears(),
             ShaftLimits(self.limits.slope, self.limits.deflection),
             tuple(words_of(self)),
             tuple(about_grouped_digits(self)),

@@ -1,0 +1,115 @@
+"""The drawing of a shaft in two planes, with everything that acts on it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from babbitt.kinds.shaft.answer import ShaftAnswer
+from babbitt.kinds.shaft.model import PointLoad, Shaft
+from babbitt.kinds.shaft.problem import ShaftProblem
+from babbitt.report.drawing import GREY, INK, PALE, Sheet
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+__all__ = ["side_views"]
+
+BODY = 0.34
+"""Half height of the largest body in a panel whose arrows reach to 1."""
+SHORTEST = 0.04
+"""Share of the largest force below which no arrow is drawn."""
+GEAR_WIDTH = 0.022
+"""Half width of a gear over the length of the shaft, whose face is not known."""
+
+
+def side_views(problem: ShaftProblem, answer: ShaftAnswer) -> Figure:
+    """The shaft in the planes z-y and z-x."""
+    figure, ((side,), (top,)) = Sheet(166.0, 112.0, rows=2, left=10.0, between=3.0).panels(sharex=True)
+    acting = (*problem.shaft.loads, *_own_weight(problem.shaft))
+    reactions = [one for one in answer.reactions() if any(one.force)]
+    largest = max((float(np.abs(one.force).max()) for one in (*acting, *reactions)), default=0.0) or 1.0
+    for panel, axis, name in ((side, 1, "y"), (top, 0, "x")):
+        _bodies(panel, problem, answer)
+        _arrows(panel, acting, axis, largest, answer, "-|>")
+        _arrows(panel, reactions, axis, largest, answer, "->")
+        panel.set_ylim(-1.3, 1.3)
+        panel.set_yticks([])
+        panel.set_ylabel(name, rotation=0)
+        panel.spines["left"].set_visible(False)
+    low, high = 1e3 * answer.curves.stations[[0, -1]]
+    top.set_xlim(low - 0.06 * (high - low), high + 0.06 * (high - low))
+    top.set_xlabel("place along the shaft in mm")
+    for one in problem.shaft.supports:
+        side.annotate(
+            one.name, (1e3 * one.station, -1.28), ha="center", va="bottom", fontsize=7, annotation_clip=False
+        )
+    for gear in problem.gears:
+        side.annotate(gear.name, (1e3 * gear.station, 1.28), ha="center", va="top", fontsize=7)
+    return figure
+
+
+def _own_weight(shaft: Shaft) -> tuple[PointLoad, ...]:
+    """The weight of all pieces in their common centre."""
+    weights = shaft.weights()
+    total = sum(one.force[1] for one in weights)
+    if total == 0.0:
+        return ()
+    centre = sum(one.station * one.force[1] for one in weights) / total
+    return (PointLoad("Shaft", centre, (0.0, total, 0.0)),)
+
+
+def _bodies(panel: Axes, problem: ShaftProblem, answer: ShaftAnswer) -> None:
+    """Pieces, gears and bearings, as high as their diameters."""
+    shaft, length = problem.shaft, float(np.ptp(answer.curves.stations))
+    diameters = [one.diameter for one in (*shaft.pieces, *problem.gears)]
+    scale = 2.0 * BODY / max(diameters, default=1.0)
+    for start, piece in zip(shaft.ends, shaft.pieces, strict=False):
+        _box(panel, start, piece.length, scale * piece.diameter, "0.93")
+    if not shaft.pieces:
+        panel.plot(1e3 * answer.curves.stations[[0, -1]], [0.0, 0.0], color=INK, linewidth=2.0)
+    for gear in problem.gears:
+        half = GEAR_WIDTH * length
+        _box(panel, gear.station - half, 2.0 * half, scale * gear.diameter, PALE)
+    panel.axhline(0.0, color=GREY, linewidth=0.5, linestyle=(0, (12, 3, 2, 3)))
+    for one in shaft.supports:
+        panel.plot([1e3 * one.station], [-0.06], "^", color=INK, markersize=5.0, zorder=4)
+
+
+def _box(panel: Axes, start: float, length: float, height: float, shade: str) -> None:
+    from matplotlib.patches import Rectangle
+
+    corner = (1e3 * start, -0.5 * height)
+    panel.add_patch(Rectangle(corner, 1e3 * length, height, facecolor=shade, edgecolor=INK, linewidth=0.5))
+
+
+def _arrows(
+    panel: Axes, acting: tuple[PointLoad, ...] | list[PointLoad], axis: int, largest: float, answer: ShaftAnswer, head: str
+) -> None:
+    """Forces of one plane as arrows that point where they push, and thrusts along the axis."""
+    reach = 1e3 * 0.12 * float(np.ptp(answer.curves.stations))
+    for load in acting:
+        across, along = load.force[axis] / largest, load.force[2] / largest
+        place = 1e3 * load.station
+        if abs(across) > SHORTEST:
+            tail = (place, -across) if across else (place, 0.0)
+            _arrow(panel, (place, 0.0), tail, head)
+            label = f"{abs(load.force[axis]) / 1e3:.3g}"
+            below = tail[1] < 0.0
+            panel.annotate(
+                label, tail, xytext=(2, -1 if below else 1), textcoords="offset points", fontsize=7,
+                va="top" if below else "bottom",
+            )  # fmt: skip
+        if axis == 1 and abs(along) > SHORTEST:
+            _arrow(panel, (place + np.sign(along) * reach, 0.0), (place, 0.0), head)
+            panel.annotate(
+                f"{abs(load.force[2]) / 1e3:.3g}", (place + np.sign(along) * reach, 0.0), xytext=(0, 2),
+                textcoords="offset points", fontsize=7, ha="center",
+            )  # fmt: skip
+
+
+def _arrow(panel: Axes, tip: tuple[float, float], tail: tuple[float, float], head: str) -> None:
+    drawn = {"arrowstyle": head, "linewidth": 0.9, "color": INK, "mutation_scale": 7.0, "shrinkA": 0, "shrinkB": 0}
+    panel.annotate("", tip, xytext=tail, zorder=6, arrowprops=drawn)
