@@ -29,6 +29,7 @@ MODULES = (
     "hydrostatic_parts",
     "journal_parts",
     "methods",
+    "shaft_parts",
     "thrust_parts",
     "tilting_pad_parts",
 )

@@ -27,6 +27,7 @@ if TYPE_CHECKING:
         JournalBearing,
         Machine,
         OverhungCoupling,
+        Shaft,
         ThrustBearing,
         ThrustLine,
         ThrustRing,
@@ -157,6 +158,13 @@ if TYPE_CHECKING:
     from babbitt.api.own_viscosity import (
         viscosity_law,
     )
+    from babbitt.api.shaft_parts import (
+        Coupling,
+        Gear,
+        ShaftForce,
+        ShaftMass,
+        ShaftSupport,
+    )
     from babbitt.api.thrust_parts import (
         FilmHeatBalance,
         FilmTemperature,
@@ -215,7 +223,7 @@ _NAMES = {
     "babbitt.api.batch": "solve_batch",
     "babbitt.api.bearings": (
         "Footstep HydrostaticJournal HydrostaticPad JackingPocket JournalBearing Machine "
-        "OverhungCoupling ThrustBearing ThrustLine ThrustRing TiltingPadBearing"
+        "OverhungCoupling Shaft ThrustBearing ThrustLine ThrustRing TiltingPadBearing"
     ),
     "babbitt.api.cases": "load_case parse_case",
     "babbitt.api.clearances": "diametral_clearance fit grooves radial_clearance relative_clearance",
@@ -242,6 +250,7 @@ _NAMES = {
     "babbitt.api.on_board": "explain lubricants materials published_cases validate",
     "babbitt.api.own_bore": "Gap",
     "babbitt.api.own_viscosity": "viscosity_law",
+    "babbitt.api.shaft_parts": "Coupling Gear ShaftForce ShaftMass ShaftSupport",
     "babbitt.api.thrust_parts": (
         "FilmHeatBalance FilmTemperature FilmViscosity FixedPad LineLimits PadMaterials Pads Propeller "
         "Runout Seating ShaftPiece SpeedRange StepFace Taper ThrustRipple Tilt TiltingPivot"
@@ -274,6 +283,7 @@ __all__ = [
     "ConstantFlow",
     "ConstantLubricant",
     "Cooling",
+    "Coupling",
     "CylinderHousing",
     "Deviations",
     "DiametralClearance",
@@ -294,6 +304,7 @@ __all__ = [
     "Footstep",
     "Friction",
     "Gap",
+    "Gear",
     "Groove",
     "GrooveElement",
     "HalfSpace",
@@ -370,7 +381,11 @@ __all__ = [
     "Seating",
     "SegmentOptions",
     "Segments",
+    "Shaft",
+    "ShaftForce",
+    "ShaftMass",
     "ShaftPiece",
+    "ShaftSupport",
     "SizeLimits",
     "Slot",
     "SlotElement",

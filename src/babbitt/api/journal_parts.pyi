@@ -306,6 +306,7 @@ class OperatingPoint(OwnPart, operating_point.OperatingPoint):
         speed: Quantity | None = ...,
         surface_speed: Quantity | None = ...,
         name: str | None = ...,
+        load_angle: Quantity | None = ...,
         supply_temperature: Quantity | None = ...,
         supply_pressure: Quantity | None = ...,
         supply_flow: Quantity | None = ...,

@@ -43,8 +43,8 @@ def _figures(problem: ShaftProblem, answer: ShaftAnswer) -> Iterator[tuple[str, 
     yield (
         "shaft",
         "The shaft from the side (above, y upward) and from above (below, x upward on the page), diameters enlarged. "
-        "Arrows: forces on the shaft, filled heads of loads, open heads of bearings, which carry it, the longest the "
-        "largest; numbers in kN. Horizontal arrows: thrust.",
+        "Arrows: forces on the shaft in kN, black of what loads it, grey of the bearings; the longest is the largest. "
+        "Horizontal arrows: thrust.",
         side_views(problem, answer),
     )
     yield (
@@ -72,7 +72,7 @@ def shear_and_moment(answer: ShaftAnswer) -> Figure:
     for panel, name in ((above, "shear in kN"), (middle, "moment in kN m"), (below, "torque in kN m")):
         panel.set_ylabel(name)
     _bearings(answer, (above, middle, below))
-    above.legend(frameon=False, fontsize=7, loc="best", ncols=3, handlelength=2.4)
+    _named(above)
     return figure
 
 
@@ -88,7 +88,7 @@ def deflection(problem: ShaftProblem, answer: ShaftAnswer) -> Figure:
     above.set_ylabel("deflection in µm")
     below.set_ylabel("slope in mm/m")
     _bearings(answer, (above, below))
-    above.legend(frameon=False, fontsize=7, loc="best", ncols=3, handlelength=2.4)
+    _named(above)
     return figure
 
 
@@ -99,6 +99,13 @@ def _both(panel: Axes, places: Array, curves: Array, *, steps: bool = False) -> 
     for (name, dashes), values in zip(PLANES, curves.T, strict=True):
         panel.plot(places, values, dashes, color=INK, linewidth=1.0, drawstyle=drawn, label=f"z-{name}")
     panel.axhline(0.0, color=INK, linewidth=0.4)
+
+
+def _named(panel: Axes) -> None:
+    """Names of the curves, on white where nothing else leaves room."""
+    panel.legend(
+        fontsize=7, loc="best", ncols=3, handlelength=2.4, edgecolor="none", facecolor="white", framealpha=0.9
+    )
 
 
 def _bearings(answer: ShaftAnswer, panels: tuple[Axes, ...]) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -9,7 +11,7 @@ import numpy as np
 from babbitt.kinds.shaft.answer import ShaftAnswer
 from babbitt.kinds.shaft.model import PointLoad, Shaft
 from babbitt.kinds.shaft.problem import ShaftProblem
-from babbitt.report.drawing import GREY, INK, PALE, Sheet
+from babbitt.report.drawing import GREY, INK, PALE, Sheet, arrow
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -33,14 +35,14 @@ def side_views(problem: ShaftProblem, answer: ShaftAnswer) -> Figure:
     largest = max((float(np.abs(one.force).max()) for one in (*acting, *reactions)), default=0.0) or 1.0
     for panel, axis, name in ((side, 1, "y"), (top, 0, "x")):
         _bodies(panel, problem, answer)
-        _arrows(panel, acting, axis, largest, answer, "-|>")
-        _arrows(panel, reactions, axis, largest, answer, "->")
+        _arrows(panel, acting, axis, largest, answer, INK)
+        _arrows(panel, reactions, axis, largest, answer, GREY)
         panel.set_ylim(-1.3, 1.3)
         panel.set_yticks([])
         panel.set_ylabel(name, rotation=0)
         panel.spines["left"].set_visible(False)
     low, high = 1e3 * answer.curves.stations[[0, -1]]
-    top.set_xlim(low - 0.06 * (high - low), high + 0.06 * (high - low))
+    top.set_xlim(low - 0.13 * (high - low), high + 0.13 * (high - low))
     top.set_xlabel("place along the shaft in mm")
     for one in problem.shaft.supports:
         side.annotate(
@@ -75,7 +77,16 @@ def _bodies(panel: Axes, problem: ShaftProblem, answer: ShaftAnswer) -> None:
         _box(panel, gear.station - half, 2.0 * half, scale * gear.diameter, PALE)
     panel.axhline(0.0, color=GREY, linewidth=0.5, linestyle=(0, (12, 3, 2, 3)))
     for one in shaft.supports:
-        panel.plot([1e3 * one.station], [-0.06], "^", color=INK, markersize=5.0, zorder=4)
+        panel.plot([1e3 * one.station], [-0.5 * scale * _diameter_at(shaft, one.station) - 0.045], "^", color=INK,
+                   markersize=5.0, zorder=4)  # fmt: skip
+
+
+def _diameter_at(shaft: Shaft, station: float) -> float:
+    """Diameter of the piece at a station, m; zero for a shaft without pieces."""
+    if not shaft.pieces:
+        return 0.0
+    piece = int(np.clip(np.searchsorted(shaft.ends, station, side="right") - 1, 0, len(shaft.pieces) - 1))
+    return shaft.pieces[piece].diameter
 
 
 def _box(panel: Axes, start: float, length: float, height: float, shade: str) -> None:
@@ -86,30 +97,24 @@ def _box(panel: Axes, start: float, length: float, height: float, shade: str) ->
 
 
 def _arrows(
-    panel: Axes, acting: tuple[PointLoad, ...] | list[PointLoad], axis: int, largest: float, answer: ShaftAnswer, head: str
+    panel: Axes, acting: Sequence[PointLoad], axis: int, largest: float, answer: ShaftAnswer, colour: str
 ) -> None:
     """Forces of one plane as arrows that point where they push, and thrusts along the axis."""
-    reach = 1e3 * 0.12 * float(np.ptp(answer.curves.stations))
+    reach = 1e3 * 0.1 * float(np.ptp(answer.curves.stations))
     for load in acting:
-        across, along = load.force[axis] / largest, load.force[2] / largest
-        place = 1e3 * load.station
+        across, place = load.force[axis] / largest, 1e3 * load.station
         if abs(across) > SHORTEST:
-            tail = (place, -across) if across else (place, 0.0)
-            _arrow(panel, (place, 0.0), tail, head)
-            label = f"{abs(load.force[axis]) / 1e3:.3g}"
-            below = tail[1] < 0.0
-            panel.annotate(
-                label, tail, xytext=(2, -1 if below else 1), textcoords="offset points", fontsize=7,
-                va="top" if below else "bottom",
-            )  # fmt: skip
-        if axis == 1 and abs(along) > SHORTEST:
-            _arrow(panel, (place + np.sign(along) * reach, 0.0), (place, 0.0), head)
-            panel.annotate(
-                f"{abs(load.force[2]) / 1e3:.3g}", (place + np.sign(along) * reach, 0.0), xytext=(0, 2),
-                textcoords="offset points", fontsize=7, ha="center",
-            )  # fmt: skip
+            arrow(panel, (place, 0.0), (place, -across), colour=colour)
+            _number(panel, load.force[axis], (place, -across), (3, 2 if across < 0.0 else -7))
+        if axis == 1 and abs(load.force[2]) > SHORTEST * largest:
+            tip = (place + math.copysign(reach, load.force[2]), 0.0)
+            arrow(panel, tip, (place, 0.0), colour=colour)
+            _number(panel, load.force[2], tip, (3 if load.force[2] > 0.0 else -16, 3))
 
 
-def _arrow(panel: Axes, tip: tuple[float, float], tail: tuple[float, float], head: str) -> None:
-    drawn = {"arrowstyle": head, "linewidth": 0.9, "color": INK, "mutation_scale": 7.0, "shrinkA": 0, "shrinkB": 0}
-    panel.annotate("", tip, xytext=tail, zorder=6, arrowprops=drawn)
+def _number(panel: Axes, force: float, at: tuple[float, float], apart: tuple[int, int]) -> None:
+    """Size of a force in kN near the end of its arrow."""
+    panel.annotate(
+        f"{abs(force) / 1e3:.3g}", at, xytext=apart, textcoords="offset points", fontsize=7, zorder=7,
+        bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.4, "alpha": 0.8},
+    )  # fmt: skip
