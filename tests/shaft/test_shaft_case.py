@@ -81,23 +81,23 @@ def test_a_film_feels_load_direction_speed_and_slope_of_the_shaft():
     assert film.journal_speed == pytest.approx(-400.0 * math.pi / 30.0)
     slope = [arrays[f"support_slope_{axis}"][0][1] for axis in "xy"]
     assert film.bearing.misalignment == pytest.approx(slope, rel=1e-12)
-    assert math.hypot(*slope) == pytest.approx(0.3e-3, rel=0.5)
+    assert math.hypot(*slope) > 0.05e-3
     given["bearings"][1]["misalignment"] = {"x": "0.1 mrad"}
     crooked = case_from_dict(given).calculations()[1].problem
     assert crooked.bearing.misalignment == pytest.approx([slope[0] + 1e-4, slope[1]], rel=1e-12)
 
 
 def test_the_balance_of_torques_is_left_to_one_part():
-    """60 kW at 400 rpm come in and go out: 1432.4 N m between wheel and pinion."""
+    """30 kW at 400 rpm come in and go out: 716.2 N m between wheel and pinion."""
     found = shaft_result(TEMPLATE)
-    assert found.values["largest_torque"] == pytest.approx(60e3 / (400.0 * math.pi / 30.0), rel=1e-12)
+    assert found.values["largest_torque"] == pytest.approx(30e3 / (400.0 * math.pi / 30.0), rel=1e-12)
     given = changed()
-    given["gears"][1] |= {"power": "30 kW"}
+    given["gears"][1] |= {"power": "15 kW"}
     given["couplings"] = [{"name": "Coupling", "station": "340 mm", "mass": "0 kg"}]
     halved = shaft_result(given)
     assert halved.values["largest_torque"] == pytest.approx(found.values["largest_torque"], rel=1e-12)
     # the thrust of the pinion alone is halved
-    of_wheel = -2.0 * 1432.394 / 0.3 * math.tan(math.radians(12.0))
+    of_wheel = -2.0 * 716.1972 / 0.3 * math.tan(math.radians(12.0))
     of_pinion = found.values["axial_load"] - of_wheel
     assert halved.values["axial_load"] == pytest.approx(of_wheel + 0.5 * of_pinion, rel=1e-5)
 
@@ -125,7 +125,7 @@ REFUSED = {
     "speed of a bearing": ({"bearings": {1: {"speed": "3 rpm"}}}, "bearings[1 'Bearing B'].speed", "its speed"),
     "thrust without bearing": ({"bearings": {0: {"kind": "radial"}}}, "bearings", "finds no bearing"),
     "one radial bearing": ({"bearings": {0: {"kind": "axial"}}}, "bearings", "carries load across the shaft"),
-    "torques left over": ({"gears": {1: {"power": "20 kW"}}}, "gears[1 'Pinion'].torque", "do not balance"),
+    "torques left over": ({"gears": {1: {"power": "10 kW"}}}, "gears[1 'Pinion'].torque", "do not balance"),
     "no torque at all": ({"gears": {0: {"power": None}}}, "gears[1 'Pinion'].torque", "neither torque nor power"),
     "role against balance": ({"gears": {1: {"role": "driven"}}}, "gears[1 'Pinion'].role", "a driver part"),
     "outside the shaft": ({"gears": {0: {"station": "900 mm"}}}, "gears[0 'Wheel'].station", "lies outside"),
@@ -158,3 +158,33 @@ def test_what_the_loaded_bearing_cannot_be_is_told_at_the_bearing():
     ((path, said),) = refusals(given)
     assert path == "bearings[1 'Bearing B'].load"
     assert "is a specific load of" in said
+
+
+def with_thrust_bearing(**fields):
+    """The template with the thrust bearing of its own template at the end."""
+    pads = {name: value for name, value in yaml.safe_load(template("thrust")).items() if name in THRUST_FIELDS}
+    given = changed(start="-100 mm", **fields)
+    given["shaft"].insert(0, {"length": "100 mm", "diameter": "80 mm"})
+    given["bearings"][0]["kind"] = "radial"
+    given["bearings"].append({"kind": "thrust", "name": "Thrust", "station": "-80 mm", "speed": "400 rpm"} | pads)
+    return given
+
+
+THRUST_FIELDS = ("pads", "lubricant", "supply", "oil")
+
+
+def test_the_thrust_reaches_the_thrust_bearing():
+    case = case_from_dict(with_thrust_bearing())
+    problem = case.calculations()[-1].problem
+    assert problem.kind == "thrust"
+    assert problem.duty.thrust == pytest.approx(abs(shaft_result(TEMPLATE).values["axial_load"]), rel=1e-9)
+    carried = case.calculations()[0].solve()[0].result.arrays["support_axial_load"][0]
+    assert carried == pytest.approx([0.0, 0.0, shaft_result(TEMPLATE).values["axial_load"]])
+
+
+def test_the_collar_turns_as_the_shaft():
+    given = with_thrust_bearing()
+    given["bearings"][2]["speed"] = "500 rpm"
+    ((path, said),) = refusals(given)
+    assert path == "bearings[2 'Thrust'].speed"
+    assert "the shaft turns at 400 rpm" in said

@@ -298,7 +298,7 @@ class OperatingPoint(OwnPart, operating_point.OperatingPoint):
     def __init__(
         self,
         *,
-        load: Quantity | None = ...,
+        load: Quantity | Mapping[str, Any] | None = ...,
         specific_load: Quantity | None = ...,
         eccentricity_ratio: Quantity | None = ...,
         attitude_angle: Quantity | None = ...,

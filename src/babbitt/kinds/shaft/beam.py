@@ -19,6 +19,9 @@ __all__ = ["Beam", "Deflected", "bent"]
 FINEST = 1.0 / 400.0
 """Share of the length between two stations at which curves are given."""
 
+SAME_PLACE = 1e-10
+"""Share of the length of the shaft below which two stations are one."""
+
 
 @dataclass(frozen=True)
 class Beam:
@@ -45,7 +48,9 @@ class Beam:
         places.append(np.linspace(ends[0], ends[-1], count + 1))
         nodes = np.unique(np.concatenate(places))
         nodes = nodes[(nodes >= ends[0]) & (nodes <= ends[-1])]
-        piece = np.searchsorted(ends, 0.5 * (nodes[1:] + nodes[:-1]), side="right") - 1
+        apart = np.diff(nodes) > SAME_PLACE * (ends[-1] - ends[0])
+        nodes = nodes[np.concatenate([[True], apart])]
+        piece = np.searchsorted(ends[1:-1], 0.5 * (nodes[1:] + nodes[:-1]), side="right")
         stiffness = np.array([one.bending_stiffness for one in shaft.pieces])[piece]
         return cls(nodes, stiffness, np.array([one.weight for one in shaft.pieces])[piece])
 

@@ -11,14 +11,16 @@ from pydantic import Discriminator, Field
 from babbitt.case.part import Issue, Part, is_given, rule
 from babbitt.case.parts.fields import Name
 from babbitt.case.parts.load_and_speed import LOADS, SPEEDS
-from babbitt.core.units import si, written
+from babbitt.core.units import either_sense, si, written
 from babbitt.kinds.journal.case.film_features import MisalignmentInput
 from babbitt.kinds.journal.case.journal import JournalBearing
 from babbitt.kinds.shaft.answer import ShaftAnswer
 from babbitt.kinds.shaft.case.torque import Station
 from babbitt.kinds.shaft.model import Support
+from babbitt.kinds.shaft.statics import thrust
+from babbitt.kinds.thrust.case.thrust import ThrustBearingInputs, ThrustCase
 
-__all__ = ["ShaftBearing", "ShaftJournal", "SupportInput", "holding_issues"]
+__all__ = ["ShaftBearing", "ShaftJournal", "ShaftThrust", "SupportInput", "holding_issues"]
 
 BearingStiffness = Annotated[float, si("N/m", "1 kN/m", "1e18 N/m", "MN/m")]
 Offset = Annotated[float, si("m", "-50 mm", "50 mm", "um")]
@@ -110,6 +112,33 @@ class ShaftJournal(Place, JournalBearing):
         return JournalBearing.model_construct(_fields_set=fields, **(given | found))
 
 
+class ShaftThrust(Place, ThrustBearingInputs):
+    """A thrust bearing of the shaft: its thrust follows, and its speed where it gives none."""
+
+    kind: Literal["thrust"] = Field(description="Thrust bearing, computed with the thrust of the shaft.")
+    name: Name = Field(description="Name of the bearing.")
+    speed: Annotated[float, either_sense("rad/s", "0.01 rpm", "1000000 rpm")] = Field(
+        description="Speed of the collar as its pads see it: positive towards growing pad numbers. Its size is that "
+        "of the shaft."
+    )
+
+    @rule
+    def _no_place_of_its_own(self) -> Iterator[Issue]:
+        for name in ("stiffness", "offset"):
+            if name in self.model_fields_set:
+                yield Issue((name,), "is radial, and a thrust bearing carries along the shaft alone", "no such field")
+
+    def as_support(self) -> Support:
+        """Give the support of the calculation."""
+        return self.support(self.name, radial=False, axial=True)
+
+    def loaded(self, answer: ShaftAnswer) -> ThrustCase:
+        """The bearing under the thrust of the shaft."""
+        given = {name: value for name, value in vars(self).items() if name not in Place.model_fields}
+        fields = (self.model_fields_set - Place.model_fields.keys()) | {"load"}
+        return ThrustCase.model_construct(_fields_set=fields, **given, load=abs(thrust(answer.shaft)))
+
+
 def _given_by_the_shaft(bearing: ShaftJournal, names: tuple[str, ...], says: str) -> Iterator[Issue]:
     at: list[tuple[tuple[str | int, ...], Part]] = [((), bearing)]
     at += [(("operating_points", k), point) for k, point in enumerate(bearing.operating_points)]
@@ -119,7 +148,7 @@ def _given_by_the_shaft(bearing: ShaftJournal, names: tuple[str, ...], says: str
                 yield Issue((*path, name), says, f"no {name} here", "remove it")
 
 
-def holding_issues(bearings: Sequence[SupportInput | ShaftJournal], bends: bool) -> Iterator[Issue]:
+def holding_issues(bearings: Sequence[SupportInput | ShaftJournal | ShaftThrust], bends: bool) -> Iterator[Issue]:
     """Complain about bearings that do not hold a shaft in one way: too few, at one place, two that take the thrust.
 
     Parameters
@@ -147,4 +176,4 @@ def holding_issues(bearings: Sequence[SupportInput | ShaftJournal], bends: bool)
         yield Issue(("bearings", index, "kind"), says, "one bearing that carries axially")
 
 
-ShaftBearing = Annotated[SupportInput | ShaftJournal, Discriminator("kind")]
+ShaftBearing = Annotated[SupportInput | ShaftJournal | ShaftThrust, Discriminator("kind")]

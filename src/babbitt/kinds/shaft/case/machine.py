@@ -1,4 +1,4 @@
-"""The journal bearings of a shaft as a machine, whose loads and speeds are those of the shaft."""
+"""The bearings of a shaft, whose loads and speeds are those of the shaft: journal bearings as a machine, thrust."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from babbitt.core.solution import Calculation
 from babbitt.core.units import written
 from babbitt.kinds.journal.case.files import Machine
 from babbitt.kinds.shaft.answer import ShaftAnswer
-from babbitt.kinds.shaft.case.bearings import ShaftJournal
+from babbitt.kinds.shaft.case.bearings import ShaftJournal, ShaftThrust
 
 if TYPE_CHECKING:
     from babbitt.kinds.shaft.case.shaft import ShaftCase
 
-__all__ = ["journal_calculations", "machine_of"]
+__all__ = ["bearing_calculations", "machine_of"]
 
 
 def machine_of(case: ShaftCase, answer: ShaftAnswer) -> Machine | None:
@@ -41,10 +41,15 @@ def machine_of(case: ShaftCase, answer: ShaftAnswer) -> Machine | None:
     return Machine.model_construct(kind="machine", name=case.name, bearings=bearings, **shared)
 
 
-def journal_calculations(case: ShaftCase, answer: ShaftAnswer) -> Iterator[Calculation]:
-    """One problem for each journal bearing, operating point and clearance, which tells where its load is from."""
+def bearing_calculations(case: ShaftCase, answer: ShaftAnswer) -> Iterator[Calculation]:
+    """One problem for each journal bearing, operating point and clearance, then the thrust bearing; each tells where
+    its load is from."""
     machine = machine_of(case, answer)
-    for one in machine.calculations() if machine is not None else ():
-        said = ("Load and speed", f"of the shaft {case.name} at {written(case.speed, 'rpm')}")
-        problem: Any = one.problem
-        yield replace(one, problem=replace(problem, given=(said, *problem.given)))
+    calculations = list(machine.calculations()) if machine is not None else []
+    for one in case.bearings:
+        if isinstance(one, ShaftThrust):
+            calculations += one.loaded(answer).calculations()
+    said = ("Load and speed", f"of the shaft {case.name} at {written(case.speed, 'rpm')}")
+    for each in calculations:
+        problem: Any = each.problem
+        yield replace(each, problem=replace(problem, given=(said, *problem.given)))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from typing import Annotated, Any, Literal
 
@@ -18,8 +19,8 @@ from babbitt.kinds.journal.case.completeness import issues_of
 from babbitt.kinds.journal.case.machine import JournalFile
 from babbitt.kinds.shaft.answer import ShaftAnswer, answered
 from babbitt.kinds.shaft.case.as_given import words_of
-from babbitt.kinds.shaft.case.bearings import ShaftBearing, ShaftJournal, holding_issues
-from babbitt.kinds.shaft.case.machine import journal_calculations
+from babbitt.kinds.shaft.case.bearings import ShaftBearing, ShaftJournal, ShaftThrust, SupportInput, holding_issues
+from babbitt.kinds.shaft.case.machine import bearing_calculations
 from babbitt.kinds.shaft.case.parts import CouplingInput, ForceInput, GearInput, MassInput, weight
 from babbitt.kinds.shaft.case.torque import Station, TorquePart, torque_issues, torques
 from babbitt.kinds.shaft.gears import Gear
@@ -54,7 +55,7 @@ class ShaftCase(SharedInputs, JournalFile):
         description="Speed of the shaft, positive counter-clockwise, seen against z."
     )
     bearings: tuple[ShaftBearing, ...] = Field(
-        min_length=2, max_length=50, description="Bearings: radial, axial, radial_axial, or whole journal bearings."
+        min_length=2, max_length=50, description="Bearings: radial, axial, radial_axial (load alone), or a whole journal or thrust bearing."
     )
     gears: tuple[GearInput, ...] = Field((), max_length=50, description="Spur and helical gears.")
     couplings: tuple[CouplingInput, ...] = Field((), max_length=10, description="Couplings.")
@@ -137,16 +138,31 @@ class ShaftCase(SharedInputs, JournalFile):
         yield from lacking.values()
 
     @rule
-    def _journals_can_carry(self) -> Iterator[Issue]:
+    def _loaded_bearings_are_usable(self) -> Iterator[Issue]:
         if any(True for _ in holding_issues(self.bearings, bool(self.shaft))):
             return
         answer = self.answer
         for index, bearing in enumerate(self.bearings):
-            if isinstance(bearing, ShaftJournal):
-                of_itself = set(broken_rules(bearing))
-                for issue in broken_rules(bearing.loaded(answer, index, self.speed)):
-                    if issue not in of_itself:
-                        yield issue.under("bearings", index)
+            if isinstance(bearing, SupportInput):
+                continue
+            loaded = (
+                bearing.loaded(answer, index, self.speed)
+                if isinstance(bearing, ShaftJournal)
+                else bearing.loaded(answer)
+            )
+            of_itself = set(broken_rules(bearing))
+            yield from (issue.under("bearings", index) for issue in broken_rules(loaded) if issue not in of_itself)
+
+    @rule
+    def _collar_turns_with_the_shaft(self) -> Iterator[Issue]:
+        for index, bearing in enumerate(self.bearings):
+            if not isinstance(bearing, ShaftThrust):
+                continue
+            if not math.isclose(abs(bearing.speed), abs(self.speed), rel_tol=1e-6):
+                says = f"the shaft turns at {written(abs(self.speed), 'rpm')}"
+                yield Issue(("bearings", index, "speed"), says, f"{written(abs(self.speed), 'rpm')}, with either sign")
+            if thrust(self.loaded_shaft()) == 0.0:
+                yield Issue(("bearings", index, "kind"), "the shaft has no thrust", "gears with a helix, or a force z")
 
     @property
     def answer(self) -> ShaftAnswer:
@@ -183,7 +199,7 @@ class ShaftCase(SharedInputs, JournalFile):
     def calculations(self) -> tuple[Calculation, ...]:
         """Give the calculation of the shaft, then those of its bearings."""
         problem = self.shaft_problem()
-        return (Calculation(problem, method_of(problem.shaft)), *journal_calculations(self, self.answer))
+        return (Calculation(problem, method_of(problem.shaft)), *bearing_calculations(self, self.answer))
 
     def shaft_problem(self) -> ShaftProblem:
         """Give the shaft as a problem."""
