@@ -42,7 +42,7 @@ class LimitsInput(Part):
         None, description="Slope of the shaft in its bearings, such as 1 mrad."
     )
     deflection: Annotated[float, si("m", "1 um", "100 mm")] | None = Field(
-        None, description="Deflection of the shaft from the line of its bearings."
+        None, description="Deflection of the shaft from its unloaded line, the give of its bearings included."
     )
 
 

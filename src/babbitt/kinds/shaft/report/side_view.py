@@ -21,6 +21,8 @@ __all__ = ["side_views"]
 
 BODY = 0.34
 """Half height of the largest body in a panel whose arrows reach to 1."""
+LETTER = 0.0085
+"""Width of a letter over that of the panel."""
 SHORTEST = 0.04
 """Share of the largest force below which no arrow is drawn."""
 GEAR_WIDTH = 0.022
@@ -44,13 +46,24 @@ def side_views(problem: ShaftProblem, answer: ShaftAnswer) -> Figure:
     low, high = 1e3 * answer.curves.stations[[0, -1]]
     top.set_xlim(low - 0.13 * (high - low), high + 0.13 * (high - low))
     top.set_xlabel("place along the shaft in mm")
-    for one in problem.shaft.supports:
-        side.annotate(
-            one.name, (1e3 * one.station, -1.28), ha="center", va="bottom", fontsize=7, annotation_clip=False
-        )
-    for gear in problem.gears:
-        side.annotate(gear.name, (1e3 * gear.station, 1.28), ha="center", va="top", fontsize=7)
+    _names(side, [(one.station, one.name) for one in problem.shaft.supports], -1.28, 0.17)
+    _names(side, [(gear.station, gear.name) for gear in problem.gears], 1.28, -0.17)
     return figure
+
+
+def _names(panel: Axes, named: Sequence[tuple[float, str]], level: float, step: float) -> None:
+    """Names at their places, one level further in where two would meet."""
+    low, high = panel.get_xlim()
+    before, steps = -math.inf, 0
+    for station, name in sorted(named):
+        place = (1e3 * station - low) / (high - low)
+        half = 0.5 * LETTER * len(name)
+        steps = steps + 1 if place - half < before else 0
+        before = max(before, place + half)
+        panel.annotate(
+            name, (1e3 * station, level + steps * step), ha="center", va="bottom" if step > 0.0 else "top",
+            fontsize=7, annotation_clip=False,
+        )  # fmt: skip
 
 
 def _own_weight(shaft: Shaft) -> tuple[PointLoad, ...]:
@@ -77,8 +90,8 @@ def _bodies(panel: Axes, problem: ShaftProblem, answer: ShaftAnswer) -> None:
         _box(panel, gear.station - half, 2.0 * half, scale * gear.diameter, PALE)
     panel.axhline(0.0, color=GREY, linewidth=0.5, linestyle=(0, (12, 3, 2, 3)))
     for one in shaft.supports:
-        panel.plot([1e3 * one.station], [-0.5 * scale * _diameter_at(shaft, one.station) - 0.045], "^", color=INK,
-                   markersize=5.0, zorder=4)  # fmt: skip
+        below = -0.5 * scale * _diameter_at(shaft, one.station) - 0.045
+        panel.plot([1e3 * one.station], [below], "^" if one.radial else "|", color=INK, markersize=5.0, zorder=4)
 
 
 def _diameter_at(shaft: Shaft, station: float) -> float:
