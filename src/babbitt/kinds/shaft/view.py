@@ -53,6 +53,7 @@ STATICS = View(
     tables=tables,
     citations=_citations,
     columns=(column_of("largest_support_load", 0), column_of("axial_load", 1)),
+    in_machine_table=False,
     sweep=("largest_support_load", "axial_load", "support_slope", "shaft_deflection", "bending_moment"),
 )
 BEAM = replace(STATICS, title="Stepped beam on its bearings")
