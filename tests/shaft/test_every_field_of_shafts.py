@@ -8,7 +8,7 @@ from babbitt.case import CaseError, case_from_dict
 from babbitt.case.parts.shared import SharedInputs
 from babbitt.kinds.shaft.case.bearings import OffsetInput, SupportInput
 from babbitt.kinds.shaft.case.parts import CouplingInput, ForceInput, GearInput, MassInput
-from babbitt.kinds.shaft.case.shaft import LimitsInput, ShaftCase, UniformPiece
+from babbitt.kinds.shaft.case.shaft import ShaftLimitsInput, ShaftCase, UniformPiece
 from babbitt.solving import solve
 
 BASE = {
@@ -112,7 +112,7 @@ def test_every_optional_field_is_asked():
         "shaft.0.": UniformPiece,
         "bearings.1.": SupportInput,
         "bearings.1.offset.": OffsetInput,
-        "limits.": LimitsInput,
+        "limits.": ShaftLimitsInput,
     }
     optional = {
         f"{path}{name}"

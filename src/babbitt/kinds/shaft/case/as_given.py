@@ -24,18 +24,18 @@ def words_of(case: ShaftCase) -> Iterator[Words]:
     sense = "counter-clockwise" if case.speed > 0.0 else "clockwise"
     yield "Speed", f"{written(abs(case.speed), 'rpm')}, {sense} seen against z"
     for gear in case.gears:
-        yield f"{gear.name}", f"{_at(gear.station)}, {_teeth(gear)}, {_transmits(gear)}{_mass(gear.mass)}"
+        yield gear.name, f"{_at(gear.station)}, {_teeth(gear)}, {_transmits(gear)}{_mass(gear.mass)}"
     for coupling in case.couplings:
-        yield f"{coupling.name}", f"{_at(coupling.station)}, {_transmits(coupling)}{_mass(coupling.mass)}"
+        yield coupling.name, f"{_at(coupling.station)}, {_transmits(coupling)}{_mass(coupling.mass)}"
     for one in case.masses:
-        yield f"{one.name}", f"{_at(one.station)}{_mass(one.mass)}"
+        yield one.name, f"{_at(one.station)}{_mass(one.mass)}"
     for one in case.forces:
         sizes = [("x", one.x, "kN"), ("y", one.y, "kN"), ("z", one.z, "kN")]
         sizes += [("M_x", one.moment_x, "N m"), ("M_y", one.moment_y, "N m")]
         said = ", ".join(f"{axis} {written(value, unit)}" for axis, value, unit in sizes if value)
-        yield f"{one.name}", f"{_at(one.station)}, {said or 'none'}"
+        yield one.name, f"{_at(one.station)}, {said or 'none'}"
     for bearing in case.bearings:
-        yield f"{bearing.name}", f"{bearing.kind}, {_at(bearing.station)}{_gives_way(bearing)}"
+        yield bearing.name, f"{bearing.kind}, {_at(bearing.station)}{_gives_way(bearing)}"
     for place, piece in enumerate(case.shaft, start=1):
         bore = f", bore {written(piece.inner_diameter, 'mm')}" if piece.inner_diameter else ""
         yield (

@@ -35,7 +35,7 @@ LEAST_THRUST = 1e-9
 """Share of the largest force on the shaft below which a thrust is the round-off of others that cancel."""
 
 
-class LimitsInput(Part):
+class ShaftLimitsInput(Part):
     """What is permissible."""
 
     slope: Annotated[float, si("rad", "0.001 mrad", "50 mrad")] | None = Field(
@@ -70,7 +70,7 @@ class ShaftCase(SharedInputs, JournalFile):
     clearance_cases: Literal["mean", "all"] = Field(
         "mean", description="Of journal bearings: the mean clearance, or minimum, mean and maximum."
     )
-    limits: LimitsInput = Field(LimitsInput(), description="What is permissible.")
+    limits: ShaftLimitsInput = Field(ShaftLimitsInput(), description="What is permissible.")
     assumptions: tuple[Prose, ...] = Field(
         (), max_length=100, description="Assumptions to be shown in the report."
     )
