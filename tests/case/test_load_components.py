@@ -1,4 +1,4 @@
-"""A load by its components is the load of its size and direction, in every kind that has a direction of the load."""
+"""A load by its components is the load of its size and direction, in every kind that has that direction."""
 
 import math
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from shafts import STEEL, on_supports, rigid, upward, weightless
+from shafts import on_supports, rigid, upward, weightless
 
 from babbitt.kinds.shaft.answer import answered
 from babbitt.kinds.shaft.model import Piece, PointLoad, Shaft, Support
@@ -132,7 +132,9 @@ def test_deflections_are_reciprocal(first, second):
 )
 def test_forces_and_moments_balance(loads, places, stiffness, offset):
     supports = [
-        Support(str(place), place / 20.0, axial=place == min(places), stiffness=stiffness, offset=(0.0, offset * place))
+        Support(
+            str(place), place / 20.0, axial=place == min(places), stiffness=stiffness, offset=(0.0, offset * place)
+        )
         for place in places
     ]
     acting = [PointLoad("Load", z, (x, y, a), (p, q, 0.0)) for z, x, y, a, p, q in loads]

@@ -8,7 +8,7 @@ from babbitt.case import CaseError, case_from_dict
 from babbitt.case.parts.shared import SharedInputs
 from babbitt.kinds.shaft.case.bearings import OffsetInput, SupportInput
 from babbitt.kinds.shaft.case.parts import CouplingInput, ForceInput, GearInput, MassInput
-from babbitt.kinds.shaft.case.shaft import ShaftLimitsInput, ShaftCase, UniformPiece
+from babbitt.kinds.shaft.case.shaft import ShaftCase, ShaftLimitsInput, UniformPiece
 from babbitt.solving import solve
 
 BASE = {

@@ -30,16 +30,20 @@ def test_the_force_on_a_driven_wheel_below_its_pinion():
 @pytest.mark.parametrize("turn", [1.0, -1.0])
 @pytest.mark.parametrize("helix", [Helix.RIGHT, Helix.LEFT])
 def test_the_thumb_shows_the_thrust_of_a_driver(turn, helix):
-    """Fingers of the right hand for a right-hand helix along the rotation: the thumb shows the thrust on the driver
-    (Shigley, ch. 13). A driver takes torque against its rotation."""
+    """Fingers along the rotation, right hand for a right-hand helix: the thumb shows the thrust on the driver.
+
+    Shigley, ch. 13; a driver takes torque against its rotation.
+    """
     driver = replace(WHEEL, torque=-1200.0 * turn, helix=helix)
     right = helix is Helix.RIGHT
     assert math.copysign(1.0, driver.load().force[2]) == (turn if right else -turn)
 
 
 def test_a_pair_of_gears_is_in_equilibrium():
-    """What pinion and wheel do to each other is equal and opposite at the pitch point: of the other hand, and torques
-    in the ratio of the diameters."""
+    """What pinion and wheel do to each other is equal and opposite at the pitch point.
+
+    They have hands of the other sense and torques in the ratio of their diameters.
+    """
     pinion = replace(
         WHEEL, diameter=0.1, mesh_angle=WHEEL.mesh_angle + math.pi, torque=400.0, helix=Helix.LEFT
     ).load()
@@ -59,9 +63,9 @@ def test_a_double_helix_has_no_thrust():
 def test_a_shaft_of_a_hand_calculation():
     """One wheel between two bearings, moments about bearing 1 by hand.
 
-    Horizontal: 8000 · 90/300 = 2400 N on the far bearing. Vertical: the radial force gives 2976.8 · 90/300 = 893.0 N
-    downward, the couple 1700.5 · 0.15 = 255.07 N m gives 850.2 N; its force points to -z above the axis, which lifts
-    the far side: 893.0 - 850.2 = 42.8 N.
+    Horizontal: 8000 · 90/300 = 2400 N on the far bearing. Vertical: the radial force gives 2976.8 · 90/300 =
+    893.0 N downward, the couple 1700.5 · 0.15 = 255.07 N m gives 850.2 N; its force points to -z above the axis,
+    which lifts the far side: 893.0 - 850.2 = 42.8 N.
     """
     shaft = Shaft((Support("A", 0.0, axial=True), Support("B", 0.3)), (WHEEL.load(),))
     forces = answered(shaft).bearing_forces
@@ -85,6 +89,6 @@ def test_the_mirror_image_turns_the_other_way(mesh_angle):
 
 
 def test_astern_turns_the_tangential_and_axial_force_alone():
-    """The other sense of rotation with the same roles: torque and tangential force change sign, so does the thrust."""
+    """With the same roles torque, tangential force and thrust change sign; the radial force stays."""
     ahead, astern = WHEEL.load(), replace(WHEEL, torque=-WHEEL.torque).load()
     assert np.add(ahead.force, astern.force) == pytest.approx((0.0, -2.0 * 2976.8, 0.0), abs=0.1)

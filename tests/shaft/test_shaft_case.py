@@ -20,7 +20,14 @@ OUTPUT_WHEEL = {
     "kind": "shaft",
     "name": "Output wheel",
     "speed": "239 rpm",
-    "forces": [{"name": "Mesh", "station": "560 mm", "x": f"{MESH * math.sin(ANGLE)} N", "y": f"{-MESH * math.cos(ANGLE)} N"}],
+    "forces": [
+        {
+            "name": "Mesh",
+            "station": "560 mm",
+            "x": f"{MESH * math.sin(ANGLE)} N",
+            "y": f"{-MESH * math.cos(ANGLE)} N",
+        }
+    ],
     "masses": [{"name": "Gear and shaft", "station": "560 mm", "mass": "7.109 t"}],
     "couplings": [{"name": "Coupling", "station": "1900.5 mm", "mass": "775 kg"}],
     "bearings": [
@@ -130,7 +137,11 @@ REFUSED = {
     "role against balance": ({"gears": {1: {"role": "driven"}}}, "gears[1 'Pinion'].role", "a driver part"),
     "outside the shaft": ({"gears": {0: {"station": "900 mm"}}}, "gears[0 'Wheel'].station", "lies outside"),
     "no hand": ({"gears": {0: {"helix": None}}}, "gears[0 'Wheel'].helix", "is missing"),
-    "same place": ({"bearings": {1: {"station": "10 mm"}}}, "bearings[1 'Bearing B'].station", "stands there, too"),
+    "same place": (
+        {"bearings": {1: {"station": "10 mm"}}},
+        "bearings[1 'Bearing B'].station",
+        "stands there, too",
+    ),
 }
 
 

@@ -11,13 +11,13 @@ from babbitt.api.own_bore import Gap, with_own_bore, with_own_bore_in_words, wit
 from babbitt.api.words import of_machine
 from babbitt.case.case_file import CaseFile
 from babbitt.core.solution import Calculation
-from babbitt.kinds.shaft.case.overhung_coupling import OverhungCouplingCase
 from babbitt.kinds.footstep.case.footstep import FootstepCase
 from babbitt.kinds.hydrostatic.case.hydrostatic_journal import HydrostaticJournalCase
 from babbitt.kinds.hydrostatic.case.hydrostatic_pad import HydrostaticPadCase
 from babbitt.kinds.hydrostatic.case.hydrostatic_thrust_ring import HydrostaticThrustRingCase
 from babbitt.kinds.hydrostatic.case.jacking import JackingPocketCase
 from babbitt.kinds.journal.case import files
+from babbitt.kinds.shaft.case.overhung_coupling import OverhungCouplingCase
 from babbitt.kinds.shaft.case.shaft import ShaftCase
 from babbitt.kinds.shaft_line.case.shaft_line import ThrustLineCase
 from babbitt.kinds.thrust.case.thrust import ThrustCase

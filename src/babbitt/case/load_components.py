@@ -14,7 +14,14 @@ if TYPE_CHECKING:
     from pydantic.json_schema import JsonSchemaValue
     from pydantic_core import CoreSchema
 
-__all__ = ["DIRECTION", "LOAD", "LoadOrComponents", "direction_given_twice", "load_or_components", "with_direction"]
+__all__ = [
+    "DIRECTION",
+    "LOAD",
+    "LoadOrComponents",
+    "direction_given_twice",
+    "load_or_components",
+    "with_direction",
+]
 
 LOAD, DIRECTION = "load", "load_angle"
 AXES = ("x", "y")

@@ -11,8 +11,8 @@ from babbitt.case.aliases import in_method_mappings, in_todays_words, part_at, s
 from babbitt.case.case_file import CaseFile, Origin
 from babbitt.case.case_hash import case_hash
 from babbitt.case.kinds import KINDS
-from babbitt.case.loading import build_case, load_case, read_file
 from babbitt.case.load_components import DIRECTION, LOAD
+from babbitt.case.loading import build_case, load_case, read_file
 from babbitt.case.method_mapping import METHOD, every_choice
 from babbitt.case.named_files import NamedFiles
 from babbitt.case.nested import values_at, without_value

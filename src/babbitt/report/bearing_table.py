@@ -101,7 +101,7 @@ def _supplies(result: Result) -> list[Table]:
 
 
 def _by_part(result: Result, part: str, needed: Sequence[str], wanted: Sequence[str]) -> list[Table]:
-    """One row a recess, pad or bearing, by name or number, with what is known of those wanted; none where there is one or no such thing."""
+    """One row a recess, pad or bearing, by name or number; none where there is one or no such thing."""
     if not all(name in result.arrays and len(result.arrays[name][0]) > 1 for name in needed):
         return []
     names = [name for name in wanted if name in result.arrays]

@@ -12,7 +12,7 @@ __all__ = ["columns_of", "is_film", "overview_columns", "overview_results"]
 
 
 def columns_of(results: Sequence[Result]) -> tuple[Column, ...]:
-    """The columns, of the view of the first result that belongs in the table, in which some bearing has a number."""
+    """The columns, by the view of the first result that belongs there, in which some bearing has a number."""
     if not results:
         return ()
     first = next((one for one in results if view_of(one).in_machine_table), results[0])

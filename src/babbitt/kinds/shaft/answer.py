@@ -25,8 +25,8 @@ class ShaftAnswer:
     slopes : ndarray (m, 2) or None
         dx/dz and dy/dz of the shaft at each support, rad; None for a shaft without pieces.
     curves : Deflected
-        Shear, bending moment, slope and deflection along the shaft in the planes z-x and z-y; slope and deflection are
-        NaN without pieces.
+        Shear, bending moment, slope and deflection along the shaft in the planes z-x and z-y; slope and deflection
+        are NaN without pieces.
     """
 
     shaft: Shaft

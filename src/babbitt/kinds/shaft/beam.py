@@ -1,9 +1,10 @@
 """The stepped Euler-Bernoulli beam on rigid or elastic supports, in closed form from piece to piece.
 
-Between two stations the bending moment is a polynomial and ``E I w'' = M`` is integrated exactly; there is no mesh.
-Unknown are the forces of the supports and the place and slope of the shaft at its left end, which follow from the
-equilibrium of forces and moments and from the deflection at each support (force method). The planes z-x and z-y are
-solved at once. Shear deformation, axial forces in the bending and stiffness of supports against tilt are not counted.
+Between two stations the bending moment is a polynomial and ``E I w'' = M`` is integrated exactly; there is no
+mesh. Unknown are the forces of the supports and the place and slope of the shaft at its left end, which follow from
+the equilibrium of forces and moments and from the deflection at each support (force method). The planes z-x and z-y
+are solved at once. Shear deformation, axial forces in the bending and stiffness of supports against tilt are not
+counted.
 """
 
 from __future__ import annotations
@@ -92,8 +93,15 @@ class Beam:
 
 @dataclass(frozen=True)
 class Deflected:
-    """Curves along the shaft: stations (n,) in m, and for each plane or load case (n, k) shear in N, bending moment in
-    N m, slope in rad and deflection in m. At a step of shear or moment the value is that to the right."""
+    """Curves along the shaft, by plane or load case.
+
+    Attributes
+    ----------
+    stations : ndarray (n,)
+        m.
+    shear, moment, slope, deflection : ndarray (n, k)
+        N, N m, rad and m; at a step of shear or moment the value to the right.
+    """
 
     stations: Array
     shear: Array

@@ -55,7 +55,10 @@ def _values(answer: ShaftAnswer) -> dict[str, float]:
     }
     if answer.slopes is not None:
         carrying = [place for place, one in enumerate(answer.shaft.supports) if one.radial]
-        values |= {"support_slope": _largest(answer.slopes[carrying]), "shaft_deflection": _largest(curves.deflection)}
+        values |= {
+            "support_slope": _largest(answer.slopes[carrying]),
+            "shaft_deflection": _largest(curves.deflection),
+        }
     return values | {"equilibrium_error": answer.equilibrium_error()}
 
 

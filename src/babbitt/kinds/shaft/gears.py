@@ -18,7 +18,7 @@ __all__ = ["Gear", "Helix", "ToothForce"]
 
 
 class Helix(Enum):
-    """Hand of the helix; the value is the sign of the axial force on a driving gear that turns counter-clockwise."""
+    """Hand of the helix; its value is the sign of the thrust on a driving gear that turns counter-clockwise."""
 
     RIGHT = 1.0
     LEFT = -1.0

@@ -1,7 +1,7 @@
 """A shaft on its bearings: pieces, loads and supports, in SI.
 
-The frame is that of all bearings: x to the right, y up, z along the shaft, positive rotation from x towards y. Stations
-are places along z. A moment is a vector as in mechanics: ``r x F``.
+The frame is that of all bearings: x to the right, y up, z along the shaft, positive rotation from x towards y.
+Stations are places along z. A moment is a vector as in mechanics: ``r x F``.
 """
 
 from __future__ import annotations

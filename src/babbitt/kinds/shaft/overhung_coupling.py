@@ -1,7 +1,7 @@
-"""Loads of the two bearings of a gear shaft with a coupling that hangs over the second one, on the statics of shafts.
+"""Loads of the two bearings of a gear shaft with an overhung coupling, on the statics of shafts.
 
-The gear sits at mid-span; half of the coupling's weight acts a quarter of the coupling's length beyond the flange, as
-in a published gearbox study (2023).
+The gear sits at mid-span; half of the coupling's weight acts a quarter of the coupling's length beyond the flange,
+as in a published gearbox study (2023).
 """
 
 from __future__ import annotations

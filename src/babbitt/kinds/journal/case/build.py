@@ -158,9 +158,7 @@ def _expanded(bearing: JournalBearing, case: CaseFile, make: Maker[DesignT]) -> 
     for point in bearing.operating_points or (None,):
         of_point = _turned(joined, point)
         for clearance_case in ("minimum", "mean", "maximum") if every else ("mean",):
-            name = ResultName(
-                bearing.name, "" if point is None else point.name, clearance_case if every else ""
-            )
+            name = ResultName(bearing.name, "" if point is None else point.name, clearance_case if every else "")
             at = Point(name, point, clearance_case, getattr(relative, clearance_case), tolerance, relative.mean)
             yield make(of_point, at)
 

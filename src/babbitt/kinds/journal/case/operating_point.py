@@ -16,7 +16,6 @@ from babbitt.case.parts.supply import GaugePressure, OilTemperature, SupplyFlow
 from babbitt.core.units import either_sense, si
 from babbitt.kinds.journal.case.supply_element import SupplyElementInput
 
-
 LoadAngle = Annotated[float, si("rad", "-360 deg", "360 deg")]
 
 

@@ -47,7 +47,8 @@ class Place(Part):
         None, description="Radial stiffness of film and housing, for the bending of the shaft. Rigid if not given."
     )
     offset: OffsetInput = Field(
-        OffsetInput(), description="Offset of its centre from the line of the others, for the bending of the shaft."
+        OffsetInput(),
+        description="Offset of its centre from the line of the others, for the bending of the shaft.",
     )
 
     def support(self, name: str, radial: bool, axial: bool) -> Support:
@@ -118,15 +119,17 @@ class ShaftThrust(Place, ThrustBearingInputs):
     kind: Literal["thrust"] = Field(description="Thrust bearing, computed with the thrust of the shaft.")
     name: Name = Field(description="Name of the bearing.")
     speed: Annotated[float, either_sense("rad/s", "0.01 rpm", "1000000 rpm")] = Field(
-        description="Speed of the collar as its pads see it: positive towards growing pad numbers. Its size is that "
-        "of the shaft."
+        description="Speed of the collar as its pads see it: positive towards growing pad numbers. Its size is "
+        "that of the shaft."
     )
 
     @rule
     def _no_place_of_its_own(self) -> Iterator[Issue]:
         for name in ("stiffness", "offset"):
             if name in self.model_fields_set:
-                yield Issue((name,), "is radial, and a thrust bearing carries along the shaft alone", "no such field")
+                yield Issue(
+                    (name,), "is radial, and a thrust bearing carries along the shaft alone", "no such field"
+                )
 
     def as_support(self) -> Support:
         """Give the support of the calculation."""
@@ -149,7 +152,7 @@ def _given_by_the_shaft(bearing: ShaftJournal, names: tuple[str, ...], says: str
 
 
 def holding_issues(bearings: Sequence[SupportInput | ShaftJournal | ShaftThrust], bends: bool) -> Iterator[Issue]:
-    """Complain about bearings that do not hold a shaft in one way: too few, at one place, two that take the thrust.
+    """Complain about bearings that do not hold a shaft: too few, at one place, two that take the thrust.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""The bearings of a shaft, whose loads and speeds are those of the shaft: journal bearings as a machine, thrust."""
+"""The bearings of a shaft under its loads and speed: journal bearings as a machine, and the thrust bearing."""
 
 from __future__ import annotations
 
@@ -42,8 +42,10 @@ def machine_of(case: ShaftCase, answer: ShaftAnswer) -> Machine | None:
 
 
 def bearing_calculations(case: ShaftCase, answer: ShaftAnswer) -> Iterator[Calculation]:
-    """One problem for each journal bearing, operating point and clearance, then the thrust bearing; each tells where
-    its load is from."""
+    """One problem for each journal bearing, operating point and clearance, then that of the thrust bearing.
+
+    Each tells where its load is from.
+    """
     machine = machine_of(case, answer)
     calculations = list(machine.calculations()) if machine is not None else []
     for one in case.bearings:

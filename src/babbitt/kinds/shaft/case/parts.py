@@ -42,7 +42,8 @@ class GearInput(TorquePart):
         0.0, description="Helix angle beta. 0 if not given: a spur gear."
     )
     helix: Literal["right", "left", "double"] | None = Field(
-        None, description="Hand of the helix; a double helix has no axial force. The mating gear has the other hand."
+        None,
+        description="Hand of the helix; a double helix has no axial force. The mating gear has the other hand.",
     )
     mesh_angle: Annotated[float, si("rad", "-360 deg", "360 deg")] = Field(
         description="Direction from the axis of the shaft to that of the mating gear, counter-clockwise from +x."

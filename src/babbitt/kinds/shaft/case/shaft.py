@@ -55,7 +55,9 @@ class ShaftCase(SharedInputs, JournalFile):
         description="Speed of the shaft, positive counter-clockwise, seen against z."
     )
     bearings: tuple[ShaftBearing, ...] = Field(
-        min_length=2, max_length=50, description="Bearings: radial, axial, radial_axial (load alone), or a whole journal or thrust bearing."
+        min_length=2,
+        max_length=50,
+        description="Bearings: radial, axial, radial_axial (load alone), or a whole journal or thrust bearing.",
     )
     gears: tuple[GearInput, ...] = Field((), max_length=50, description="Spur and helical gears.")
     couplings: tuple[CouplingInput, ...] = Field((), max_length=10, description="Couplings.")
@@ -160,9 +162,13 @@ class ShaftCase(SharedInputs, JournalFile):
                 continue
             if not math.isclose(abs(bearing.speed), abs(self.speed), rel_tol=1e-6):
                 says = f"the shaft turns at {written(abs(self.speed), 'rpm')}"
-                yield Issue(("bearings", index, "speed"), says, f"{written(abs(self.speed), 'rpm')}, with either sign")
+                yield Issue(
+                    ("bearings", index, "speed"), says, f"{written(abs(self.speed), 'rpm')}, with either sign"
+                )
             if thrust(self.loaded_shaft()) == 0.0:
-                yield Issue(("bearings", index, "kind"), "the shaft has no thrust", "gears with a helix, or a force z")
+                yield Issue(
+                    ("bearings", index, "kind"), "the shaft has no thrust", "gears with a helix, or a force z"
+                )
 
     @property
     def answer(self) -> ShaftAnswer:
@@ -188,7 +194,11 @@ class ShaftCase(SharedInputs, JournalFile):
                 *(gear.load() for gear in self.loaded_gears()),
                 *(one.load(torque) for one, torque in zip(self.couplings, of_couplings, strict=True)),
                 *(one.load() for one in self.forces),
-                *(weight(one.name, one.station, one.mass) for one in (*self.torque_parts, *self.masses) if one.mass),
+                *(
+                    weight(one.name, one.station, one.mass)
+                    for one in (*self.torque_parts, *self.masses)
+                    if one.mass
+                ),
             ),
             tuple(
                 Piece(one.length, one.diameter, one.inner_diameter, one.modulus, one.density) for one in self.shaft

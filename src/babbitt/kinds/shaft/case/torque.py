@@ -31,7 +31,8 @@ class TorquePart(Part):
         "it takes the balance of the torques, the role follows.",
     )
     torque: Annotated[float, si("N m", "0 N m", "1e9 N m")] | None = Field(
-        None, description="Torque that it transmits. One part may leave out torque and power: it takes the balance."
+        None,
+        description="Torque that it transmits. One part may leave out torque and power: it takes the balance.",
     )
     power: Annotated[float, si("W", "0 W", "1000 MW")] | None = Field(
         None, description="Power that it transmits, in place of the torque."

@@ -36,15 +36,17 @@ def shaft_figures(solution: Solution, image_format: str = "svg") -> tuple[Drawin
     """
     with style():
         painted = _figures(solution.problem, solution.state)
-        return tuple(Drawing(name, caption, rendered(figure, image_format), True) for name, caption, figure in painted)
+        return tuple(
+            Drawing(name, caption, rendered(figure, image_format), True) for name, caption, figure in painted
+        )
 
 
 def _figures(problem: ShaftProblem, answer: ShaftAnswer) -> Iterator[tuple[str, str, Figure]]:
     yield (
         "shaft",
-        "The shaft from the side (above, y upward) and from above (below, x upward on the page), diameters enlarged. "
-        "Arrows: forces on the shaft in kN, black of what loads it, grey of the bearings; the longest is the largest. "
-        "Horizontal arrows: thrust.",
+        "The shaft from the side (above, y upward) and from above (below, x upward on the page), diameters "
+        "enlarged. Arrows: forces on the shaft in kN, black of what loads it, grey of the bearings; the longest is "
+        "the largest. Horizontal arrows: thrust.",
         side_views(problem, answer),
     )
     yield (
@@ -56,8 +58,8 @@ def _figures(problem: ShaftProblem, answer: ShaftAnswer) -> Iterator[tuple[str, 
     if answer.bends:
         yield (
             "deflection",
-            "Deflection and slope of the shaft in the planes z-y (full) and z-x (broken); grey: size of both. Dotted: "
-            "bearings.",
+            "Deflection and slope of the shaft in the planes z-y (full) and z-x (broken); grey: size of both. "
+            "Dotted: bearings.",
             deflection(problem, answer),
         )
 

@@ -22,8 +22,8 @@ COLUMNS = (
     "support_slope_y",
 )
 NOTE = (
-    "Force that the shaft puts on each bearing; directions from +x, counter-clockwise seen against z. Slopes of the "
-    "shaft in the bearing."
+    "Force that the shaft puts on each bearing; directions from +x, counter-clockwise seen against z. Slopes of "
+    "the shaft in the bearing."
 )
 
 
