@@ -75,7 +75,11 @@ class LoadOrComponents(SiField):
     def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
         """Tell editors that components will do."""
         described = super().__get_pydantic_json_schema__(schema, handler)
-        component = {"anyOf": [{"const": 0}, {"type": "string"}], "x-unit": self.unit}
+        component = {
+            "anyOf": [{"const": 0}, {"type": "string"}],
+            "x-unit": self.unit,
+            "x-allowed": f"-{self.highest} to {self.highest}",
+        }
         components = {
             "type": "object",
             "properties": dict.fromkeys(AXES, component),

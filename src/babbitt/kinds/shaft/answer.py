@@ -102,6 +102,5 @@ def answered(shaft: Shaft) -> ShaftAnswer:
 
 def _line(shaft: Shaft) -> Shaft:
     """The shaft as a massless line between its outermost stations: shear and moments need no more."""
-    stations = [one.station for one in (*shaft.supports, *shaft.loads)]
-    start, length = min(stations), max(stations) - min(stations)
-    return replace(shaft, pieces=(Piece(length, 1.0, density=0.0),), start=start)
+    start, end = min(shaft.stations), max(shaft.stations)
+    return replace(shaft, pieces=(Piece(end - start, 1.0, density=0.0),), start=start)

@@ -1,10 +1,10 @@
 """The stepped Euler-Bernoulli beam on rigid or elastic supports, in closed form from piece to piece.
 
 Between two stations the bending moment is a polynomial and ``E I w'' = M`` is integrated exactly; there is no
-mesh. Unknown are the forces of the supports and the place and slope of the shaft at its left end, which follow from
-the equilibrium of forces and moments and from the deflection at each support (force method). The planes z-x and z-y
-are solved at once. Shear deformation, axial forces in the bending and stiffness of supports against tilt are not
-counted.
+mesh. Unknown are the forces of the supports and the place and slope of the shaft at its left end, which follow
+from the equilibrium of forces and moments and from the deflection at each support (force method). The planes z-x
+and z-y are solved at once. Shear deformation, axial forces in the bending and stiffness of supports against tilt
+are not counted.
 """
 
 from __future__ import annotations
@@ -44,10 +44,8 @@ class Beam:
     def of(cls, shaft: Shaft) -> Beam:
         """The pieces of a shaft, cut where something acts and finely enough to draw its curves."""
         ends = shaft.ends
-        places = [ends, [one.station for one in (*shaft.loads, *shaft.supports)]]
-        count = int(1.0 / FINEST)
-        places.append(np.linspace(ends[0], ends[-1], count + 1))
-        nodes = np.unique(np.concatenate(places))
+        evenly = np.linspace(ends[0], ends[-1], int(1.0 / FINEST) + 1)
+        nodes: Array = np.unique(np.concatenate([ends, shaft.stations, evenly]))
         nodes = nodes[(nodes >= ends[0]) & (nodes <= ends[-1])]
         apart = np.diff(nodes) > SAME_PLACE * (ends[-1] - ends[0])
         nodes = nodes[np.concatenate([[True], apart])]
@@ -166,7 +164,7 @@ def bent(shaft: Shaft) -> Bent:
     # The free end at the right: what acts and what carries cancel.
     right[count] = -acting.shear[-1]
     right[count + 1] = -(acting.shear[-1] * length - acting.moment[-1]) / length
-    found = np.linalg.solve(system, right)
+    found: Array = np.asarray(np.linalg.solve(system, right), dtype=np.float64)
     reactions, place, slope = found[:count], scale * found[count], scale / length * found[count + 1]
     curves = Deflected(
         beam.nodes,

@@ -114,6 +114,11 @@ class Shaft:
         return self.start + np.concatenate([[0.0], np.cumsum([piece.length for piece in self.pieces])])
 
     @property
+    def stations(self) -> list[float]:
+        """Stations of all that acts on the shaft or carries it, m."""
+        return [load.station for load in self.loads] + [support.station for support in self.supports]
+
+    @property
     def carriers(self) -> tuple[Support, ...]:
         """The radial bearings."""
         return tuple(one for one in self.supports if one.radial)

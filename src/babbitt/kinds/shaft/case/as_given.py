@@ -27,13 +27,13 @@ def words_of(case: ShaftCase) -> Iterator[Words]:
         yield gear.name, f"{_at(gear.station)}, {_teeth(gear)}, {_transmits(gear)}{_mass(gear.mass)}"
     for coupling in case.couplings:
         yield coupling.name, f"{_at(coupling.station)}, {_transmits(coupling)}{_mass(coupling.mass)}"
-    for one in case.masses:
-        yield one.name, f"{_at(one.station)}{_mass(one.mass)}"
-    for one in case.forces:
-        sizes = [("x", one.x, "kN"), ("y", one.y, "kN"), ("z", one.z, "kN")]
-        sizes += [("M_x", one.moment_x, "N m"), ("M_y", one.moment_y, "N m")]
+    for mass in case.masses:
+        yield mass.name, f"{_at(mass.station)}{_mass(mass.mass)}"
+    for force in case.forces:
+        sizes = [("x", force.x, "kN"), ("y", force.y, "kN"), ("z", force.z, "kN")]
+        sizes += [("M_x", force.moment_x, "N m"), ("M_y", force.moment_y, "N m")]
         said = ", ".join(f"{axis} {written(value, unit)}" for axis, value, unit in sizes if value)
-        yield one.name, f"{_at(one.station)}, {said or 'none'}"
+        yield force.name, f"{_at(force.station)}, {said or 'none'}"
     for bearing in case.bearings:
         yield bearing.name, f"{bearing.kind}, {_at(bearing.station)}{_gives_way(bearing)}"
     for place, piece in enumerate(case.shaft, start=1):

@@ -109,6 +109,6 @@ class ForceInput(Part):
         return PointLoad(self.name, self.station, (self.x, self.y, self.z), (self.moment_x, self.moment_y, 0.0))
 
 
-def weight(name: str, station: float, mass: float) -> PointLoad:
-    """The weight of a mass on the shaft."""
-    return PointLoad(f"{name}, weight", station, (0.0, -STANDARD_GRAVITY * mass, 0.0))
+def weight(part: TorquePart | MassInput) -> PointLoad:
+    """The weight of what has a mass on the shaft."""
+    return PointLoad(f"{part.name}, weight", part.station, (0.0, -STANDARD_GRAVITY * part.mass, 0.0))

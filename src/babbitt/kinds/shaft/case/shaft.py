@@ -187,6 +187,7 @@ class ShaftCase(SharedInputs, JournalFile):
 
     def loaded_shaft(self) -> Shaft:
         """Give the shaft of the calculation with all that acts on it."""
+        heavy: tuple[TorquePart | MassInput, ...] = (*self.torque_parts, *self.masses)
         of_couplings = torques(self.torque_parts, self.speed)[len(self.gears) :]
         return Shaft(
             tuple(one.as_support() for one in self.bearings),
@@ -194,11 +195,7 @@ class ShaftCase(SharedInputs, JournalFile):
                 *(gear.load() for gear in self.loaded_gears()),
                 *(one.load(torque) for one, torque in zip(self.couplings, of_couplings, strict=True)),
                 *(one.load() for one in self.forces),
-                *(
-                    weight(one.name, one.station, one.mass)
-                    for one in (*self.torque_parts, *self.masses)
-                    if one.mass
-                ),
+                *(weight(one) for one in heavy if one.mass),
             ),
             tuple(
                 Piece(one.length, one.diameter, one.inner_diameter, one.modulus, one.density) for one in self.shaft

@@ -45,8 +45,8 @@ def _figures(problem: ShaftProblem, answer: ShaftAnswer) -> Iterator[tuple[str, 
     yield (
         "shaft",
         "The shaft from the side (above, y upward) and from above (below, x upward on the page), diameters "
-        "enlarged. Arrows: forces on the shaft in kN, black of what loads it, grey of the bearings; the longest is "
-        "the largest. Horizontal arrows: thrust.",
+        "enlarged. Arrows: forces on the shaft in kN, black of what loads it, grey of the bearings; the longest "
+        "is the largest. Horizontal arrows: thrust.",
         side_views(problem, answer),
     )
     yield (

@@ -79,7 +79,7 @@ def _own_weight(shaft: Shaft) -> tuple[PointLoad, ...]:
 def _bodies(panel: Axes, problem: ShaftProblem, answer: ShaftAnswer) -> None:
     """Pieces, gears and bearings, as high as their diameters."""
     shaft, length = problem.shaft, float(np.ptp(answer.curves.stations))
-    diameters = [one.diameter for one in (*shaft.pieces, *problem.gears)]
+    diameters = [piece.diameter for piece in shaft.pieces] + [gear.diameter for gear in problem.gears]
     scale = 2.0 * BODY / max(diameters, default=1.0)
     for start, piece in zip(shaft.ends, shaft.pieces, strict=False):
         _box(panel, start, piece.length, scale * piece.diameter, "0.93")
