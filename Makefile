@@ -9,7 +9,7 @@ unexport PYTHONDONTWRITEBYTECODE
 
 # What solves no film, or few: for the inner loop.
 FAST := src tests/case tests/characteristics tests/design tests/docs tests/files tests/fits tests/export \
-	tests/infinitely_long_bearing tests/lubricants tests/materials tests/grooved_long_bearing tests/coupling tests/iso7902 tests/units
+	tests/infinitely_long_bearing tests/lubricants tests/materials tests/grooved_long_bearing tests/shaft tests/iso7902 tests/units
 
 .PHONY: demo test test-fast minima lint docs bench clean
 

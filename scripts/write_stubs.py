@@ -18,6 +18,7 @@ from typing import Any, Literal
 from babbitt.api.bearings import JournalBearing, Machine
 from babbitt.api.case import Case
 from babbitt.api.fields import quantity_in
+from babbitt.case.load_components import LoadOrComponents
 from babbitt.case.method_mapping import MethodMapping
 from babbitt.case.part import Part
 from babbitt.case.shorthand import Shorthand
@@ -29,6 +30,7 @@ MODULES = (
     "hydrostatic_parts",
     "journal_parts",
     "methods",
+    "shaft_parts",
     "thrust_parts",
     "tilting_pad_parts",
 )
@@ -101,6 +103,8 @@ def _types(annotation: Any, is_quantity: bool) -> Iterator[str]:
         if any(isinstance(one, Shorthand) for one in arguments[1:]):
             yield "Quantity"
         yield from _types(arguments[0], is_quantity)
+        if any(isinstance(one, LoadOrComponents) for one in arguments[1:]):
+            yield "Mapping[str, Any]"
         if any(isinstance(one, MethodMapping) for one in arguments[1:]):
             yield from ("Mapping[str, Any]", "Part")
     elif origin in (typing.Union, types.UnionType):

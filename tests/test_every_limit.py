@@ -18,6 +18,7 @@ LIMITS = {
     "hydrostatic_thrust_ring": {"C301", "C302", "C303"},
     "jacking_pocket": {"C304"},
     "overhung_coupling": set(),
+    "shaft": {"C501", "C502"},
     "screw_heel": {"C130", "C131"},
     "thrust": {"C103", "C104", "C105", "C108", "C202"},
     "tilting_pad_journal": JOURNAL | {"C401", "C402"},
@@ -27,6 +28,7 @@ LIMITS = {
 METHODS = {
     **{kind: ("film", "quick") for kind in LIMITS if kind.startswith("hydrostatic") or kind == "jacking_pocket"},
     "overhung_coupling": ("statics",),
+    "shaft": ("beam", "statics"),
     "screw_heel": ("superposition", "narrow_groove", "narrow_groove to metal"),
     "thrust": ("heat_balance", "adiabatic", "temperature", "viscosity"),
     "thrust_line": ("heat_balance", "viscosity"),
@@ -100,6 +102,10 @@ def test_every_limit_of_another_kind_is_held_or_listed(kind, method, without):
             del given["wall"]
     elif kind == "overhung_coupling":
         assert "method" not in given
+    elif kind == "shaft":
+        given["bearings"][1] = {"kind": "radial", "name": "B", "station": "320 mm"}
+        if method == "statics":
+            del given["shaft"]
     elif kind == "tilting_pad_journal":
         given["method"] = {"kind": "film", "thermal": method, "accuracy": "draft"}
     elif not kind.startswith("thrust"):

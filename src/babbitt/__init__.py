@@ -27,6 +27,7 @@ if TYPE_CHECKING:
         JournalBearing,
         Machine,
         OverhungCoupling,
+        Shaft,
         ThrustBearing,
         ThrustLine,
         ThrustRing,
@@ -160,6 +161,13 @@ if TYPE_CHECKING:
     from babbitt.api.pad_batch import (
         solve_pad_batch,
     )
+    from babbitt.api.shaft_parts import (
+        Coupling,
+        Gear,
+        ShaftForce,
+        ShaftMass,
+        ShaftSupport,
+    )
     from babbitt.api.thrust_parts import (
         FilmHeatBalance,
         FilmTemperature,
@@ -218,7 +226,7 @@ _NAMES = {
     "babbitt.api.batch": "solve_batch",
     "babbitt.api.bearings": (
         "Footstep HydrostaticJournal HydrostaticPad JackingPocket JournalBearing Machine "
-        "OverhungCoupling ThrustBearing ThrustLine ThrustRing TiltingPadBearing"
+        "OverhungCoupling Shaft ThrustBearing ThrustLine ThrustRing TiltingPadBearing"
     ),
     "babbitt.api.cases": "load_case parse_case",
     "babbitt.api.clearances": "diametral_clearance fit grooves radial_clearance relative_clearance",
@@ -246,6 +254,7 @@ _NAMES = {
     "babbitt.api.own_bore": "Gap",
     "babbitt.api.own_viscosity": "viscosity_law",
     "babbitt.api.pad_batch": "solve_pad_batch",
+    "babbitt.api.shaft_parts": "Coupling Gear ShaftForce ShaftMass ShaftSupport",
     "babbitt.api.thrust_parts": (
         "FilmHeatBalance FilmTemperature FilmViscosity FixedPad LineLimits PadMaterials Pads Propeller "
         "Runout Seating ShaftPiece SpeedRange StepFace Taper ThrustRipple Tilt TiltingPivot"
@@ -278,6 +287,7 @@ __all__ = [
     "ConstantFlow",
     "ConstantLubricant",
     "Cooling",
+    "Coupling",
     "CylinderHousing",
     "Deviations",
     "DiametralClearance",
@@ -298,6 +308,7 @@ __all__ = [
     "Footstep",
     "Friction",
     "Gap",
+    "Gear",
     "Groove",
     "GrooveElement",
     "HalfSpace",
@@ -374,7 +385,11 @@ __all__ = [
     "Seating",
     "SegmentOptions",
     "Segments",
+    "Shaft",
+    "ShaftForce",
+    "ShaftMass",
     "ShaftPiece",
+    "ShaftSupport",
     "SizeLimits",
     "Slot",
     "SlotElement",

@@ -16,6 +16,7 @@ from babbitt.solving import solve
 NAMES = {
     "journal": "JournalBearing",
     "machine": "Machine",
+    "shaft": "Shaft",
     "overhung_coupling": "OverhungCoupling",
     "screw_heel": "Footstep",
     "hydrostatic_pad": "HydrostaticPad",

@@ -14,12 +14,12 @@ import yaml
 from babbitt.case import CaseError, case_from_dict, template
 from babbitt.case.part import Part
 from babbitt.core.notices import InputError
-from babbitt.kinds.coupling.case.overhung_coupling import OverhungCouplingCase
 from babbitt.kinds.footstep.case.footstep import FootstepCase
 from babbitt.kinds.hydrostatic.case.hydrostatic_journal import HydrostaticJournalCase
 from babbitt.kinds.hydrostatic.case.hydrostatic_pad import HydrostaticPadCase
 from babbitt.kinds.hydrostatic.case.hydrostatic_thrust_ring import HydrostaticThrustRingCase
 from babbitt.kinds.hydrostatic.case.jacking import JackingPocketCase
+from babbitt.kinds.shaft.case.overhung_coupling import OverhungCouplingCase
 from babbitt.kinds.shaft_line.case.shaft_line import ThrustLineCase
 from babbitt.kinds.thrust.case.thrust import ThrustCase
 from babbitt.kinds.tilting_pad_journal.case.bearing import TiltingPadJournalCase
@@ -547,6 +547,7 @@ CHEAP = {
     "jacking_pocket": JACKING | QUICK,
     "screw_heel": given("screw_heel"),
     "overhung_coupling": given("overhung_coupling"),
+    "shaft": given("shaft"),
 }
 
 

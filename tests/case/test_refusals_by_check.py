@@ -102,7 +102,7 @@ def test_a_refusal_is_told_at_the_field_that_it_names(message, field):
 
 @pytest.mark.parametrize(
     "kind",
-    ["journal", "machine", "overhung_coupling", "screw_heel", "thrust", "jacking_pocket"],
+    ["journal", "machine", "shaft", "overhung_coupling", "screw_heel", "thrust", "jacking_pocket"],
 )
 def test_templates_are_refused_by_no_one(kind):
     assert refusal_of(parse_case(template(kind))) is None

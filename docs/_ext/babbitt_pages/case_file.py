@@ -17,7 +17,7 @@ from babbitt_pages.markdown import anchor, code, table, text
 
 Schema = dict[str, Any]
 
-ROOT_ORDER = ("journal", "machine", "thrust", "thrust_line", "overhung_coupling")
+ROOT_ORDER = ("journal", "machine", "thrust", "thrust_line", "shaft", "overhung_coupling")
 """The kinds of file in the order in which they are explained."""
 
 FIRST = ("babbitt", "kind", "name")

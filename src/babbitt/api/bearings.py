@@ -13,13 +13,14 @@ from babbitt.api.words import of_machine
 from babbitt.case.case_file import CaseFile
 from babbitt.core.kind import find_kind
 from babbitt.core.solution import Calculation
-from babbitt.kinds.coupling.case.overhung_coupling import OverhungCouplingCase
 from babbitt.kinds.footstep.case.footstep import FootstepCase
 from babbitt.kinds.hydrostatic.case.hydrostatic_journal import HydrostaticJournalCase
 from babbitt.kinds.hydrostatic.case.hydrostatic_pad import HydrostaticPadCase
 from babbitt.kinds.hydrostatic.case.hydrostatic_thrust_ring import HydrostaticThrustRingCase
 from babbitt.kinds.hydrostatic.case.jacking import JackingPocketCase
 from babbitt.kinds.journal.case import files
+from babbitt.kinds.shaft.case.overhung_coupling import OverhungCouplingCase
+from babbitt.kinds.shaft.case.shaft import ShaftCase
 from babbitt.kinds.shaft_line.case.shaft_line import ThrustLineCase
 from babbitt.kinds.thrust.case.thrust import ThrustCase
 from babbitt.kinds.tilting_pad_journal.case.bearing import TiltingPadJournalCase
@@ -32,6 +33,7 @@ __all__ = [
     "JournalBearing",
     "Machine",
     "OverhungCoupling",
+    "Shaft",
     "ThrustBearing",
     "ThrustLine",
     "ThrustRing",
@@ -162,6 +164,22 @@ class Footstep(Case, FootstepCase):
     default_name: ClassVar[str] = "Footstep"
 
 
+class Shaft(Case, ShaftCase):
+    """A shaft with gears, couplings and masses, and the loads, thrust and slopes of its bearings.
+
+    Examples
+    --------
+    >>> disc = {"name": "Disc", "station": "300 mm", "mass": "100 kg"}
+    >>> ends = [{"kind": "radial", "name": name, "station": at} for name, at in (("A", "0 mm"), ("B", "400 mm"))]
+    >>> shaft = Shaft(name="Fan", speed="1500 rpm", masses=[disc], bearings=ends)
+    >>> [round(load, 1) for load in shaft.solve().result.arrays["support_load"][0]]
+    [245.2, 735.5]
+    """
+
+    model: ClassVar[type[CaseFile]] = ShaftCase
+    default_name: ClassVar[str] = "Shaft"
+
+
 class OverhungCoupling(Case, OverhungCouplingCase):
     """Load share of two bearings with an overhung coupling."""
 
@@ -182,6 +200,7 @@ PUBLIC: Mapping[type[CaseFile], type[Case]] = {
         JackingPocket,
         Footstep,
         OverhungCoupling,
+        Shaft,
         TiltingPadBearing,
     )
 }

@@ -11,13 +11,14 @@ from babbitt.api.words import of_machine
 from babbitt.case.case_file import CaseFile
 from babbitt.case.part import Part
 from babbitt.core.solution import Calculation
-from babbitt.kinds.coupling.case.overhung_coupling import OverhungCouplingCase
 from babbitt.kinds.footstep.case.footstep import FootstepCase
 from babbitt.kinds.hydrostatic.case.hydrostatic_journal import HydrostaticJournalCase
 from babbitt.kinds.hydrostatic.case.hydrostatic_pad import HydrostaticPadCase
 from babbitt.kinds.hydrostatic.case.hydrostatic_thrust_ring import HydrostaticThrustRingCase
 from babbitt.kinds.hydrostatic.case.jacking import JackingPocketCase
 from babbitt.kinds.journal.case import files
+from babbitt.kinds.shaft.case.overhung_coupling import OverhungCouplingCase
+from babbitt.kinds.shaft.case.shaft import ShaftCase
 from babbitt.kinds.shaft_line.case.shaft_line import ThrustLineCase
 from babbitt.kinds.thrust.case.thrust import ThrustCase
 from babbitt.kinds.tilting_pad_journal.case.bearing import TiltingPadJournalCase
@@ -47,7 +48,7 @@ class JournalBearing(Case, files.JournalCase):
         supply: Mapping[str, Any] | Part | None = ...,
         cooling: Mapping[str, Any] | Part | None = ...,
         materials: Mapping[str, Any] | Part | None = ...,
-        load: Quantity | None = ...,
+        load: Quantity | Mapping[str, Any] | None = ...,
         specific_load: Quantity | None = ...,
         eccentricity_ratio: Quantity | None = ...,
         attitude_angle: Quantity | None = ...,
@@ -211,7 +212,7 @@ class TiltingPadBearing(Case, TiltingPadJournalCase):
         reference_temperature: Quantity | None = ...,
         materials: Mapping[str, Any] | Part | None = ...,
         surfaces: Mapping[str, Any] | Part | None = ...,
-        load: Quantity | None = ...,
+        load: Quantity | Mapping[str, Any] | None = ...,
         position: Mapping[str, Any] | Part | None = ...,
         load_angle: Quantity | None = ...,
         speed: Quantity | None = ...,
@@ -245,7 +246,7 @@ class HydrostaticJournal(Case, HydrostaticJournalCase):
         oil: Mapping[str, Any] | Part | None = ...,
         film_temperature: Quantity | None = ...,
         recess_oil: Mapping[str, Any] | Part | None = ...,
-        load: Quantity | None = ...,
+        load: Quantity | Mapping[str, Any] | None = ...,
         frequencies: Iterable[Quantity] | None = ...,
         limits: Mapping[str, Any] | Part | None = ...,
         assumptions: Iterable[Any] | None = ...,
@@ -385,6 +386,34 @@ class Footstep(Case, FootstepCase):
         tilt: Quantity | None = ...,
         options: Mapping[str, Any] | Part | None = ...,
         figures: Mapping[str, Any] | Part | None = ...,
+        assumptions: Iterable[Any] | None = ...,
+        notes: str | None = ...,
+        source: str | None = ...,
+    ) -> None: ...
+
+class Shaft(Case, ShaftCase):
+    model: ClassVar[type[CaseFile]]
+    default_name: ClassVar[str]
+    def __init__(
+        self,
+        *,
+        babbitt: Literal[1] | Enum | None = ...,
+        lubricant: Quantity | Mapping[str, Any] | Part | None = ...,
+        supply: Mapping[str, Any] | Part | None = ...,
+        cooling: Mapping[str, Any] | Part | None = ...,
+        materials: Mapping[str, Any] | Part | None = ...,
+        kind: Literal["shaft"] | Enum | None = ...,
+        name: str | None = ...,
+        speed: Quantity | None = ...,
+        bearings: Iterable[Any] | None = ...,
+        gears: Iterable[Any] | None = ...,
+        couplings: Iterable[Any] | None = ...,
+        masses: Iterable[Any] | None = ...,
+        forces: Iterable[Any] | None = ...,
+        shaft: Iterable[Any] | None = ...,
+        start: Quantity | None = ...,
+        clearance_cases: Literal["mean", "all"] | Enum | None = ...,
+        limits: Mapping[str, Any] | Part | None = ...,
         assumptions: Iterable[Any] | None = ...,
         notes: str | None = ...,
         source: str | None = ...,

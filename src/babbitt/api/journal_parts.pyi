@@ -298,7 +298,7 @@ class OperatingPoint(OwnPart, operating_point.OperatingPoint):
     def __init__(
         self,
         *,
-        load: Quantity | None = ...,
+        load: Quantity | Mapping[str, Any] | None = ...,
         specific_load: Quantity | None = ...,
         eccentricity_ratio: Quantity | None = ...,
         attitude_angle: Quantity | None = ...,
@@ -306,6 +306,7 @@ class OperatingPoint(OwnPart, operating_point.OperatingPoint):
         speed: Quantity | None = ...,
         surface_speed: Quantity | None = ...,
         name: str | None = ...,
+        load_angle: Quantity | None = ...,
         supply_temperature: Quantity | None = ...,
         supply_pressure: Quantity | None = ...,
         supply_flow: Quantity | None = ...,

@@ -235,7 +235,7 @@ class PadOperatingPoint(OwnPart, bearing.PadOperatingPoint):
         self,
         *,
         name: str | None = ...,
-        load: Quantity | None = ...,
+        load: Quantity | Mapping[str, Any] | None = ...,
         position: Mapping[str, Any] | Part | None = ...,
         load_angle: Quantity | None = ...,
         speed: Quantity | None = ...,

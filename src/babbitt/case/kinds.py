@@ -62,7 +62,7 @@ def kinds() -> Mapping[str, str]:
     """Give the kinds of case and what each describes.
 
     >>> list(kinds())
-    ['journal', 'machine', 'overhung_coupling', 'screw_heel', 'hydrostatic_pad',
+    ['journal', 'machine', 'shaft', 'overhung_coupling', 'screw_heel', 'hydrostatic_pad',
     'hydrostatic_thrust_ring', 'hydrostatic_journal', 'jacking_pocket', 'thrust', 'thrust_line',
     'tilting_pad_journal']
     """

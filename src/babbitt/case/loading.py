@@ -84,7 +84,7 @@ def parse_case(text: str, name: str = "<text>", reach: Reach = Reach.FOLDER) -> 
     >>> parse_case("kind: jurnal", "a.yaml")
     Traceback (most recent call last):
     babbitt.case.problems.CaseError: a.yaml:1: kind: 'jurnal' is not a kind of case; allowed: journal, machine,
-    overhung_coupling, screw_heel, hydrostatic_pad, hydrostatic_thrust_ring, hydrostatic_journal,
+    shaft, overhung_coupling, screw_heel, hydrostatic_pad, hydrostatic_thrust_ring, hydrostatic_journal,
     jacking_pocket, thrust, thrust_line, tilting_pad_journal; did you mean 'journal'? [E003]
     """
     return _parsed(text, name, NamedFiles(FilePath(), reach))

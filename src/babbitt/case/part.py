@@ -26,8 +26,18 @@ from pydantic import (
 from pydantic_core import ErrorDetails, InitErrorDetails, PydanticCustomError
 
 from babbitt.case.aliases import FormerWords, read_given
-from babbitt.case.error_messages import ERROR_TYPE, MISSING, Path, is_echo, is_missing, misspelt, refusal
+from babbitt.case.error_messages import (
+    ERROR_TYPE,
+    MISSING,
+    Path,
+    is_echo,
+    is_missing,
+    metadata_of,
+    misspelt,
+    refusal,
+)
 from babbitt.case.grouped_digits import grouped_fields
+from babbitt.case.load_components import LoadOrComponents, direction_given_twice, with_direction
 from babbitt.case.method_mapping import METHOD, choices_of, every_choice, method_models
 from babbitt.case.reading import Reading
 from babbitt.case.suggestions import near_typo
@@ -135,14 +145,16 @@ class Part(BaseModel):
         if not isinstance(given, Mapping):
             return cls._with_every_issue(given, handler, info)
         reading = read_given(cls, given)
+        in_full, twice = _with_direction(cls, reading.given)
         try:
-            part = cls._with_every_issue(reading.given, handler, info)
-            if not reading.twice and not reading.unknown:
+            part = cls._with_every_issue(in_full, handler, info)
+            if not reading.twice and not reading.unknown and not twice:
                 return part
             lines = []
         except ValidationError as error:
             lines = [_at_written(one, reading) for one in error.errors(include_url=False)]
         lines += [_line(_given_twice(former, today), given) for former, today in reading.twice]
+        lines += [_line(one, given) for one in twice]
         lines += [_line(_no_choice(cls, path, reading.given), given) for path in reading.unknown]
         raise ValidationError.from_exception_data(cls.__name__, lines)
 
@@ -239,11 +251,12 @@ def at_most_one(part: Part, *names: str) -> Iterator[Issue]:
 
 
 def _lines(part: Part, given: Any) -> list[InitErrorDetails]:
-    return [_line(issue, given) for issue in _issues(part)]
+    return [_line(issue, given) for issue in broken_rules(part)]
 
 
-def _issues(part: Part) -> Iterator[Issue]:
-    """Ask every rule; what one meets as refused is reported at the part, where no rule reports it at its field."""
+def broken_rules(part: Part) -> Iterator[Issue]:
+    """Ask every rule of a part; what one meets as refused is reported at the part, where no rule reports it at
+    its field."""
     said, refusals = set(), {}
     for one in type(part).rules:
         try:
@@ -268,6 +281,16 @@ def _at_written(details: ErrorDetails, reading: Reading) -> InitErrorDetails:
         context["hint"] = "; ".join(filter(None, (context["hint"], remark)))
     error = PydanticCustomError(ERROR_TYPE, "{says}", context)
     return InitErrorDetails(type=error, loc=reading.as_written(details["loc"]), input=details["input"])
+
+
+def _with_direction(cls: type[Part], given: Mapping[str, Any]) -> tuple[Mapping[str, Any], list[Issue]]:
+    """Set the direction of a load that is given by its components, and complain about another one."""
+    if not any(metadata_of(cls, "load", LoadOrComponents)):
+        return given, []
+    if not direction_given_twice(given):
+        return with_direction(given), []
+    says = "the components of the load give another direction"
+    return given, [Issue(("load_angle",), says, "size and direction of the load, or components", "remove it")]
 
 
 def _given_twice(former: Path, today: Path) -> Issue:
@@ -299,7 +322,7 @@ def usable_part(
     """
     values: dict[str, Any] = {}
     unusable = set(misspelt)
-    given = read_given(cls, given).given
+    given, _ = _with_direction(cls, read_given(cls, given).given)
     for name, field in cls.model_fields.items():
         if name not in given:
             unusable |= {name} if field.is_required() else set()

@@ -11,6 +11,7 @@ from babbitt.case.aliases import in_method_mappings, in_todays_words, part_at, s
 from babbitt.case.case_file import CaseFile, Origin
 from babbitt.case.case_hash import case_hash
 from babbitt.case.kinds import KINDS
+from babbitt.case.load_components import DIRECTION, LOAD
 from babbitt.case.loading import build_case, load_case, read_file
 from babbitt.case.method_mapping import METHOD, every_choice
 from babbitt.case.named_files import NamedFiles
@@ -103,7 +104,8 @@ class CaseVariation:
     def given_with(self, value: Any) -> dict[str, Any]:
         """What stands in the file, with a value in the field in place of what says the same otherwise.
 
-        A mapping as `method` takes the place of the choices that there were.
+        A mapping as `method` takes the place of the choices that there were, components as `load` that of its
+        direction.
 
         Raises
         ------
@@ -120,6 +122,8 @@ class CaseVariation:
                     place.pop(other, None)
         if name == METHOD and isinstance(place, dict) and isinstance(value, Mapping):
             self._forget_choices(place)
+        if name == LOAD and isinstance(place, dict) and isinstance(value, Mapping):
+            place.pop(DIRECTION, None)
         try:
             place[_key(place, name)] = scaled(value, self._scale)
         except LookupError:

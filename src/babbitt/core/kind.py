@@ -176,7 +176,7 @@ def kinds() -> Mapping[str, Kind]:
     """All kinds by name: those that ship in their order, then those of other packages.
 
     >>> list(kinds())[:4]
-    ['journal', 'machine', 'overhung_coupling', 'screw_heel']
+    ['journal', 'machine', 'shaft', 'overhung_coupling']
     """
     _load_shipped()
     _load_others()

@@ -1,10 +1,10 @@
 """Bearing kinds, one folder each: case language, methods, views. A new kind is one folder and one line here."""
 
-from babbitt.kinds import coupling, footstep, hydrostatic, journal, shaft_line, thrust, tilting_pad_journal
+from babbitt.kinds import footstep, hydrostatic, journal, shaft, shaft_line, thrust, tilting_pad_journal
 
 KINDS = (
     *journal.KINDS,
-    *coupling.KINDS,
+    *shaft.KINDS,
     *footstep.KINDS,
     *hydrostatic.KINDS,
     *thrust.KINDS,

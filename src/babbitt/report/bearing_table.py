@@ -29,6 +29,9 @@ STYLES = {
 }
 RECESS = ("recess_pressure", "pressure_ratio", "restrictor_flow")
 """Of every recess of a hydrostatic bearing."""
+SUPPORT = ("support_station", "support_load")
+"""Of every bearing of a shaft."""
+SUPPORTS = (*SUPPORT, "support_load_angle", "support_axial_load", "support_slope_x", "support_slope_y")
 PAD = ("pad_pivot_angle", "pad_load", "pad_minimum_film_thickness")
 """Of every pad of a journal bearing."""
 CHECK_STYLES = {CheckWord.PASS: "green", CheckWord.MISSED: "yellow", CheckWord.FAIL: "bold red"}
@@ -66,6 +69,7 @@ def bearing_table(result: Result) -> RenderableType:
         table,
         *_supplies(result),
         *_by_part(result, "recess", RECESS, RECESS),
+        *_by_part(result, "bearing", SUPPORT, SUPPORTS),
         *_by_part(result, "pad", PAD, (*PAD, "pad_probe_temperature", "pad_maximum_temperature")),
         *_frequencies(result),
         *([_checks(result.checks)] if result.checks else []),
@@ -97,12 +101,13 @@ def _supplies(result: Result) -> list[Table]:
 
 
 def _by_part(result: Result, part: str, needed: Sequence[str], wanted: Sequence[str]) -> list[Table]:
-    """One row a recess or pad, with what is known of those wanted; none where there is one or no such thing."""
+    """One row a recess, pad or bearing, by name or number; none where there is one or no such thing."""
     if not all(name in result.arrays and len(result.arrays[name][0]) > 1 for name in needed):
         return []
     names = [name for name in wanted if name in result.arrays]
     table = engineers_table()
-    table.add_column(part, justify="right")
+    named = any(name.startswith(f"{part}_") for name in result.settings)
+    table.add_column(part, justify="left" if named else "right")
     for name in names:
         quantity = QUANTITIES[name]
         unit = f" {quantity.display.label}" if quantity.display.label else ""
@@ -110,7 +115,8 @@ def _by_part(result: Result, part: str, needed: Sequence[str], wanted: Sequence[
     columns = [result.arrays[name][0] for name in names]
     for place, row in enumerate(zip(*columns, strict=True), start=1):
         table.add_row(
-            str(place), *(QUANTITIES[name].format(value) for name, value in zip(names, row, strict=True))
+            plain_text(result.settings.get(f"{part}_{place}", str(place))),
+            *(QUANTITIES[name].format(value) for name, value in zip(names, row, strict=True)),
         )
     return [table]
 

@@ -34,6 +34,7 @@ FUNCTIONS: dict[str, Callable[..., float]] = {
     "sqrt": math.sqrt,
     "sin": math.sin,
     "cos": math.cos,
+    "tan": math.tan,
     "ln": math.log,
     "lg": math.log10,
     "exp": math.exp,

@@ -12,8 +12,11 @@ __all__ = ["columns_of", "in_machine_table", "overview_columns", "overview_resul
 
 
 def columns_of(results: Sequence[Result]) -> tuple[Column, ...]:
-    """The columns of the first result's view in which some bearing has a number."""
-    return filled(view_of(results[0]).columns, results) if results else ()
+    """The columns, by the view of the first result that belongs there, in which some bearing has a number."""
+    if not results:
+        return ()
+    first = next((one for one in results if view_of(one).in_machine_table), results[0])
+    return filled(view_of(first).columns, results)
 
 
 def overview_results(results: Sequence[Result]) -> list[Result]:

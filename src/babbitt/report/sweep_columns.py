@@ -28,7 +28,18 @@ FILM_PANELS = (
 
 
 def sweep_columns(results: Sequence[Result]) -> tuple[Column, ...]:
-    """Columns in which some answer has a number: those that its view names, else those of a machine."""
+    """Columns in which some answer has a number: those that its view names, else those of a machine.
+
+    Where a shaft and its bearings answer, those of each view in turn.
+    """
+    by_view: dict[tuple[str, str], list[Result]] = {}
+    for result in results:
+        by_view.setdefault((result.kind, result.method), []).append(result)
+    columns = [column for alike in by_view.values() for column in _columns_of_one_view(alike)]
+    return tuple({column.heading: column for column in reversed(columns)}.values())[::-1]
+
+
+def _columns_of_one_view(results: Sequence[Result]) -> tuple[Column, ...]:
     names = view_of(results[0]).sweep
     if not names:
         return (*columns_of(results), *filled([column_of("relative_load", 3)], results))

@@ -6,7 +6,8 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from babbitt.kinds.coupling.statics import STANDARD_GRAVITY, MeshForce, bearing_loads
+from babbitt.kinds.shaft.model import STANDARD_GRAVITY
+from babbitt.kinds.shaft.overhung_coupling import MeshForce, bearing_loads
 from babbitt.validation.case import Comparison, Story, ValidationCase
 from babbitt.validation.figure import GREY, INK
 from babbitt.validation.published.reverse_gear_inputs import inferred_bearing, output_wheel_shaft, published

@@ -10,9 +10,9 @@ import math
 from typing import Any
 
 from babbitt.core.units import ZERO_CELSIUS
-from babbitt.kinds.coupling.statics import MeshForce, OverhungCoupling, bearing_loads
 from babbitt.kinds.journal.iso7902.model import Bearing, DesignCase, Friction, OilSupply, PrescribedLoad
 from babbitt.kinds.journal.iso7902.supply import Arrangement, HalfCircumferentialGroove, Pockets, SupplyElement
+from babbitt.kinds.shaft.overhung_coupling import MeshForce, OverhungCoupling, bearing_loads
 from babbitt.properties.lubricants import lubricant
 from babbitt.validation.reference_data import reference_data
 

@@ -10,6 +10,7 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Field
 
 from babbitt.case.aliases import FormerWords, Moved
+from babbitt.case.load_components import load_or_components
 from babbitt.case.part import Issue, exactly_one, is_given, not_read, rule
 from babbitt.case.parts.clearance import LIMITS, ClearanceInput, mean_assumed, mean_radial
 from babbitt.core.notices import Notice
@@ -36,6 +37,9 @@ class HydrostaticJournalCase(HydrostaticFile):
     recesses: RecessRow = Field(description="The recesses.")
     recess_length: Length = Field(description="Axial length of the recesses.")
     speed: Speed = Field(0.0, description="Rotational speed; positive counter-clockwise.")
+    load: Annotated[float, load_or_components("N", "1 N", "1000 MN")] | None = Field(
+        None, description="Load, or its components, such as {x: 22 kN, y: -35 kN}. Without it a position is given."
+    )
     load_angle: Angle = Field(-0.5 * math.pi, description="Direction of the load, from +x.")
     eccentricity_ratio: Annotated[float, si("1", "0", "0.999")] | None = Field(
         None, description="Eccentricity over clearance, in place of the load."

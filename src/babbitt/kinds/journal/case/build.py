@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from functools import partial
 from typing import TypeVar
 
@@ -16,6 +17,7 @@ from babbitt.kinds.journal.case.joined_inputs import Inputs, Point, inputs
 from babbitt.kinds.journal.case.journal import JournalBearing
 from babbitt.kinds.journal.case.machine import SeveralBearings, SingleBearing
 from babbitt.kinds.journal.case.one_dimension_cases import long_film_case, segment_case
+from babbitt.kinds.journal.case.operating_point import OperatingPoint
 from babbitt.kinds.journal.case.standard_rules import (
     film_alone_knows,
     half_bearings_are_in_the_tables,
@@ -154,8 +156,15 @@ def _expanded(bearing: JournalBearing, case: CaseFile, make: Maker[DesignT]) -> 
     tolerance = (relative.minimum, relative.maximum) if relative.minimum < relative.maximum else None
     every = (bearing.clearance_cases or case.clearance_cases) == "all"
     for point in bearing.operating_points or (None,):
+        of_point = _turned(joined, point)
         for clearance_case in ("minimum", "mean", "maximum") if every else ("mean",):
-            of_point = "" if point is None else point.name
-            name = ResultName(bearing.name, of_point, clearance_case if every else "")
+            name = ResultName(bearing.name, "" if point is None else point.name, clearance_case if every else "")
             at = Point(name, point, clearance_case, getattr(relative, clearance_case), tolerance, relative.mean)
-            yield make(joined, at)
+            yield make(of_point, at)
+
+
+def _turned(joined: Inputs, point: OperatingPoint | None) -> Inputs:
+    """The bearing with the direction of the load of an operating point that has one of its own."""
+    if point is None or point.load_angle is None:
+        return joined
+    return replace(joined, bearing=joined.bearing.model_copy(update={"load_angle": point.load_angle}))

@@ -42,7 +42,7 @@ from babbitt.kinds.journal.case.grooved_segments import SegmentsInput
 from babbitt.kinds.journal.case.heat_exchange import HeatExchangeInput
 from babbitt.kinds.journal.case.load_direction import DOWNWARD
 from babbitt.kinds.journal.case.methods import METHOD_MAPPING, FilmChoices, Iso7902Choices
-from babbitt.kinds.journal.case.operating_point import LoadAndSpeed, OperatingPoint
+from babbitt.kinds.journal.case.operating_point import LoadAndSpeed, LoadAngle, OperatingPoint
 from babbitt.kinds.journal.case.supply_element import SupplyElementInput, UnevenPockets
 from babbitt.reynolds.model import FilmStart
 
@@ -130,7 +130,7 @@ class JournalBearing(LoadAndSpeed, SharedInputs, FilmChoices, Iso7902Choices):
     bearing_speed: Annotated[float, si("rad/s", "-1000000 rpm", "1000000 rpm")] = Field(
         0.0, description="Rotational speed of the bearing, positive counter-clockwise as that of the journal."
     )
-    load_angle: Annotated[float, si("rad", "-360 deg", "360 deg")] = Field(
+    load_angle: LoadAngle = Field(
         DOWNWARD,
         description="Direction of the load, counter-clockwise from the x axis. -90 deg is downward. "
         "ISO 7902 takes the load through the middle of the arc, whatever its direction, and counts what feeds the "

@@ -27,27 +27,30 @@ def load_points_between_its_pockets(bearing: JournalBearing) -> Iterator[Issue]:
 
     Uneven pockets say already where the load points between them; a load angle in addition says it again.
     """
-    if not is_given(bearing, "load_angle") or bearing.load_angle == DOWNWARD:
-        return
-    for point in bearing.operating_points or (None,):
+    for index, point in enumerate(bearing.operating_points or (None,)):
+        own = point is not None and point.load_angle is not None
+        angle = point.load_angle if point is not None and point.load_angle is not None else bearing.load_angle
+        if not (own or is_given(bearing, "load_angle")) or angle == DOWNWARD:
+            continue
         element, speed = bearing.element_at(point), stating(SPEEDS, bearing, point)
         if not isinstance(element, UnevenPockets):
             continue
         sense = math.copysign(1.0, speed.speed or speed.surface_speed or 1.0)
         entry, leaving = (
-            bearing.load_angle - sense * element.entry_angle,
-            bearing.load_angle + sense * element.exit_angle,
+            angle - sense * element.entry_angle,
+            angle + sense * element.exit_angle,
         )
-        if max(abs(math.remainder(angle, math.pi / 2.0)) for angle in (entry, leaving)) <= JOINT_TOLERANCE:
+        if max(abs(math.remainder(edge, math.pi / 2.0)) for edge in (entry, leaving)) <= JOINT_TOLERANCE:
             continue
         level = math.pi if sense > 0.0 else 0.0
-        before = sense * (bearing.load_angle - level) % (2.0 * math.pi)
+        before = sense * (angle - level) % (2.0 * math.pi)
         says = (
             f"with it the uneven pockets stand {_degrees(entry)} and {_degrees(leaving)} from +x, at no level or "
             "upright joint; ISO 7902 knows the load from entry_angle and exit_angle alone"
         )
         fits = f"entry_angle {_degrees(before)} and exit_angle {_degrees(math.pi - before)} of a level joint"
-        yield Issue(("load_angle",), says, f"leave it out{f', or {fits}' if 0.0 < before < math.pi else ''}")
+        at = ("operating_points", index) if own else ()
+        yield Issue((*at, "load_angle"), says, f"leave it out{f', or {fits}' if 0.0 < before < math.pi else ''}")
         return
 
 

@@ -7,6 +7,7 @@ from typing import Annotated, ClassVar
 
 from pydantic import Field
 
+from babbitt.case.load_components import load_or_components
 from babbitt.case.part import Issue, Part, at_most_one, rule
 from babbitt.case.parts.fields import Name, Span
 from babbitt.case.parts.load_and_speed import LOADS, SPEEDS
@@ -15,13 +16,17 @@ from babbitt.case.parts.supply import GaugePressure, OilTemperature, SupplyFlow
 from babbitt.core.units import either_sense, si
 from babbitt.kinds.journal.case.supply_element import SupplyElementInput
 
+LoadAngle = Annotated[float, si("rad", "-360 deg", "360 deg")]
+
 
 class LoadAndSpeed(Part):
     """Load and speed. One of the loads and one of the speeds is given."""
 
     alternatives: ClassVar[tuple[tuple[str, ...], ...]] = (LOADS, SPEEDS)
 
-    load: Annotated[float, si("N", "1 N", "1000 MN")] | None = Field(None, description="Bearing load F.")
+    load: Annotated[float, load_or_components("N", "1 N", "1000 MN")] | None = Field(
+        None, description="Bearing load F, or its components, such as {x: 22 kN, y: -35 kN}."
+    )
     specific_load: Annotated[float, si("Pa", "1 kPa", "500 MPa")] | None = Field(
         None, description="Load per projected area F/(B D), in place of the load."
     )
@@ -56,6 +61,7 @@ class OperatingPoint(LoadAndSpeed):
     """One of several operating points. What it does not give is taken from the bearing."""
 
     name: Name = Field(description="Name of the operating point.")
+    load_angle: LoadAngle | None = Field(None, description="Direction of the load, from +x.")
     supply_temperature: OilTemperature | None = Field(None, description="Oil temperature at the inlet.")
     supply_pressure: GaugePressure | None = Field(None, description="Gauge pressure of the supply system.")
     supply_flow: SupplyFlow | None = Field(

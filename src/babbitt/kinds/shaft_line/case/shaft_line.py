@@ -9,10 +9,10 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field
 
-from babbitt.case.aliases import FormerWords
 from babbitt.case.case_file import CaseFile
 from babbitt.case.part import Issue, Part, exactly_one, rule
 from babbitt.case.parts.fields import Name, WholeNumber
+from babbitt.case.parts.uniform_piece import UniformPiece
 from babbitt.core.solution import Calculation
 from babbitt.core.units import si
 from babbitt.core.units import written as written_plainly
@@ -37,29 +37,13 @@ class Propeller(Part):
     blades: Annotated[int, WholeNumber(1, 20)] = Field(description="Number of blades.")
 
 
-class ShaftPiece(Part):
-    """A uniform piece of shaft."""
+class ShaftPiece(UniformPiece):
+    """A uniform piece of the shaft line."""
 
-    former_words: ClassVar[FormerWords] = {"bore": "inner_diameter"}
-
-    length: Annotated[float, si("m", "1 mm", "500 m")] = Field(description="Length.")
-    diameter: Annotated[float, si("m", "1 mm", "5 m")] = Field(description="Outer diameter.")
-    inner_diameter: Annotated[float, si("m", "0 mm", "5 m")] = Field(0.0, description="Diameter of the bore.")
-    modulus: Annotated[float, si("Pa", "1 GPa", "1000 GPa")] = Field(206e9, description="Young's modulus.")
-    density: Annotated[float, si("kg/m3", "100 kg/m3", "30000 kg/m3")] = Field(7850.0, description="Density.")
     end_mass: PartMass = Field(
         0.0,
         description="Point mass at the end towards the collar, such as a flange or a gear; not on the last piece.",
     )
-
-    @rule
-    def _bore_inside(self) -> Iterator[Issue]:
-        if self.inner_diameter >= self.diameter:
-            yield Issue(
-                ("inner_diameter",),
-                f"the bore {written_plainly(self.inner_diameter, 'mm')} leaves nothing of the shaft",
-                f"less than {written_plainly(self.diameter, 'mm')}",
-            )
 
     def rod(self) -> Rod:
         """Give the rod of the calculation."""

@@ -10,6 +10,7 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Field
 
 from babbitt.case.case_file import CaseFile
+from babbitt.case.load_components import load_or_components
 from babbitt.case.part import Issue, Part, exactly_one, is_given, named_once, rule
 from babbitt.case.parts.choices import FilmLimitsInput
 from babbitt.case.parts.fields import Name, Prose
@@ -39,7 +40,7 @@ __all__ = [
     "TiltingPadJournalCase",
 ]
 
-Load = Annotated[float, si("N", "1 N", "1000 MN")]
+Load = Annotated[float, load_or_components("N", "1 N", "1000 MN")]
 Speed = Annotated[float, either_sense("rad/s", "0.1 rpm", "1000000 rpm")]
 ProbeTemperature = Annotated[float, si("K", "20 degC", "250 degC")]
 LoadAngle = Annotated[float, si("rad", "-360 deg", "360 deg")]
@@ -84,7 +85,7 @@ class PadOperatingPoint(Part):
     """One of several operating points. What it does not give is taken from the bearing."""
 
     name: Name = Field(description="Name of the operating point.")
-    load: Load | None = Field(None, description="Load of the bearing.")
+    load: Load | None = Field(None, description="Load of the bearing, or its components: {x: 22 kN, y: -35 kN}.")
     position: PositionInput | None = Field(None, description="Place of the journal centre, in place of the load.")
     load_angle: LoadAngle | None = Field(None, description="Direction of the load, from +x.")
     speed: Speed | None = Field(
@@ -133,7 +134,7 @@ class TiltingPadJournalCase(PadFilmChoices, CaseFile):
     )
     surfaces: SurfacesInput | None = Field(None, description="Roughness, tilt and waviness of the surfaces.")
 
-    load: Load | None = Field(None, description="Load of the bearing.")
+    load: Load | None = Field(None, description="Load of the bearing, or its components: {x: 22 kN, y: -35 kN}.")
     position: PositionInput | None = Field(
         None, description="Place of the journal centre, in place of the load, which is then found."
     )

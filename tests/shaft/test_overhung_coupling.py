@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from babbitt.kinds.coupling.statics import MeshForce, OverhungCoupling, bearing_loads
+from babbitt.kinds.shaft.overhung_coupling import MeshForce, OverhungCoupling, bearing_loads
 
 # Table 3 of a published gearbox study (2023); the reactions follow from statics and are not printed there
 OUTPUT_WHEEL = OverhungCoupling(

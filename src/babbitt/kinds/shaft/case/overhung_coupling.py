@@ -11,8 +11,8 @@ from babbitt.case.grouped_digits import about_grouped_digits
 from babbitt.case.parts.fields import Name, Prose
 from babbitt.core.solution import Calculation
 from babbitt.core.units import si
-from babbitt.kinds.coupling.methods import STATICS, ShaftProblem
-from babbitt.kinds.coupling.statics import MeshForce, OverhungCoupling
+from babbitt.kinds.shaft.methods import COUPLING_STATICS
+from babbitt.kinds.shaft.overhung_coupling import CouplingProblem, MeshForce, OverhungCoupling
 
 Distance = Annotated[float, si("m", "1 mm", "50 m")]
 PartMass = Annotated[float, si("kg", "0 kg", "1000 t")]
@@ -48,8 +48,10 @@ class OverhungCouplingCase(CaseFile):
     def calculations(self) -> tuple[Calculation, ...]:
         """Give the one calculation of the file."""
         warnings = tuple(about_grouped_digits(self))
-        problem = ShaftProblem(self.name, self.kind, self.shaft(), warnings=warnings, assumptions=self.assumptions)
-        return (Calculation(problem, STATICS),)
+        problem = CouplingProblem(
+            self.name, self.kind, self.shaft(), warnings=warnings, assumptions=self.assumptions
+        )
+        return (Calculation(problem, COUPLING_STATICS),)
 
     def shaft(self) -> OverhungCoupling:
         """Give the shaft of the calculation."""

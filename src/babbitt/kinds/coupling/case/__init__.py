@@ -1,1 +1,0 @@
-"""The case language of overhung couplings."""
