@@ -12,12 +12,12 @@ from pydantic import PrivateAttr
 from babbitt.api.given import as_given, content_of
 from babbitt.api.reading import read_case, refuse_incomplete
 from babbitt.api.shown import shown_call
-from babbitt.api.with_units import case_text, with_units
 from babbitt.case.aliases import in_method_mappings, in_todays_words, todays_path
 from babbitt.case.case_file import CaseFile, Origin
 from babbitt.case.loading import located
 from babbitt.case.named_files import NamedFiles
 from babbitt.case.variation import CaseVariation
+from babbitt.case.with_units import case_text, with_units
 from babbitt.core.files.reading import Reach
 from babbitt.core.notices import InputError
 
