@@ -14,6 +14,7 @@ from babbitt.core.notices import InputError
 from babbitt.core.optional_package import how_to_install, optional_package
 from babbitt.core.result import Verdict
 from babbitt.study.inputs import Input
+from babbitt.study.laws import Choices, Listed
 from babbitt.study.rows import Columns, RowTask, joined
 
 if TYPE_CHECKING:
@@ -125,7 +126,7 @@ def _nsga2(inputs: Sequence[Input], block: StudyBlock, objectives: int) -> tuple
 
 
 def _is_list(one: Input) -> bool:
-    return one.is_choice or one.law.words.endswith(("equally likely", "values"))
+    return isinstance(one.law, Listed | Choices)
 
 
 def _values(inputs: Sequence[Input], designs: Sequence[Mapping[str, Any]]) -> Columns:
@@ -203,7 +204,7 @@ class Optimum:
     Attributes
     ----------
     rows : tuple of int
-        Of the designs that no other one within the limits is better than in every objective, by the first objective.
+        Of the designs than which no other within the limits is better, in the order of the first objective.
     objectives : tuple of str
     values : ndarray, shape (rows, objectives)
         In SI, as they stand in the results.

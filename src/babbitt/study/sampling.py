@@ -69,7 +69,7 @@ def _batch(dimensions: int, size: int, sampling: str, random: np.random.Generato
     if sampling == "random":
         return random.random((size, dimensions))
     with warnings.catch_warnings():
-        # A Sobol sequence of another length than a power of two is a little less even; the batches tell the spread.
+        # Of another length than a power of two it is a little less even; the batches tell the spread.
         warnings.filterwarnings("ignore", "The balance properties", UserWarning)
         engine = qmc.Sobol if sampling == "sobol" else qmc.LatinHypercube
         points: NDArray[np.float64] = engine(dimensions, seed=random).random(size)

@@ -17,6 +17,7 @@ from babbitt.case.case_hash import case_hash
 from babbitt.case.kinds import KINDS
 from babbitt.case.named_files import NamedFiles
 from babbitt.case.parts.study import StudyBlock
+from babbitt.core.files.writing import replace_synced
 from babbitt.core.nearest_name import unknown_name
 from babbitt.core.notices import InputError
 from babbitt.core.quantities import QUANTITIES
@@ -30,7 +31,7 @@ from babbitt.study.sampling import batch_sizes
 from babbitt.study.store import FORMAT, Store
 from babbitt.study.workers import Alone, Processes, Workers
 
-__all__ = ["Study", "open_study", "plan", "run_study"]
+__all__ = ["Study", "open_study", "plan", "run_study", "write_designs"]
 
 KEY_RESULTS = (
     "minimum_film_thickness",
@@ -168,10 +169,7 @@ def plan(case: CaseFile, block: StudyBlock) -> Plan:
         For all that makes the study impossible.
     """
     block = default_axes(case, block)
-    if block.kind == "spectrum":
-        inputs = spectrum.inputs_of_spectrum(case, block)
-    else:
-        inputs = inputs_of(case, block)
+    inputs = _inputs(case, block)
     indices.require_numeric(block, inputs)
     optimum.require_pymoo(block, inputs)
     rows = grids.planned(block, inputs)
@@ -188,6 +186,10 @@ def plan(case: CaseFile, block: StudyBlock) -> Plan:
     values, groups = grids.nominal(inputs)
     _, seconds = timed(task, {"row": np.array([0]), "group": groups, **values})
     return Plan(case, block, task, rows, seconds, told)
+
+
+def _inputs(case: CaseFile, block: StudyBlock) -> tuple[Input, ...]:
+    return spectrum.inputs_of_spectrum(case, block) if block.kind == "spectrum" else inputs_of(case, block)
 
 
 def _task(case: CaseFile, inputs: tuple[Input, ...]) -> RowTask:
@@ -292,10 +294,37 @@ def case_of(study: Study, row: int) -> CaseFile:
         raise InputError("E005", f"the study has no row {row}; there are 0 to {study.rows - 1}")
     given = dict(study.description["case"])
     case = case_from_dict(given, study.description["name"])
-    inputs = spectrum.inputs_of_spectrum(case, study.block) if study.kind == "spectrum" else ()
-    inputs = inputs or inputs_of(case, study.block)
+    inputs = _inputs(case, study.block)
     task = _task(case, inputs)
     return task.case({one.path: study.columns[one.path][places[0]] for one in inputs})
+
+
+def write_designs(study: Study) -> tuple[Path, ...]:
+    """Write the best designs of an optimisation into its folder, each as a case file that runs; where they are.
+
+    Nothing of another kind, or of a study that is not stored.
+    """
+    if study.folder is None or study.kind != "optimise":
+        return ()
+    from babbitt.case.with_units import case_text, with_units
+
+    files = {}
+    for row in optimum.optimum_of(study).rows:
+        case = case_of(study, row)
+        assert case.origin is not None, "it was read just now"
+        text = case_text(with_units(case.origin.given, case))
+        files[f"design-row-{row}.yaml"] = f"# Row {row} of the study of {case.name}\n{text}".encode()
+    folder = study.folder / DESIGNS
+    folder.mkdir(exist_ok=True)
+    for left in folder.glob("design-row-*.yaml"):
+        left.unlink()
+    for name, content in files.items():
+        replace_synced(folder / name, content)
+    return tuple(folder / name for name in files)
+
+
+DESIGNS = "designs"
+"""Folder of the best designs, in that of their study."""
 
 
 def _workers(workers: int | Workers, made: Plan) -> Workers:

@@ -1,4 +1,4 @@
-"""What a tolerance study tells: yields with their confidence, percentiles, failing checks, worst cases, tornado."""
+"""What a tolerance study tells: yields with their confidence, percentiles, failing checks, worst cases."""
 
 from __future__ import annotations
 
@@ -181,9 +181,9 @@ def _yield(sample: Columns, bearing: str, batches: Sequence[int], sampling: str)
 def yield_of(within: NDArray[np.bool_], batches: Sequence[int], sampling: str) -> tuple[float, float, float, str]:
     """Share within limits, with the ends of its 95 % interval and how they were found.
 
-    Random samples: exact binomial interval (Clopper and Pearson 1934). Hypercubes and Sobol sequences, whose points
-    are not independent: Student's t over independent batches; the binomial interval, which is wider, where all
-    batches agree or there is one.
+    Random samples: exact binomial interval (Clopper and Pearson 1934). Hypercubes and Sobol sequences, whose
+    points are not independent: Student's t over independent batches; the binomial interval, which is wider, where
+    all batches agree or there is one.
     """
     count, good = within.size, int(within.sum())
     share = good / count if count else math.nan
