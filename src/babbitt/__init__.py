@@ -157,6 +157,9 @@ if TYPE_CHECKING:
     from babbitt.api.own_viscosity import (
         viscosity_law,
     )
+    from babbitt.api.stored_studies import (
+        open_study,
+    )
     from babbitt.api.thrust_parts import (
         FilmHeatBalance,
         FilmTemperature,
@@ -242,6 +245,7 @@ _NAMES = {
     "babbitt.api.on_board": "explain lubricants materials published_cases validate",
     "babbitt.api.own_bore": "Gap",
     "babbitt.api.own_viscosity": "viscosity_law",
+    "babbitt.api.stored_studies": "open_study",
     "babbitt.api.thrust_parts": (
         "FilmHeatBalance FilmTemperature FilmViscosity FixedPad LineLimits PadMaterials Pads Propeller "
         "Runout Seating ShaftPiece SpeedRange StepFace Taper ThrustRipple Tilt TiltingPivot"
@@ -410,6 +414,7 @@ __all__ = [
     "lubricant",
     "lubricants",
     "materials",
+    "open_study",
     "parse_case",
     "published_cases",
     "radial_clearance",

@@ -260,7 +260,7 @@ def _study_of(given: Mapping[str, Any]) -> tuple[StudyBlock | None, list[ErrorDe
     try:
         return StudyBlock.model_validate(given[STUDY], context=AS_WRITTEN), []
     except ValidationError as error:
-        return None, [{**one, "loc": (STUDY, *one["loc"])} for one in error.errors(include_url=False)]  # type: ignore[misc,list-item]
+        return None, [{**one, "loc": (STUDY, *one["loc"])} for one in error.errors(include_url=False)]
 
 
 def problems_of(

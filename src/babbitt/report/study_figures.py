@@ -68,7 +68,7 @@ def write_study_plots(study: Study, folder: Path) -> tuple[Path, ...]:
     InputError
         E007 when a file cannot be written or matplotlib is not installed.
     """
-    files = {}
+    files: dict[str, bytes] = {}
     for ending in ("svg", "png"):
         files |= {f"{one.name}.{ending}": one.image for one in study_drawings(study, ending)}
     return write_files(folder, files)
@@ -337,7 +337,11 @@ def _spectrum(study: Study) -> Iterator[Drawn]:
     figure, panels = _panels(1, 60.0)
     for place, bearing in enumerate(bearings):
         own = _lines_of(study.columns, bearing)
-        look = {"color": str(0.7 * place / max(1, len(bearings) - 1)), "marker": "o", "markersize": 3.0}
+        look: dict[str, Any] = {
+            "color": str(0.7 * place / max(1, len(bearings) - 1)),
+            "marker": "o",
+            "markersize": 3.0,
+        }
         panels[0].plot(own["row"], 100.0 * own["margin"], label=plain_text(bearing), **look)
     panels[0].axhline(0.0, color=GREY, linewidth=0.7, linestyle=(0, (5, 2)))
     labels = [f"{plain_text(name)}\n{100.0 * share:.3g} %" for name, share in zip(names, shares, strict=True)]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from rich.console import Console
+from rich.table import Table
 from rich.text import Text
 
 from babbitt.report.bearing_table import engineers_table
@@ -28,7 +29,7 @@ def print_study(study: Study, to: Console | None = None) -> None:
             to.print(Text(note, style="dim"))
 
 
-def _drawn(table: StudyTable) -> object:
+def _drawn(table: StudyTable) -> Table:
     made = engineers_table(title=Text(table.title, style="bold"), title_justify="left")
     units = any(unit for _, unit in table.columns)
     for place, (name, unit) in enumerate(table.columns):

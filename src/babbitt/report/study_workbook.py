@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from typing import Any
 
-import numpy as np
+from numpy.typing import NDArray
 
 from babbitt.core.files.spreadsheet import Cell, workbook
 from babbitt.core.result import Verdict
@@ -70,7 +71,7 @@ def _heading(name: str, scale: Scale | None) -> str:
     return f"{name} [{scale.unit}]"
 
 
-def _column(name: str, values: np.ndarray, scale: Scale | None) -> list[Cell]:  # type: ignore[type-arg]
+def _column(name: str, values: NDArray[Any], scale: Scale | None) -> list[Cell]:
     if values.dtype == object:
         known = VERDICTS if name == "verdict" else {}
         return [known.get(str(one), plain_text(str(one))) or None for one in values]

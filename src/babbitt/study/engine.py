@@ -6,14 +6,15 @@ import time
 from collections.abc import Iterator, Mapping
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Future, wait
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Any, Protocol
 
 import numpy as np
+from numpy.typing import NDArray
 
 from babbitt.core.notices import InputError
 from babbitt.core.picklable_error import PicklableError
 from babbitt.core.result import Verdict
-from babbitt.study.rows import Columns, RowTask, empty_answers, joined
+from babbitt.study.rows import Columns, RowTask, empty_answers, joined, solved_rows
 from babbitt.study.store import Store
 from babbitt.study.workers import Workers
 
@@ -96,7 +97,7 @@ class Engine:
         self._next_chunk = 0
         self._next_row = 0
 
-    def answers(self, values: Mapping[str, np.ndarray], group: str | np.ndarray) -> Columns:  # type: ignore[type-arg]
+    def answers(self, values: Mapping[str, NDArray[Any]], group: str | NDArray[Any]) -> Columns:
         """Answer rows.
 
         Parameters
@@ -214,8 +215,6 @@ def _require_same(rows: Columns, found: Columns, task: RowTask) -> None:
 
 def timed(task: RowTask, rows: Columns) -> tuple[Columns, float]:
     """Answer one row twice, and give the seconds of the second time, when everything is compiled."""
-    from babbitt.study.rows import solved_rows
-
     found = solved_rows(task, rows)
     begin = time.perf_counter()
     solved_rows(task, rows)

@@ -117,8 +117,9 @@ def joint_sample(inputs: Sequence[Input], block: StudyBlock) -> Rows:
 def corners(inputs: Sequence[Input]) -> Rows:
     """Every combination of smallest and largest values; of choices the first. Nothing for too many inputs."""
     count = _corner_count(inputs)
-    numeric = [one for one in inputs if not isinstance(one.law, Choices)]
-    combined = np.array(list(itertools.product(*(one.law.support for one in numeric)))) if count else None
+    numeric = [one for one in inputs if not one.is_choice]
+    ends = [one.law.support for one in inputs if not isinstance(one.law, Choices)]
+    combined = np.array(list(itertools.product(*ends))) if count else None
     values: Values = {}
     for one in inputs:
         if one in numeric:

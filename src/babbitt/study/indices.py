@@ -131,8 +131,10 @@ def _indices(
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         said = analyse(problem, kept.ravel(), calc_second_order=False, conf_level=CONFIDENCE, seed=seed)
-    columns = (tuple(map(float, said[name])) for name in ("S1", "S1_conf", "ST", "ST_conf"))
-    return Indices(bearing, output, paths, *columns, len(kept), base)
+    first, first_conf, total, total_conf = (
+        tuple(map(float, said[name])) for name in ("S1", "S1_conf", "ST", "ST_conf")
+    )
+    return Indices(bearing, output, paths, first, first_conf, total, total_conf, len(kept), base)
 
 
 def slopes_of(study: Study) -> dict[tuple[str, str], dict[str, tuple[float, float]]]:

@@ -252,7 +252,7 @@ def _fit(case: CaseFile, path: str, field: str, given: Vary, meaning: str) -> In
             laws.append(Uniform(zone.lower, zone.upper))
         else:
             laws.append(Normal(0.5 * (zone.lower + zone.upper), (zone.upper - zone.lower) / (2.0 * CUT)))
-    law = Difference(*laws, words=f"fit {given.fit}, both sizes {given.law} in their zones")
+    law = Difference(laws[0], laws[1], f"fit {given.fit}, both sizes {given.law} in their zones")
     reason = "ISO 286 zones; sizes uniform in them (assumption)"
     if given.law == "normal":
         reason = "ISO 286 zones; sizes normal about their middle with the zone ±3σ wide (assumption: Cp = 1)"
@@ -359,6 +359,8 @@ def _require_order(path: str, law: str, given: Sequence[Any], holds: bool, allow
 def _unknown(case: CaseFile, field: str) -> str:
     """Say how far a path leads, and what is near."""
     steps = field.split(".")
+    if not all(steps):
+        return "names no field; write it as load, or clearance.mean"
     known = 0
     while known < len(steps) and field_annotations(_model(case), steps[: known + 1]):
         known += 1
@@ -367,7 +369,11 @@ def _unknown(case: CaseFile, field: str) -> str:
     meant = near_typo(name, names)
     where = f" of {'.'.join(steps[:known])}" if known else ""
     hint = (
-        f"did you mean '{meant}'?" if meant else f"there are: {', '.join(names)}" if names else "it takes a word"
+        f"did you mean '{meant}'?"
+        if meant
+        else f"there are: {', '.join(names)}"
+        if names
+        else f"'{'.'.join(steps[:known])}' holds one value"
     )
     return f"'{name}' is no field{where}; {hint}"
 

@@ -88,20 +88,20 @@ class Normal:
     def quantiles(self, share: Array) -> Array:
         """Values at shares of the distribution, shape (n,)."""
         outside = ndtr(-self.cut)
-        found = self.mean + self.deviation * ndtri(outside + share * (1.0 - 2.0 * outside))
-        return np.clip(found, *self.support)
+        found: Array = self.mean + self.deviation * ndtri(outside + share * (1.0 - 2.0 * outside))
+        return np.asarray(np.clip(found, *self.support))
 
     def density(self, value: Array) -> Array:
         """Density at values within the support, 1/unit."""
         reduced = (value - self.mean) / self.deviation
         mass = 1.0 - 2.0 * ndtr(-self.cut)
-        return np.exp(-0.5 * reduced**2) / (math.sqrt(2.0 * math.pi) * self.deviation * mass)
+        return np.asarray(np.exp(-0.5 * reduced**2) / (math.sqrt(2.0 * math.pi) * self.deviation * mass))
 
     def share_below(self, value: Array) -> Array:
         """Share of the distribution below values, shape of the values."""
         outside = ndtr(-self.cut)
         found = (ndtr((value - self.mean) / self.deviation) - outside) / (1.0 - 2.0 * outside)
-        return np.clip(found, 0.0, 1.0)
+        return np.asarray(np.clip(found, 0.0, 1.0))
 
 
 @dataclass(frozen=True)
@@ -124,7 +124,7 @@ class HalfNormal:
     def quantiles(self, share: Array) -> Array:
         """Values at shares of the distribution, shape (n,)."""
         inside = 1.0 - 2.0 * ndtr(-self.cut)
-        return np.clip(self.deviation * ndtri(0.5 * (1.0 + share * inside)), *self.support)
+        return np.asarray(np.clip(self.deviation * ndtri(0.5 * (1.0 + share * inside)), *self.support))
 
 
 @dataclass(frozen=True)
