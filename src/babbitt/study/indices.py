@@ -130,7 +130,9 @@ def _indices(
         return Indices(bearing, output, paths, nothing, nothing, nothing, nothing, len(kept), base)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        said = analyse(problem, kept.ravel(), calc_second_order=False, conf_level=CONFIDENCE, seed=seed)
+        said = analyse(
+            problem, kept.ravel(), calc_second_order=False, conf_level=CONFIDENCE, seed=seed + 1
+        )  # 0 means none
     first, first_conf, total, total_conf = (
         tuple(map(float, said[name])) for name in ("S1", "S1_conf", "ST", "ST_conf")
     )

@@ -98,8 +98,8 @@ class Input:
         """
         if isinstance(self.law, Listed | Choices):
             return np.array(self.law.values, object if self.is_choice else float)
-        says = f"a grid needs values, and '{self.path}' is distributed ({self.law.words})"
-        raise InputError("E003", f"{says}; give a list, range or log_range, or ask for kind: tolerance")
+        says = f"a grid needs values, and this is a distribution ({self.law.words})"
+        raise _refused(self.path, f"{says}; give a list, range or log_range, or ask for kind: tolerance")
 
     def in_case(self, value: Any) -> Any:
         """What stands in the case for a value of the column."""

@@ -18,10 +18,19 @@ from babbitt.case.variation import CaseVariation
 from babbitt.core.files.reading import Reach
 from babbitt.core.kind import find_kind, imported
 from babbitt.core.notices import InputError
-from babbitt.core.result import Result, Verdict
+from babbitt.core.result import ROUND_OFF, Outcome, Result, Verdict
 from babbitt.study.inputs import Input
 
-__all__ = ["Columns", "RowTask", "SolvesMany", "empty_answers", "joined", "solved_rows"]
+__all__ = [
+    "Columns",
+    "RowTask",
+    "SolvesMany",
+    "answers_of_arrays",
+    "empty_answers",
+    "joined",
+    "margin_name",
+    "solved_rows",
+]
 
 Columns = dict[str, NDArray[Any]]
 """Arrays of one length by the names of their columns: float64, int64, or words (object)."""
@@ -187,6 +196,53 @@ def _columns(task: RowTask, lines: Sequence[Mapping[str, Any]]) -> Columns:
         else:
             made[name] = np.array([line.get(name, math.nan) for line in lines], np.float64)
     return made
+
+
+def answers_of_arrays(
+    task: RowTask,
+    rows: Columns,
+    bearing: str,
+    values: Mapping[str, NDArray[Any]],
+    margins: Mapping[str, NDArray[Any]],
+    verdicts: NDArray[Any],
+) -> Columns:
+    """The columns of rows that were solved as arrays, one bearing a row; what `SolvesMany` gives back.
+
+    Parameters
+    ----------
+    task : RowTask
+    rows : Columns
+        As `solved_rows` gets them, shape (n,).
+    bearing : str
+        Name of the result.
+    values : mapping
+        By the name of a quantity its values in SI, shape (n,); others than `RowTask.outputs` are left out.
+    margins : mapping
+        By the code of each limit its margin, shape (n,); NaN where it was not made. A margin of which no more
+        than `babbitt.core.result.ROUND_OFF` is missing is kept.
+    verdicts : ndarray of str
+        Keys of `babbitt.core.result.Verdict`, shape (n,). Rows without a solution have their reason from
+        elsewhere: such a chunk is better left to the rows one by one.
+    """
+    count = rows["row"].size
+    codes = np.array([*margins, ""], object)
+    table = np.array([margins[code] for code in codes[:-1]] or np.full((1, count), np.nan), np.float64)
+    made = np.isfinite(table).any(axis=0)
+    least = np.where(np.isfinite(table), table, np.inf).argmin(axis=0)
+    found: Columns = {**rows, "bearing": np.full(count, bearing, object), **values}
+    found |= {margin_name(code): margins[code] for code in margins}
+    found["margin"] = np.where(made, table[least, np.arange(count)], np.nan)
+    found["status"] = np.full(count, Outcome.CONVERGED.name.lower(), object)
+    found["verdict"] = verdicts
+    found["governing_check"] = codes[np.where(made, least, len(margins))]
+    failed = np.full(count, "", object)
+    for code, margin in margins.items():
+        missed = margin < -ROUND_OFF
+        failed[missed] = [f"{before} {code}".strip() for before in failed[missed]]
+    found["failed_checks"] = failed
+    found["message"] = np.full(count, "", object)
+    nothing = np.full(count, np.nan)
+    return {name: found.get(name, nothing) for name in task.names}
 
 
 def empty_answers(task: RowTask) -> Columns:

@@ -101,18 +101,32 @@ class Store:
         InputError
             E007 for a folder that cannot be written, holds something else, another study, or is in use.
         """
-        new = not self.folder.exists()
-        if not new and not (self.folder / DESCRIPTION).exists() and any(self.folder.iterdir()):
-            raise InputError("E007", f"{printable(self.folder)} exists and holds no study; choose another --out")
         try:
+            self._require_own()
             (self.folder / CHUNKS).mkdir(parents=True, exist_ok=True)
             self._take_lock()
-            if not (self.folder / DESCRIPTION).exists():
-                replace_synced(self.folder / DESCRIPTION, (json.dumps(wanted, indent=1) + "\n").encode())
-                return dict(wanted)
+            if (self.folder / DESCRIPTION).exists():
+                return self._same(wanted)
+            replace_synced(self.folder / DESCRIPTION, (json.dumps(wanted, indent=1) + "\n").encode())
         except OSError as error:
+            self.close()
             says = f"cannot write into {printable(self.folder)}: {error.strerror or error}"
             raise InputError("E007", says) from None
+        except InputError:
+            self.close()
+            raise
+        return dict(wanted)
+
+    def _require_own(self) -> None:
+        """Refuse a folder with something else in it; what a run has left that was killed at once is none."""
+        if not self.folder.exists() or (self.folder / DESCRIPTION).exists():
+            return
+        strange = [one for one in self.folder.iterdir() if one.name not in (CHUNKS, LOCK)]
+        if any(not one.name.startswith(UNFINISHED) for one in strange) or any(self.parts):
+            raise InputError("E007", f"{printable(self.folder)} exists and holds no study; choose another --out")
+
+    def _same(self, wanted: Mapping[str, Any]) -> dict[str, Any]:
+        """The description that stands in the folder, if it is that of the same study."""
         present = self.description
         differ = [
             name for key, name in COMPARED.items() if present.get(key) != json.loads(json.dumps(wanted[key]))

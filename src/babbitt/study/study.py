@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -15,8 +15,10 @@ from babbitt import __version__
 from babbitt.case.case_file import CaseFile
 from babbitt.case.case_hash import case_hash
 from babbitt.case.kinds import KINDS
+from babbitt.case.loading import case_from_dict
 from babbitt.case.named_files import NamedFiles
 from babbitt.case.parts.study import StudyBlock
+from babbitt.case.with_units import case_text, with_units
 from babbitt.core.files.writing import replace_synced
 from babbitt.core.nearest_name import unknown_name
 from babbitt.core.notices import InputError
@@ -45,8 +47,8 @@ KEY_RESULTS = (
 )
 """Kept where the study names no outputs, as far as the method gives them."""
 
-MOST_OUTPUTS = 12
-"""Kept of a method that gives none of them."""
+FEWEST_KEY_RESULTS, MOST_OUTPUTS = 3, 12
+"""Of a method that gives fewer of them its first results are kept, at most so many."""
 
 SHORT = 3.0
 """Seconds of work for which no process is started: starting takes as long."""
@@ -222,7 +224,9 @@ def _outputs(block: StudyBlock, results: Sequence[Result]) -> tuple[str, ...]:
             raise InputError("E005", f"study.{where}: {unknown_name(name, there, 'a quantity of these results')}")
     if block.outputs:
         return asked
-    key = tuple(name for name in KEY_RESULTS if name in there) or tuple(there[:MOST_OUTPUTS])
+    key = [name for name in KEY_RESULTS if name in there]
+    if len(key) < FEWEST_KEY_RESULTS:
+        key = [name for name in there if name not in ("wall_time", "iterations")][:MOST_OUTPUTS]
     return tuple(dict.fromkeys((*key, *asked)))
 
 
@@ -287,8 +291,6 @@ def case_of(study: Study, row: int) -> CaseFile:
     InputError
         E005 for a row that there is not.
     """
-    from babbitt.case.loading import case_from_dict
-
     places = np.flatnonzero(study.columns["row"] == row)
     if not places.size:
         raise InputError("E005", f"the study has no row {row}; there are 0 to {study.rows - 1}")
@@ -296,7 +298,9 @@ def case_of(study: Study, row: int) -> CaseFile:
     case = case_from_dict(given, study.description["name"])
     inputs = _inputs(case, study.block)
     task = _task(case, inputs)
-    return task.case({one.path: study.columns[one.path][places[0]] for one in inputs})
+    made = task.case({one.path: study.columns[one.path][places[0]] for one in inputs})
+    assert made.origin is not None, "it was read just now"
+    return made.with_origin(replace(made.origin, given=with_units(made.origin.given, made)))
 
 
 def write_designs(study: Study) -> tuple[Path, ...]:
@@ -306,13 +310,11 @@ def write_designs(study: Study) -> tuple[Path, ...]:
     """
     if study.folder is None or study.kind != "optimise":
         return ()
-    from babbitt.case.with_units import case_text, with_units
-
     files = {}
     for row in optimum.optimum_of(study).rows:
         case = case_of(study, row)
         assert case.origin is not None, "it was read just now"
-        text = case_text(with_units(case.origin.given, case))
+        text = case_text(case.origin.given)
         files[f"design-row-{row}.yaml"] = f"# Row {row} of the study of {case.name}\n{text}".encode()
     folder = study.folder / DESIGNS
     folder.mkdir(exist_ok=True)
