@@ -236,6 +236,8 @@ def _case(given: Any, name: str, root: Node | None, files: NamedFiles) -> CaseFi
     if not isinstance(kind, str) or kind not in KINDS:
         says = "kind is missing" if "kind" not in given else f"{shown(kind)} is not a kind of case"
         hint = nearest(kind, KINDS) if isinstance(kind, str) else ""
+        if "kind" not in given and STUDY in given and "case" in given:
+            says, hint = "kind is missing: the file holds a study of another file", "try babbitt study"
         raise CaseError([_problem(name, root, given, ("kind",), says, ", ".join(KINDS), hint)])
     study, found = _study_of(given)
     bearing = {key: value for key, value in given.items() if key != STUDY}

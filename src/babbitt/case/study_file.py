@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path as FilePath
 from typing import Literal
 
 from pydantic import Field, ValidationError
 
 from babbitt.case.case_file import CaseFile
-from babbitt.case.document import Node
-from babbitt.case.loading import load_case, problems_of, read_tree, text_of
+from babbitt.case.loading import STUDY, load_case, problems_of, read_tree, text_of
 from babbitt.case.part import Part
 from babbitt.case.parts.fields import Name
 from babbitt.case.parts.study import StudyBlock
@@ -18,9 +18,18 @@ from babbitt.core.files.printing import printable
 from babbitt.core.files.reading import Reach
 from babbitt.core.units import AS_WRITTEN
 
-__all__ = ["StudyFile", "load_study"]
+__all__ = ["StudiedCase", "StudyFile", "load_case_or_study", "load_study"]
 
 EXAMPLE = "study: {kind: tolerance, vary: {load: {uniform: [10 kN, 14 kN]}}}"
+
+
+@dataclass(frozen=True)
+class StudiedCase:
+    """A case, the study of it if there is one, and every file that was read."""
+
+    case: CaseFile
+    study: StudyBlock | None
+    files: tuple[FilePath, ...]
 
 
 class StudyFile(Part):
@@ -31,9 +40,7 @@ class StudyFile(Part):
     study: StudyBlock = Field(description="What is asked of it.")
 
 
-def load_study(
-    path: str | FilePath, reach: Reach = Reach.FOLDER
-) -> tuple[CaseFile, StudyBlock, tuple[FilePath, ...]]:
+def load_study(path: str | FilePath, reach: Reach = Reach.FOLDER) -> StudiedCase:
     """Read a study and its case.
 
     Parameters
@@ -43,28 +50,36 @@ def load_study(
     reach : Reach
         Where it may name other files.
 
-    Returns
-    -------
-    CaseFile, StudyBlock, tuple of Path
-        With every file that was read.
-
     Raises
     ------
     CaseError
         With every problem of the file, or that it holds no study.
     """
+    found = load_case_or_study(path, reach)
+    if found.study is None:
+        says = "holds no study"
+        raise CaseError([Problem(printable(path), 0, "", says, allowed=f"a block such as {EXAMPLE}")])
+    return found
+
+
+def load_case_or_study(path: str | FilePath, reach: Reach = Reach.FOLDER) -> StudiedCase:
+    """Read a case, with its study if there is one; raises as `load_study`, but for a file without a study."""
     path = FilePath(path)
-    root = read_tree(text_of(path), printable(path))
-    given = root.plain()
-    if isinstance(given, dict) and "case" in given and "kind" not in given:
-        return _own_file(path, root, reach)
+    given = _mapping_in(path)
+    if "case" in given and "kind" not in given and STUDY in given:
+        return _own_file(path, reach)
     case = load_case(path, reach)
-    if case.study_block is None:
-        raise CaseError([Problem(printable(path), 0, "", "holds no study", allowed=f"a block such as {EXAMPLE}")])
-    return case, case.study_block, (path, *case.files)
+    return StudiedCase(case, case.study_block, (path, *case.files))
 
 
-def _own_file(path: FilePath, root: Node, reach: Reach) -> tuple[CaseFile, StudyBlock, tuple[FilePath, ...]]:
+def _mapping_in(path: FilePath) -> dict[str, object]:
+    """What stands in a file; nothing where it holds no mapping, which is told where it is read as a case."""
+    given = read_tree(text_of(path), printable(path)).plain()
+    return given if isinstance(given, dict) else {}
+
+
+def _own_file(path: FilePath, reach: Reach) -> StudiedCase:
+    root = read_tree(text_of(path), printable(path))
     given = root.plain()
     try:
         found = StudyFile.model_validate(given, context=AS_WRITTEN)
@@ -78,4 +93,4 @@ def _own_file(path: FilePath, root: Node, reach: Reach) -> tuple[CaseFile, Study
         line = root.line_of(("case",))
         raise CaseError([Problem(printable(path), line, "case", says, allowed=allowed, hint=hint)])
     case = load_case(named, reach)
-    return case, found.study, (path, named, *case.files)
+    return StudiedCase(case, found.study, (path, named, *case.files))

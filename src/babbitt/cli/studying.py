@@ -87,8 +87,10 @@ def _computed(
     from babbitt.study.engine import InterruptedStudyError
     from babbitt.study.study import plan, run_study, write_designs
 
-    case, block, files = load_study(file, reach(allow_outside))
-    require_study_outputs(dict.fromkeys(files, "an input of the run"), *outputs)
+    read = load_study(file, reach(allow_outside))
+    case, block = read.case, read.study
+    assert block is not None, "a file without a study is refused"
+    require_study_outputs(dict.fromkeys(read.files, "an input of the run"), *outputs)
     made = plan(case, block)
     count = workers or os.cpu_count() or 1
     work = made.rows * made.seconds_a_row / count

@@ -406,7 +406,10 @@ def _parallel(study: Study, best: tuple[int, ...]) -> Figure:
         panel.axvline(place, color=GREY, linewidth=0.5, zorder=0)
         for at, end in ((-0.06, ends[0]), (1.03, ends[1])):
             panel.annotate(end, (place, at), ha="center", fontsize=6, annotation_clip=False)
-    labels = [f"{scale.name}\n{scale.unit}".strip() for scale in scales.values()]
+    labels = [
+        f"{mathematics(scale.name) if scale.quantity else scale.name}\n{scale.unit}".strip()
+        for scale in scales.values()
+    ]
     panel.set_xticks(range(len(scales)), labels)
     panel.tick_params(axis="x", pad=9, length=0)
     panel.set_yticks([])

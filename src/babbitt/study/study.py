@@ -33,7 +33,7 @@ from babbitt.study.sampling import batch_sizes
 from babbitt.study.store import FORMAT, Store
 from babbitt.study.workers import Alone, Processes, Workers
 
-__all__ = ["Study", "open_study", "plan", "run_study", "write_designs"]
+__all__ = ["Study", "open_study", "plan", "require_possible", "run_study", "write_designs"]
 
 KEY_RESULTS = (
     "minimum_film_thickness",
@@ -171,11 +171,7 @@ def plan(case: CaseFile, block: StudyBlock) -> Plan:
         For all that makes the study impossible.
     """
     block = default_axes(case, block)
-    inputs = _inputs(case, block)
-    indices.require_numeric(block, inputs)
-    optimum.require_pymoo(block, inputs)
-    rows = grids.planned(block, inputs)
-    grids.require_bearable(rows, 12 + len(inputs) + len(block.outputs))
+    inputs, rows = require_possible(case, block)
     task = _task(case, inputs)
     results = _results_of_nominal(case, task)
     outputs = _outputs(block, results)
@@ -188,6 +184,23 @@ def plan(case: CaseFile, block: StudyBlock) -> Plan:
     values, groups = grids.nominal(inputs)
     _, seconds = timed(task, {"row": np.array([0]), "group": groups, **values})
     return Plan(case, block, task, rows, seconds, told)
+
+
+def require_possible(case: CaseFile, block: StudyBlock) -> tuple[tuple[Input, ...], int]:
+    """Find out without solving whether a study can be computed: its fields, and its rows.
+
+    Raises
+    ------
+    InputError
+        For all that makes the study impossible, but for outputs that the results lack.
+    """
+    block = default_axes(case, block)
+    inputs = _inputs(case, block)
+    indices.require_numeric(block, inputs)
+    optimum.require_pymoo(block, inputs)
+    rows = grids.planned(block, inputs)
+    grids.require_bearable(rows, 12 + len(inputs) + len(block.outputs))
+    return inputs, rows
 
 
 def _inputs(case: CaseFile, block: StudyBlock) -> tuple[Input, ...]:
