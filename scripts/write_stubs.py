@@ -17,7 +17,7 @@ from typing import Any, Literal
 
 from babbitt.api.bearings import JournalBearing, Machine
 from babbitt.api.case import Case
-from babbitt.api.fields import quantity_in
+from babbitt.case.field_types import quantity_in
 from babbitt.case.load_components import LoadOrComponents
 from babbitt.case.method_mapping import MethodMapping
 from babbitt.case.part import Part

@@ -168,6 +168,9 @@ if TYPE_CHECKING:
         ShaftMass,
         ShaftSupport,
     )
+    from babbitt.api.stored_studies import (
+        open_study,
+    )
     from babbitt.api.thrust_parts import (
         FilmHeatBalance,
         FilmTemperature,
@@ -255,6 +258,7 @@ _NAMES = {
     "babbitt.api.own_viscosity": "viscosity_law",
     "babbitt.api.pad_batch": "solve_pad_batch",
     "babbitt.api.shaft_parts": "Coupling Gear ShaftForce ShaftMass ShaftSupport",
+    "babbitt.api.stored_studies": "open_study",
     "babbitt.api.thrust_parts": (
         "FilmHeatBalance FilmTemperature FilmViscosity FixedPad LineLimits PadMaterials Pads Propeller "
         "Runout Seating ShaftPiece SpeedRange StepFace Taper ThrustRipple Tilt TiltingPivot"
@@ -429,6 +433,7 @@ __all__ = [
     "lubricant",
     "lubricants",
     "materials",
+    "open_study",
     "parse_case",
     "published_cases",
     "radial_clearance",

@@ -9,9 +9,9 @@ import pint
 import pytest
 
 import babbitt as bb
-from babbitt.api.fields import field_annotations, quantity_in
 from babbitt.api.gradient import quantities_of
 from babbitt.case import kinds, template
+from babbitt.case.field_types import field_annotations, quantity_in
 from babbitt.core.units.pint_quantity import pint_quantity
 
 REGISTRY = pint.UnitRegistry()

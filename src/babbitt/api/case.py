@@ -12,19 +12,22 @@ from pydantic import PrivateAttr
 from babbitt.api.given import as_given, content_of
 from babbitt.api.reading import read_case, refuse_incomplete
 from babbitt.api.shown import shown_call
-from babbitt.api.with_units import case_text, with_units
 from babbitt.case.aliases import in_method_mappings, in_todays_words, todays_path
 from babbitt.case.case_file import CaseFile, Origin
 from babbitt.case.loading import located
 from babbitt.case.named_files import NamedFiles
 from babbitt.case.variation import CaseVariation
+from babbitt.case.with_units import case_text, with_units
 from babbitt.core.files.reading import Reach
 from babbitt.core.notices import InputError
 
 if TYPE_CHECKING:
+    from concurrent.futures import Executor
+
     from babbitt.api.comparisons import Comparisons
     from babbitt.api.gradient import Gradient
     from babbitt.api.result_set import ResultSet
+    from babbitt.api.studies import Study
     from babbitt.study.size import Size
 
 __all__ = ["Case"]
@@ -300,6 +303,46 @@ class Case(CaseFile):
         from babbitt.api.sizing import size_of
 
         return size_of(self.complete(), path, within, points, limits, over_tolerance)
+
+    def study(
+        self,
+        kind: str | None = None,
+        vary: Mapping[str, Any] | None = None,
+        *,
+        outputs: Sequence[str] = (),
+        samples: int | None = None,
+        out: str | FilePath | None = None,
+        workers: int | Executor | str = 1,
+        **options: Any,
+    ) -> Study:
+        """Study many variants: a sweep, tolerance, map, sensitivity, spectrum or optimisation.
+
+        Parameters
+        ----------
+        kind : str, optional
+            By default the study that stands in the file of the case.
+        vary : Mapping, optional
+            By the path of a field a list of values, or a mapping such as ``{"uniform": ["10 kN", "14 kN"]}``;
+            numbers are in SI.
+        outputs : sequence of str
+            Quantities that are kept; by default the key results.
+        samples : int, optional
+        out : str or Path, optional
+            Folder ``name.study`` in which finished rows are kept; the same call goes on.
+        workers : int, concurrent.futures.Executor or str
+            Processes (a script that starts some guards its own work with ``if __name__ == "__main__"``), an
+            executor, or the address of a dask scheduler.
+        **options
+            What else stands in the block ``study`` of a case file: ``sampling``, ``seed``, ``minimise``, ...
+
+        Raises
+        ------
+        CaseError, InputError
+            With all that makes the study impossible.
+        """
+        from babbitt.api.studies import studied
+
+        return studied(self, kind, vary, outputs, samples, out, workers, options)
 
     def compare(self) -> Comparisons:
         """Solve it by every method that knows it, each beside the others.

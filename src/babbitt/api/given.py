@@ -9,9 +9,9 @@ from enum import Enum
 from pathlib import PurePath
 from typing import Any
 
-from babbitt.api.fields import quantity_in
 from babbitt.case.case_file import CaseFile
 from babbitt.case.error_messages import Path
+from babbitt.case.field_types import quantity_in
 from babbitt.case.part import Part
 from babbitt.case.parts.fields import TabulatedSpan
 from babbitt.case.problems import CaseError, Problem

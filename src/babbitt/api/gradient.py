@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.api.fields import field_annotations, quantity_in
 from babbitt.api.given import as_given
+from babbitt.case.field_types import field_annotations, quantity_in
 from babbitt.case.part import Part
 from babbitt.case.problems import CaseError, Problem
 from babbitt.core.nearest_name import unknown_name

@@ -11,9 +11,9 @@ from pydantic import PrivateAttr
 from babbitt.api.given import as_given, content_of
 from babbitt.api.reading import read_part
 from babbitt.api.shown import shown_call
-from babbitt.api.with_units import with_units
 from babbitt.case.aliases import in_todays_words
 from babbitt.case.part import Part
+from babbitt.case.with_units import with_units
 
 __all__ = ["OwnPart"]
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from babbitt.api.fields import field_annotations, quantity_in
 from babbitt.api.given import as_given
+from babbitt.case.field_types import field_annotations, quantity_in
 from babbitt.case.problems import CaseError, Problem
 from babbitt.case.variation import variation_of
 from babbitt.core.units import SiNumber, read

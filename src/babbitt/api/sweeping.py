@@ -8,8 +8,8 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from babbitt.api.answers import first_answer, solutions_of
-from babbitt.api.fields import attributes_of_field, field_annotations, quantity_in, takes_list
 from babbitt.api.given import as_given
+from babbitt.case.field_types import attributes_of_field, field_annotations, quantity_in, takes_list
 from babbitt.case.problems import CaseError, Problem
 from babbitt.core.notices import InputError
 from babbitt.core.units import read

@@ -12,6 +12,7 @@ from pydantic import Field, PrivateAttr
 
 from babbitt.case.named_files import NamedFiles
 from babbitt.case.part import Part
+from babbitt.case.parts.study import StudyBlock
 from babbitt.core.files.reading import Reach
 from babbitt.core.solution import Calculation
 
@@ -43,6 +44,7 @@ class CaseFile(Part):
     _text: str = PrivateAttr("")
     _files: tuple[FilePath, ...] = PrivateAttr(())
     _origin: Origin | None = PrivateAttr(None)
+    _study: StudyBlock | None = PrivateAttr(None)
 
     if TYPE_CHECKING:  # fields of every kind, each with its own description
 
@@ -97,6 +99,17 @@ class CaseFile(Part):
         """Give the same case with what it was read from."""
         case = self.model_copy()
         case._origin = origin
+        return case
+
+    @property
+    def study_block(self) -> StudyBlock | None:
+        """The study that stands beside the case in its file; it changes nothing of the case."""
+        return self._study
+
+    def with_study(self, study: StudyBlock) -> Self:
+        """Give the same case with a study of it."""
+        case = self.model_copy()
+        case._study = study
         return case
 
     def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:

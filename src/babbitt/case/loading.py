@@ -15,6 +15,7 @@ from babbitt.case.document import DocumentError, Node, read_document
 from babbitt.case.error_messages import Path, nearest, shown
 from babbitt.case.kinds import KINDS
 from babbitt.case.named_files import NamedFiles, TableError
+from babbitt.case.parts.study import StudyBlock
 from babbitt.case.problems import CaseError, Problem
 from babbitt.core.files.printing import printable
 from babbitt.core.files.reading import Reach
@@ -29,6 +30,9 @@ LONGEST_KEY = 60
 
 VERSION = 1
 """Version of the case language."""
+
+STUDY = "study"
+"""Key of the study that stands beside a case."""
 
 BLAMED: dict[str, Path] = {"E202": ("pads", "pivot")}
 """Field to blame for a refusal that a solution shows, by its code."""
@@ -54,7 +58,7 @@ def load_case(path: str | FilePath, reach: Reach = Reach.FOLDER) -> CaseFile:
         With every problem of the file.
     """
     path = FilePath(path)
-    return parsed_in(_text_of(path), path, reach)
+    return parsed_in(text_of(path), path, reach)
 
 
 def parse_case(text: str, name: str = "<text>", reach: Reach = Reach.FOLDER) -> CaseFile:
@@ -98,7 +102,7 @@ def read_file(path: FilePath) -> dict[str, Any]:
     CaseError
         When it cannot be read, or is no document of the case language.
     """
-    given = _document(_text_of(path), printable(path)).plain()
+    given = read_tree(text_of(path), printable(path)).plain()
     if not isinstance(given, dict):
         load_case(path)  # tells what is wrong
     return dict(given)
@@ -115,7 +119,8 @@ def build_case(given: Mapping[str, Any], name: str, files: NamedFiles) -> CaseFi
     return _case(dict(given), name, None, files)
 
 
-def _document(text: str, name: str) -> Node:
+def read_tree(text: str, name: str) -> Node:
+    """The values of a text with their places; raises CaseError for one that is no document."""
     try:
         return read_document(text)
     except DocumentError as error:
@@ -124,7 +129,7 @@ def _document(text: str, name: str) -> Node:
 
 
 def _parsed(text: str, name: str, files: NamedFiles) -> CaseFile:
-    root = _document(text, name)
+    root = read_tree(text, name)
     return _case(root.plain(), name, root, files).with_text(text)
 
 
@@ -222,17 +227,33 @@ def _case(given: Any, name: str, root: Node | None, files: NamedFiles) -> CaseFi
     if not isinstance(kind, str) or kind not in KINDS:
         says = "kind is missing" if "kind" not in given else f"{shown(kind)} is not a kind of case"
         hint = nearest(kind, KINDS) if isinstance(kind, str) else ""
+        if "kind" not in given and STUDY in given and "case" in given:
+            says, hint = "kind is missing: the file holds a study of another file", "try babbitt study"
         raise CaseError([_problem(name, root, given, ("kind",), says, ", ".join(KINDS), hint)])
+    study, found = _study_of(given)
+    bearing = {key: value for key, value in given.items() if key != STUDY}
     try:
         model = KINDS[kind]
-        read = model.with_named_files(given, files)
+        read = model.with_named_files(bearing, files)
         case = model.model_validate(read, context=AS_WRITTEN).with_files(tuple(files.taken))
-        return case.with_origin(Origin(given, files.folder / FilePath(name).name, files.reach))
     except TableError as error:
         raise CaseError([table_problem(error, given, name, root)]) from None
     except ValidationError as error:
-        found = error.errors(include_url=False)
-    raise CaseError(problems_of(found, given, name, root))
+        found = [*error.errors(include_url=False), *found]
+    if found:
+        raise CaseError(problems_of(found, given, name, root))
+    made = case.with_origin(Origin(bearing, files.folder / FilePath(name).name, files.reach))
+    return made if study is None else made.with_study(study)
+
+
+def _study_of(given: Mapping[str, Any]) -> tuple[StudyBlock | None, list[ErrorDetails]]:
+    """The study that stands beside a case, and what is wrong with it; None where there is none."""
+    if STUDY not in given:
+        return None, []
+    try:
+        return StudyBlock.model_validate(given[STUDY], context=AS_WRITTEN), []
+    except ValidationError as error:
+        return None, [{**one, "loc": (STUDY, *one["loc"])} for one in error.errors(include_url=False)]
 
 
 def problems_of(
@@ -297,7 +318,9 @@ def _step(step: str | int, value: Any) -> str:
     return f"[{step} {shown(own)}]" if isinstance(own, str) else f"[{step}]"
 
 
-def _text_of(path: FilePath) -> str:
+def text_of(path: FilePath) -> str:
+    """The text of a file; raises CaseError for one that cannot be read."""
+
     def refuse(says: str, allowed: str = "", hint: str = "", line: int = 0) -> CaseError:
         return CaseError([Problem(printable(path), line, "", says, allowed=allowed, hint=hint, code="E001")])
 

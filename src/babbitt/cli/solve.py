@@ -73,25 +73,39 @@ def solve(
 @app.command()
 def check(files: Files, allow_outside: AllowOutside = False) -> None:
     """Validate case files: every problem at once, and all that `solve` would refuse."""
-    from babbitt.case import CaseError, Problem, load_case, located
+    from babbitt.case import CaseError, Problem, located
+    from babbitt.case.study_file import load_case_or_study
     from babbitt.case.upgrade import former_places
     from babbitt.solving import refusal_of
 
     problems: list[Problem] = []
     for path in files:
         try:
-            case = load_case(path, reach(allow_outside))
+            read = load_case_or_study(path, reach(allow_outside))
         except CaseError as error:
             problems += error.problems
             continue
+        case = read.case
         if (refusal := refusal_of(case)) is not None:
             problems += located(refusal, case, path).problems
             continue
+        studied = ""
+        if read.study is not None:
+            from babbitt.core.notices import InputError
+            from babbitt.study.study import require_possible
+
+            try:
+                _, rows = require_possible(case, read.study)
+            except InputError as error:
+                problems += located(error, case, path).problems
+                continue
+            studied = f", study of kind {read.study.kind}, {rows} rows"
         problems_to_solve = case.problems()
         count = len(problems_to_solve)
         print(
             f"{printable(path)}: usable, kind {case.kind}"
             + (f", {count} calculation{'s' * (count > 1)}" if count else "")
+            + studied
         )
         for said in dict.fromkeys(
             f"{warning.code} {warning.message}" for problem in problems_to_solve for warning in problem.warnings

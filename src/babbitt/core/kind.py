@@ -82,6 +82,9 @@ class Kind:
     words : str
         Package in whose folder ``words.en.toml`` has the texts of its codes (`babbitt.core.notices.words`). Kinds
         that ship name none: theirs are found in their folders.
+    solve_many : str
+        A function from a case and columns of values to columns of answers (`babbitt.study.rows.SolvesMany`), as
+        ``module:name``; empty where rows are solved case by case.
     """
 
     name: str
@@ -96,6 +99,7 @@ class Kind:
     vocabulary: str = ""
     quantities: str = ""
     words: str = ""
+    solve_many: str = ""
 
     def load(self, path: str) -> Any:
         """Import a part that it names.

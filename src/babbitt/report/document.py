@@ -68,21 +68,31 @@ def report(machine: MachineResult, report_format: Format) -> bytes:
     bytes
         Equal for equal input: no date, no time, no name of the computer.
     """
+    return typeset(content(machine), "report.typ", report_format)
+
+
+def typeset(data: Any, template: str, report_format: Format) -> bytes:
+    """What a template makes of texts and numbers.
+
+    Raises
+    ------
+    InputError
+        E007 when typst is not installed.
+    """
     try:
         import typst
     except ImportError:
         raise missing_extra("typst", "reports") from None
-    data = content(machine)
     fonts = typst.Fonts(include_system_fonts=any(needs_system_fonts(text) for text in _texts(data)))
     compiler = typst.Compiler(
-        input=TEMPLATES / "report.typ",
+        input=TEMPLATES / template,
         root=TEMPLATES,
         font_paths=fonts,
         sys_inputs={"data": json.dumps(data), "format": report_format, "generator": GENERATOR},
     )
-    typeset = compiler.compile(format=report_format, timestamp=0)
-    assert isinstance(typeset, bytes), "PDF and HTML are one file each"
-    return _with_style(typeset) if report_format == "html" else typeset
+    made = compiler.compile(format=report_format, timestamp=0)
+    assert isinstance(made, bytes), "PDF and HTML are one file each"
+    return _with_style(made) if report_format == "html" else made
 
 
 def _with_style(page: bytes) -> bytes:

@@ -14,13 +14,18 @@ from babbitt.core.notices import InputError
 
 __all__ = [
     "create_file",
+    "UNFINISHED",
     "discard_unfinished",
+    "replace_synced",
     "require_distinct",
     "require_writable",
     "write_file",
     "write_files",
     "write_text",
 ]
+
+UNFINISHED = ".babbitt-"
+"""How the name of a file begins while its content is still being written."""
 
 _UNFINISHED: set[Path] = set()
 """Files beside their target whose content is still being written."""
@@ -59,6 +64,38 @@ def write_file(path: str | Path, content: bytes) -> None:
 def write_text(path: str | Path, text: str) -> None:
     """Write a UTF-8 file with the line ends as they stand in the text; raises as `write_file`."""
     write_file(path, text.encode())
+
+
+def replace_synced(path: Path, content: bytes) -> None:
+    """Write a file of a folder that is Babbitt's own: beside its place, brought to disk, then renamed.
+
+    After a kill or a loss of power the file is there complete, or as it was before.
+
+    Raises
+    ------
+    InputError
+        E007 naming what the operating system says, such as of a full disk.
+    """
+    unfinished = _write_beside(path, path, content)
+    try:
+        with unfinished.open("rb+") as file:
+            os.fsync(file.fileno())
+        unfinished.replace(path)
+        _sync_folder(path.parent)
+    except OSError as error:
+        raise _cannot_write(path, error) from None
+    finally:
+        _discard(unfinished)
+
+
+def _sync_folder(folder: Path) -> None:
+    """Bring a renaming to disk; some systems know no such thing of folders."""
+    with suppress(OSError):
+        handle = os.open(folder, os.O_RDONLY)
+        try:
+            os.fsync(handle)
+        finally:
+            os.close(handle)
 
 
 def create_file(path: str | Path, content: bytes) -> None:
@@ -202,7 +239,7 @@ def _write_beside(target: Path, named: Path, content: bytes) -> Path:
     """A file with the content in the folder of the target, of a name that nobody else uses."""
     unfinished: Path | None = None
     try:
-        handle, name = tempfile.mkstemp(prefix=".babbitt-", dir=target.parent)
+        handle, name = tempfile.mkstemp(prefix=UNFINISHED, dir=target.parent)
         unfinished = Path(name)
         _UNFINISHED.add(unfinished)
         with os.fdopen(handle, "wb") as file:

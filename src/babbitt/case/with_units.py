@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-from babbitt.api.fields import expanded, quantity_in
+from babbitt.case.field_types import expanded, quantity_in
 from babbitt.case.part import Part
 from babbitt.core.units import Kind, read
 

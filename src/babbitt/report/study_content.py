@@ -1,0 +1,380 @@
+"""What a study tells, as tables of text: for the screen, the report and the summary of a workbook alike."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from babbitt.core.result import Verdict
+from babbitt.report.study_values import (
+    DASH,
+    Scale,
+    check_title,
+    input_scale,
+    output_scale,
+    percent,
+    significant,
+)
+from babbitt.report.text import plain_text
+from babbitt.study.indices import indices_of, slopes_of
+from babbitt.study.optimum import Optimum, optimum_of
+from babbitt.study.rows import Columns
+from babbitt.study.spectrum import spectrum_summary
+from babbitt.study.study import Study
+from babbitt.study.yields import tolerance_summary
+
+__all__ = ["StudyTable", "overview", "study_tables"]
+
+MOST_ROWS = 200
+"""Rows of a sweep that a table shows."""
+
+SAMPLING = {"latin_hypercube": "Latin hypercube", "sobol": "Sobol sequence", "random": "random"}
+
+WORDS = {verdict.key: verdict.value for verdict in Verdict}
+
+
+@dataclass(frozen=True)
+class StudyTable:
+    """A table of text.
+
+    Attributes
+    ----------
+    title : str
+    columns : tuple of (str, str)
+        Heading and unit.
+    rows : tuple of tuple of str
+    words : int
+        Columns from the left that hold words; all others hold numbers.
+    notes : tuple of str
+        Below it.
+    """
+
+    title: str
+    columns: tuple[tuple[str, str], ...]
+    rows: tuple[tuple[str, ...], ...]
+    words: int = 1
+    notes: tuple[str, ...] = ()
+
+
+def overview(study: Study) -> str:
+    """What was computed, in a sentence."""
+    block = study.block
+    planned = int(study.description["rows"])
+    without = _without_solution(study.columns)
+    done = (
+        f"{study.rows} of {planned} rows"
+        if not study.complete and block.kind != "optimise"
+        else f"{study.rows} rows"
+    )
+    drawn = ""
+    if block.kind == "tolerance":
+        drawn = f", {SAMPLING[block.sampling]} of {sum(study.description['batches'])} samples, seed {block.seed}"
+    if block.kind in ("sensitivity", "optimise"):
+        drawn = f", seed {block.seed}"
+    refused = int(np.unique(study.columns["row"][study.columns["status"] == "refused"]).size)
+    said = f", {refused} of them refused" if refused else ""
+    return f"Study of kind {block.kind}: {done}{drawn}; {without} without a solution{said}."
+
+
+def _without_solution(columns: Columns) -> int:
+    return int(np.unique(columns["row"][columns["verdict"] == Verdict.NO_SOLUTION.key]).size)
+
+
+def study_tables(study: Study) -> tuple[StudyTable, ...]:
+    """The tables of a study, what matters most first."""
+    made = list(_OF_KIND[study.kind](study))
+    made.append(_input_table(study))
+    if (lost := _reasons(study)) is not None:
+        made.append(lost)
+    return tuple(made)
+
+
+def _input_table(study: Study) -> StudyTable:
+    rows = []
+    for one in study.inputs:
+        scale = input_scale(one)
+        ends = one["values"] if "values" in one else [scale.text(end) for end in one["support"]]
+        first, last = (str(ends[0]), str(ends[-1])) if ends else (DASH, DASH)
+        rows.append((plain_text(one["path"]), one["meaning"], one["law"], one["reason"], first, last, scale.unit))
+    columns = ("field", "meaning", "values or distribution", "reason", "from", "to", "unit")
+    return StudyTable("What varies", tuple((name, "") for name in columns), tuple(rows), 4)
+
+
+def _reasons(study: Study) -> StudyTable | None:
+    """Why rows have no answer, the most frequent first; None where all have one."""
+    messages = [str(one) for one in study.columns["message"] if one]
+    if not messages:
+        return None
+    counts: dict[str, int] = {}
+    for message in messages:
+        counts[message] = counts.get(message, 0) + 1
+    most = sorted(counts.items(), key=lambda pair: -pair[1])[:5]
+    rows = tuple((plain_text(message), str(count)) for message, count in most)
+    return StudyTable("Why rows have no solution", (("reason, the most frequent ones", ""), ("rows", "")), rows)
+
+
+def _scales(study: Study) -> tuple[dict[str, Scale], dict[str, Scale]]:
+    inputs = {one["path"]: input_scale(one, _numbers(study, one)) for one in study.inputs}
+    return inputs, {name: output_scale(name) for name in study.outputs}
+
+
+def _numbers(study: Study, one: Mapping[str, Any]) -> Any:
+    return None if "values" in one else study.columns[one["path"]]
+
+
+def _bearings(columns: Columns) -> list[str]:
+    return [str(one) for one in dict.fromkeys(columns["bearing"]) if one]
+
+
+def _several(study: Study) -> bool:
+    return len(_bearings(study.columns)) > 1
+
+
+def line_table(
+    study: Study, columns: Columns, title: str, first: str = "", notes: Sequence[str] = ()
+) -> StudyTable:
+    """Lines of a study as they stand, in engineers' units; `first` names a column that stands at their head."""
+    inputs, outputs = _scales(study)
+    several = _several(study)
+    heads = [(first, "")] if first else []
+    heads += [(scale.name, scale.unit) for scale in inputs.values()]
+    heads += [("bearing", "")] if several else []
+    heads += [(scale.name, scale.unit) for scale in outputs.values()]
+    heads += [("margin", "%"), ("governed by", ""), ("verdict", ""), ("missed", "")]
+    rows = []
+    for place in range(min(columns["row"].size, MOST_ROWS)):
+        cells = [str(columns[first][place])] if first else []
+        cells += [scale.text(columns[path][place]) for path, scale in inputs.items()]
+        cells += [plain_text(str(columns["bearing"][place]))] if several else []
+        cells += [scale.text(columns[name][place]) for name, scale in outputs.items()]
+        margin = columns["margin"][place]
+        cells += [f"{100.0 * margin:.1f}" if math.isfinite(margin) else DASH]
+        status = str(columns["status"][place])
+        verdict = WORDS.get(str(columns["verdict"][place]), "")
+        cells += [str(columns["governing_check"][place]) or DASH, status if status == "refused" else verdict]
+        rows.append((*cells, str(columns["failed_checks"][place])))
+    more = columns["row"].size - len(rows)
+    said = [f"{more} more rows are not shown; --xlsx or --out has all."] if more > 0 else []
+    return StudyTable(title, tuple(heads), tuple(rows), 1 if first else 0, (*notes, *said))
+
+
+def _sweep(study: Study) -> Iterator[StudyTable]:
+    yield line_table(study, study.columns, "Results")
+
+
+def _tolerance(study: Study) -> Iterator[StudyTable]:
+    found = tolerance_summary(study)
+    heads = ("", "samples", "within limits", "yield", "95 % from", "to", "unsolved", "interval by")
+    yield StudyTable(
+        "Yield",
+        tuple((head, "") for head in heads),
+        tuple(
+            (
+                *(plain_text(one.bearing), str(one.samples), str(one.within)),
+                *(percent(share, 2) for share in (one.share, one.low, one.high)),
+                *(str(one.unsolved), one.method),
+            )
+            for one in found.yields
+        ),
+        notes=(
+            "Within limits: verdict pass or pass with remarks; a row without a solution or verdict is outside.",
+        ),
+    )
+    several = _several(study)
+    yield StudyTable(
+        "Checks",
+        ((("bearing", ""),) if several else ())
+        + (("check", ""), ("failed", ""), ("share", ""), ("Cpk", ""), ("Cpk holds", "")),
+        tuple(
+            ((plain_text(one.bearing),) if several else ())
+            + (check_title(one.code), str(one.failures), percent(one.failures / max(1, one.samples), 2))
+            + (significant(one.cpk, 3), "about" if one.near_normal else "not: margins far from a normal law")
+            for one in found.capabilities
+        ),
+        2 if several else 1,
+        ("Cpk of a one-sided limit: mean margin over three standard deviations; holds for near-normal margins.",),
+    )
+    yield _spread_table(study, found.spreads, several)
+    yield from _worst_cases(study, found.worst_corner, found.worst_sample)
+    yield _tornado_table(study, found.tornado, several)
+
+
+def _spread_table(study: Study, spreads: Sequence[Any], several: bool) -> StudyTable:
+    ranks = sorted(next((one.percentiles for one in spreads), {}))
+    heads = ((("bearing", ""),) if several else ()) + (("quantity", ""), ("mean", ""), ("σ", ""))
+    rows = []
+    for one in spreads:
+        scale = output_scale(one.output)
+        cells = ((plain_text(one.bearing),) if several else ()) + (f"{scale.name} {scale.unit}".strip(),)
+        deviation = significant(one.deviation * scale.factor, 3)
+        numbers = [scale.text(one.percentiles[rank]) for rank in ranks]
+        rows.append(
+            (*cells, scale.text(one.mean), deviation, scale.text(one.least), *numbers, scale.text(one.most))
+        )
+    percentiles = tuple((f"{rank:g} %", "") for rank in ranks)
+    columns = (*heads, ("least", ""), *percentiles, ("largest", ""))
+    return StudyTable("Scatter of the results", columns, tuple(rows), 2 if several else 1)
+
+
+def _worst_cases(
+    study: Study, corner: Mapping[str, Any] | None, sample: Mapping[str, Any] | None
+) -> Iterator[StudyTable]:
+    found = [(name, one) for name, one in (("worst corner", corner), ("worst sample", sample)) if one is not None]
+    if not found:
+        return
+    columns = {name: np.array([one[name] for _, one in found]) for name in found[0][1]}
+    columns["case"] = np.array([name for name, _ in found], object)
+    notes = ["Corners: every combination of smallest and largest values."] if corner is not None else []
+    if corner is None:
+        notes = ["No corners are computed: there are more than 8 numeric fields, none, or fields of a table."]
+    yield line_table(study, columns, "Worst cases", "case", notes)
+
+
+def _tornado_table(
+    study: Study, tornado: Mapping[tuple[str, str], Mapping[str, float]], several: bool
+) -> StudyTable:
+    paths = [one["path"] for one in study.inputs if "values" not in one]
+    heads = ((("bearing", ""),) if several else ()) + (("result", ""),)
+    rows = tuple(
+        ((plain_text(bearing),) if several else ())
+        + (output_scale(output).name, *(_signed(shares.get(path, math.nan)) for path in paths))
+        for (bearing, output), shares in tornado.items()
+    )
+    note = "Squared rank correlation (Spearman), in percent; a minus: the result falls as the field rises."
+    return StudyTable(
+        "What drives the scatter", (*heads, *((path, "%") for path in paths)), rows, 2 if several else 1, (note,)
+    )
+
+
+def _signed(share: float) -> str:
+    return f"{100.0 * share:.1f}" if math.isfinite(share) else DASH
+
+
+def _map(study: Study) -> Iterator[StudyTable]:
+    across, up = study.inputs
+    for bearing in _bearings(study.columns):
+        own = study.columns["bearing"] == bearing
+        columns = {name: column[own] for name, column in study.columns.items()}
+        scales = [input_scale(one, _numbers(study, one)) for one in (across, up)]
+        axes = [list(dict.fromkeys(study.columns[one["path"]].tolist())) for one in (across, up)]
+        letters = {
+            (columns[across["path"]][place], columns[up["path"]][place]): _letter(columns, place)
+            for place in range(columns["row"].size)
+        }
+        rows = tuple((scales[1].text(y), *(letters.get((x, y), "–") for x in axes[0])) for y in reversed(axes[1]))
+        heads = ((scales[1].heading, ""), *((scales[0].text(x), "") for x in axes[0]))
+        title = f"Map of {plain_text(bearing)}: {scales[1].name} up, {scales[0].heading} across"
+        note = (
+            "○ within all limits; a code: the check that governs where one is missed; ? no verdict; – no solution."
+        )
+        yield StudyTable(title, heads, rows, 1, (note,))
+
+
+def _letter(columns: Columns, place: int) -> str:
+    match str(columns["verdict"][place]):
+        case "pass" | "remarks":
+            return "○"
+        case "fail":
+            return str(columns["governing_check"][place])
+        case "no_verdict":
+            return "?"
+    return "–"
+
+
+def _sensitivity(study: Study) -> Iterator[StudyTable]:
+    several = _several(study)
+    paths = [one["path"] for one in study.inputs]
+    lead = (("bearing", ""),) if several else ()
+    found = indices_of(study)
+    rows = []
+    for one in found:
+        name = ((plain_text(one.bearing),) if several else ()) + (output_scale(one.output).name,)
+        for what, values, conf in (("first", one.first, one.first_conf), ("total", one.total, one.total_conf)):
+            cells = tuple(
+                f"{value:.3f} ± {half:.3f}" if math.isfinite(value) else DASH
+                for value, half in zip(values, conf, strict=True)
+            )
+            rows.append((*name, what, *cells))
+    notes = ["Share of the variance: of the field alone (first), with all its interactions (total); ± 95 %."]
+    least = min((one.used for one in found), default=0)
+    if found and least < found[0].base:
+        notes.append(
+            f"{found[0].base - least} of {found[0].base} base samples have a row without solution, left out."
+        )
+    heads = (*lead, ("result", ""), ("index", ""), *((path, "") for path in paths))
+    yield StudyTable("Sobol indices", heads, tuple(rows), 3 if several else 2, tuple(notes))
+    slopes = slopes_of(study)
+    rows = [
+        ((plain_text(bearing),) if several else ())
+        + (output_scale(output).name, *(significant(own[path][1], 3) for path in paths))
+        for (bearing, output), own in slopes.items()
+    ]
+    note = (
+        "Elasticity: percent of change of the result for one percent of the field (temperatures in K), by central "
+    )
+    note += "differences at the medians."
+    heads = (*lead, ("result", ""), *((path, "") for path in paths))
+    yield StudyTable("Slopes at the medians", heads, tuple(rows), 2 if several else 1, (note,))
+
+
+def _spectrum(study: Study) -> Iterator[StudyTable]:
+    block = study.block
+    shares = [one.share for one in block.load_cases]
+    columns = dict(study.columns)
+    names = [
+        f"{study.columns['group'][place]} ({percent(shares[row])})" for place, row in enumerate(columns["row"])
+    ]
+    columns["load case"] = np.array(names, object)
+    yield line_table(study, columns, "Load cases", "load case")
+    heads = [("bearing", ""), ("governing load case", ""), ("check", ""), ("margin", "%")]
+    scales = {name: output_scale(name) for name in study.outputs}
+    heads += [(f"mean {scale.name}", scale.unit) for scale in scales.values()]
+    rows = tuple(
+        (
+            *(plain_text(one.bearing), plain_text(one.governing_case), one.governing_check or DASH),
+            f"{100.0 * one.margin:.1f}" if math.isfinite(one.margin) else DASH,
+            *(scale.text(one.means[name]) for name, scale in scales.items()),
+            significant(one.yearly_energy / 3.6e6),
+        )
+        for one in spectrum_summary(study)
+    )
+    note = f"Energy of friction in {block.hours_per_year:g} hours."
+    yield StudyTable("Over the spectrum", (*heads, ("energy a year", "kWh")), rows, 3, (note,))
+    margins = tuple(
+        (plain_text(one.bearing), check_title(code), f"{100.0 * value:.1f}")
+        for one in spectrum_summary(study)
+        for code, value in sorted(one.worst_margins.items(), key=lambda pair: pair[1])
+    )
+    yield StudyTable("Worst margins", (("bearing", ""), ("check", ""), ("margin", "%")), margins, 2)
+
+
+def _optimise(study: Study) -> Iterator[StudyTable]:
+    found: Optimum = optimum_of(study)
+    if not found.rows:
+        nearest = study.columns["row"] == found.nearest
+        columns = {name: column[nearest] for name, column in study.columns.items()}
+        note = "No design that was computed keeps all limits; this one misses them least."
+        yield line_table(study, columns, "Nearest miss", "row", (note,))
+        return
+    wanted = [np.flatnonzero(study.columns["row"] == row) for row in found.rows]
+    places = np.concatenate(wanted)
+    columns = {name: column[places] for name, column in study.columns.items()}
+    goals = [f"least {output_scale(name).name}" for name in study.block.minimise]
+    goals += [f"largest {output_scale(name).name}" for name in study.block.maximise]
+    title = "Pareto set" if len(goals) > 1 else "Best design"
+    note = f"{title}: {', '.join(goals)}; {found.feasible} of {study.rows} designs keep all limits."
+    yield line_table(study, columns, title, "row", (note,))
+
+
+_OF_KIND: Mapping[str, Callable[[Study], Iterator[StudyTable]]] = {
+    "sweep": _sweep,
+    "tolerance": _tolerance,
+    "map": _map,
+    "sensitivity": _sensitivity,
+    "spectrum": _spectrum,
+    "optimise": _optimise,
+}

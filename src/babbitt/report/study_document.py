@@ -1,0 +1,58 @@
+"""The report of a study: its tables, its figures, and the case with the study as it was given."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from babbitt.core.files.writing import require_writable, write_file
+from babbitt.report.document import FORMATS, typeset
+from babbitt.report.study_content import StudyTable, overview, study_tables
+from babbitt.report.study_figures import study_drawings
+from babbitt.report.text import plain_lines, plain_text
+from babbitt.study.study import Study
+
+__all__ = ["study_report", "write_study_report"]
+
+LONG = 40
+"""Letters of a cell beyond which words share the width of a page."""
+
+
+def write_study_report(study: Study, path: Path) -> None:
+    """Write the report of a study; the suffix says what: ``.pdf`` or ``.html``.
+
+    Raises
+    ------
+    InputError
+        E007 for a path that cannot be written, or a package that is not installed.
+    """
+    require_writable(path)
+    write_file(path, study_report(study, path.suffix.lower()))
+
+
+def study_report(study: Study, suffix: str) -> bytes:
+    """The report of a study, typeset; equal for equal input."""
+    told = study.description
+    data = {
+        "name": plain_text(str(told["name"])) or "Unnamed case",
+        "version": str(told["babbitt"]),
+        "hash": str(told["case_hash"]),
+        "overview": overview(study),
+        "source": plain_text(str(told["case"].get("source", ""))),
+        "notes": plain_text(str(told["case"].get("notes", ""))),
+        "tables": [_table(one) for one in study_tables(study)],
+        "figures": [{"caption": one.caption, "svg": one.image.decode()} for one in study_drawings(study, "svg")],
+        "text": plain_lines(str(told["text"])).strip("\n"),
+    }
+    return typeset(data, "study.typ", FORMATS[suffix])
+
+
+def _table(table: StudyTable) -> dict[str, Any]:
+    return {
+        "title": table.title,
+        "columns": [list(column) for column in table.columns],
+        "rows": [list(row) for row in table.rows],
+        "words": table.words,
+        "long": any(len(cell) > LONG for row in table.rows for cell in row[: table.words]),
+        "notes": list(table.notes),
+    }

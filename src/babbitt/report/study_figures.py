@@ -1,0 +1,427 @@
+"""The figures of a study: histograms with limits, tornado, pairs, maps with limit lines, Pareto front, curves."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from babbitt.core.files.writing import write_files
+from babbitt.core.result import Verdict
+from babbitt.report.drawing import GREY, INK, PALE, Drawing, Sheet, mathematics, rendered, style
+from babbitt.report.study_content import SAMPLING
+from babbitt.report.study_values import Scale, input_scale, output_scale
+from babbitt.report.text import plain_text
+from babbitt.study.grids import SAMPLE
+from babbitt.study.indices import Indices, indices_of
+from babbitt.study.optimum import optimum_of
+from babbitt.study.rows import Columns
+from babbitt.study.study import Study
+from babbitt.study.yields import WITHIN, tolerance_summary
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+__all__ = ["study_drawings", "write_study_plots"]
+
+Array = NDArray[np.float64]
+Drawn = tuple[str, str, "Figure"]
+"""Name, caption and figure."""
+
+MOST_PANELS = 6
+MOST_BEARINGS = 12
+MOST_CURVES = 8
+MOST_LINES = 400
+"""Designs that parallel coordinates show, the first ones."""
+
+WIDTH = 166.0
+"""mm."""
+
+CLASSES = 30
+
+
+def study_drawings(study: Study, image_format: str) -> tuple[Drawing, ...]:
+    """All figures of a study.
+
+    Raises
+    ------
+    InputError
+        E007 when matplotlib is not installed.
+    """
+    with style():
+        return tuple(
+            Drawing(name, caption, rendered(figure, image_format), wide=True)
+            for name, caption, figure in _OF_KIND[study.kind](study)
+        )
+
+
+def write_study_plots(study: Study, folder: Path) -> tuple[Path, ...]:
+    """Write the figures into a folder, as SVG and PNG; where they are now.
+
+    Raises
+    ------
+    InputError
+        E007 when a file cannot be written or matplotlib is not installed.
+    """
+    files: dict[str, bytes] = {}
+    for ending in ("svg", "png"):
+        files |= {f"{one.name}.{ending}": one.image for one in study_drawings(study, ending)}
+    return write_files(folder, files)
+
+
+def _bearings(study: Study) -> list[str]:
+    return [str(one) for one in dict.fromkeys(study.columns["bearing"]) if one][:MOST_BEARINGS]
+
+
+def _lines_of(columns: Columns, bearing: str) -> Columns:
+    chosen = columns["bearing"] == bearing
+    return {name: column[chosen] for name, column in columns.items()}
+
+
+def _file_name(what: str, bearing: str, bearings: list[str]) -> str:
+    return what if len(bearings) == 1 else f"{what}-{bearings.index(bearing) + 1}"
+
+
+def _of(bearing: str, bearings: list[str]) -> str:
+    return "" if len(bearings) == 1 else f" of {plain_text(bearing)}"
+
+
+def _label(scale: Scale) -> str:
+    name = mathematics(scale.name) if scale.quantity else scale.name.replace("$", r"\$")
+    return f"{name} in {scale.unit}" if scale.unit else name
+
+
+def _tolerance(study: Study) -> Iterator[Drawn]:
+    bearings = _bearings(study)
+    summary = tolerance_summary(study)
+    drawn = SAMPLING[study.block.sampling]
+    for bearing in bearings:
+        own = _lines_of(study.of(SAMPLE), bearing)
+        of = _of(bearing, bearings)
+        caption = (
+            f"Scatter of the results{of} over {own['row'].size} samples ({drawn}); limits broken, where one is "
+        )
+        yield (
+            _file_name("histograms", bearing, bearings),
+            caption + "the same in all samples that of the medians; hatched: beyond a limit of this result.",
+            _histograms(study, own),
+        )
+        shares = {name: by for (of_bearing, name), by in summary.tornado.items() if of_bearing == bearing}
+        if any(shares.values()):
+            caption = f"What drives the scatter{of}: squared rank correlation of each field with each result; "
+            caption += "pale: the result falls as the field rises."
+            yield _file_name("tornado", bearing, bearings), caption, _tornado(shares)
+        pairs = [one for one in study.inputs if "values" not in one][:4]
+        if len(pairs) > 1:
+            caption = f"Samples{of} within all limits (pale) and outside (crosses), over pairs of fields."
+            yield _file_name("pairs", bearing, bearings), caption, _pairs(pairs, own)
+
+
+def _panels(count: int, height: float = 46.0, **settings: Any) -> tuple[Figure, list[Axes]]:
+    across = min(3, count)
+    rows = math.ceil(count / across)
+    sheet = Sheet(WIDTH, rows * height, rows, across, left=13.0, bottom=10.0, across=12.0, between=13.0)
+    figure, axes = sheet.panels(**settings)
+    figure.subplots_adjust(top=1.0 - 6.0 / (rows * height))
+    panels = list(axes.ravel())
+    for panel in panels[count:]:
+        panel.set_axis_off()
+    return figure, panels[:count]
+
+
+def _histograms(study: Study, own: Columns) -> Figure:
+    names = [name for name in study.outputs if np.isfinite(own[name]).any()][:MOST_PANELS]
+    figure, panels = _panels(max(1, len(names)))
+    for panel, name in zip(panels, names, strict=False):
+        scale = output_scale(name)
+        values = scale.shown(own[name][np.isfinite(own[name])])
+        limits = [one for one in study.description["checks"] if one["quantity"].removeprefix("starved_") == name]
+        counts, edges = np.histogram(values, CLASSES)
+        middle = 0.5 * (edges[1:] + edges[:-1])
+        beyond = np.zeros(CLASSES, bool)
+        for one in limits:
+            limit = scale.shown(one["limit"])
+            beyond |= middle > limit if one["bound"] == "<=" else middle < limit
+            span = edges[-1] - edges[0]
+            if edges[0] - 0.5 * span <= limit <= edges[-1] + 0.5 * span:
+                panel.axvline(limit, color=GREY, linewidth=0.8, linestyle=(0, (5, 2)))
+                panel.annotate(
+                    one["code"], (limit, 1.0), xycoords=("data", "axes fraction"), xytext=(0, 1.5),
+                    textcoords="offset points", ha="center", fontsize=6, color="0.3",
+                )  # fmt: skip
+        width = edges[1] - edges[0]
+        panel.bar(middle[~beyond], counts[~beyond], width, color=PALE)
+        panel.bar(middle[beyond], counts[beyond], width, color="white", edgecolor=INK, linewidth=0.3, hatch="////")
+        panel.set_xlabel(_label(scale))
+        panel.set_ylabel("samples")
+    return figure
+
+
+def _tornado(shares: Mapping[str, Mapping[str, float]]) -> Figure:
+    varying = [name for name, by in shares.items() if any(map(math.isfinite, by.values()))]
+    names = sorted(varying, key=lambda name: name != "margin")[:MOST_PANELS]
+    figure, panels = _panels(max(1, len(names)), sharex=True)
+    for panel, name in zip(panels, names, strict=False):
+        by = {path: share for path, share in shares[name].items() if math.isfinite(share)}
+        order = sorted(by, key=lambda path: abs(by[path]))
+        colours = [INK if by[path] >= 0.0 else PALE for path in order]
+        panel.barh(range(len(order)), [100.0 * abs(by[path]) for path in order], color=colours, height=0.35)
+        _named_bars(panel, order)
+        panel.set_title("margin" if name == "margin" else mathematics(output_scale(name).name), fontsize=8, pad=3)
+        panel.set_xlim(0.0, 100.0)
+        panel.set_xlabel("%")
+    return figure
+
+
+def _named_bars(panel: Axes, names: Sequence[str]) -> None:
+    """Names of horizontal bars above them, where no length of a name takes room of the panel."""
+    panel.set_yticks([])
+    panel.set_ylim(-0.5, len(names) - 0.15)
+    for place, name in enumerate(names):
+        panel.annotate(
+            plain_text(name), (0.01, place + 0.24), xycoords=("axes fraction", "data"), va="bottom", fontsize=6
+        )
+
+
+def _pairs(inputs: list[dict[str, Any]], own: Columns) -> Figure:
+    couples = [(one, other) for place, one in enumerate(inputs) for other in inputs[place + 1 :]][:MOST_PANELS]
+    figure, panels = _panels(len(couples))
+    within = np.isin(own["verdict"], WITHIN)
+    few = slice(0, 4000)  # more points only blacken the panel
+    for panel, (one, other) in zip(panels, couples, strict=True):
+        x, y = (_scaled(each, own)[few] for each in (one, other))
+        kept = within[few]
+        panel.plot(x[kept], y[kept], ".", color=PALE, markersize=2.0, rasterized=True)
+        panel.plot(x[~kept], y[~kept], "x", color=INK, markersize=2.0, markeredgewidth=0.5, rasterized=True)
+        panel.set_xlabel(_label(input_scale(one)))
+        panel.set_ylabel(_label(input_scale(other)))
+    return figure
+
+
+def _scaled(one: Mapping[str, Any], own: Columns) -> Array:
+    return np.asarray(input_scale(one).shown(own[one["path"]].astype(float)))
+
+
+def _map(study: Study) -> Iterator[Drawn]:
+    across, up = study.inputs
+    if "values" in across or "values" in up:
+        return
+    bearings = _bearings(study)
+    for bearing in bearings:
+        own = _lines_of(study.columns, bearing)
+        caption = (
+            f"Region{_of(bearing, bearings)} within all limits (white) over {plain_text(across['path'])} and "
+        )
+        caption += (
+            f"{plain_text(up['path'])}, with contours of the governing margin in percent. Bold: margin zero. "
+        )
+        caption += (
+            "Broken: margin zero of a single check, by its code. Grey: beyond a limit; crosses: no solution."
+        )
+        yield _file_name("map", bearing, bearings), caption, _contours(across, up, own)
+
+
+def _contours(across: Mapping[str, Any], up: Mapping[str, Any], own: Columns) -> Figure:
+    x, y = (np.unique(_scaled(one, own)) for one in (across, up))
+    at_x = np.searchsorted(x, _scaled(across, own))
+    at_y = np.searchsorted(y, _scaled(up, own))
+
+    def field(name: str) -> Array:
+        made = np.full((y.size, x.size), np.nan)
+        made[at_y, at_x] = own[name]
+        return made
+
+    figure, axes = Sheet(120.0, 84.0, left=16.0, bottom=11.0).panels()
+    panel = axes[0][0]
+    margin = field("margin")
+    if np.isfinite(margin).any() and min(margin.shape) > 1:
+        least, most = np.nanmin(margin), np.nanmax(margin)
+        if least < 0.0:
+            panel.contourf(x, y, margin, levels=[min(least, -1e-9), 0.0], colors=["0.85"])
+        levels = [level for level in (-0.5, -0.2, 0.1, 0.2, 0.3, 0.4, 0.6, 0.8) if least < level < most]
+        if levels:
+            lines = panel.contour(x, y, margin, levels=levels, colors=GREY, linewidths=0.6)
+            panel.clabel(lines, fmt=lambda value: f"{100.0 * value:.0f}", fontsize=6)
+        if least < 0.0 < most:
+            panel.contour(x, y, margin, levels=[0.0], colors=INK, linewidths=1.4)
+        for name in (name for name in own if name.startswith("margin_")):
+            single = field(name)
+            if np.isfinite(single).any() and np.nanmin(single) < 0.0 < np.nanmax(single):
+                drawn = panel.contour(x, y, single, levels=[0.0], colors=INK, linewidths=0.7, linestyles="dashed")
+                code = name.removeprefix("margin_")
+                panel.clabel(drawn, fmt=lambda _, code=code: code, fontsize=6)
+    lost = own["verdict"] == Verdict.NO_SOLUTION.key
+    panel.plot(x[at_x[lost]], y[at_y[lost]], "x", color=INK, markersize=3.0, markeredgewidth=0.6)
+    panel.set_xlabel(_label(input_scale(across)))
+    panel.set_ylabel(_label(input_scale(up)))
+    return figure
+
+
+def _sweep(study: Study) -> Iterator[Drawn]:
+    numeric = [one for one in study.inputs if "values" not in one]
+    if not numeric:
+        return
+    along = numeric[0]
+    bearings = _bearings(study)
+    for bearing in bearings:
+        own = _lines_of(study.columns, bearing)
+        others = [one for one in study.inputs if one is not along]
+        caption = f"Results{_of(bearing, bearings)} over {plain_text(along['path'])}"
+        caption += (
+            f", a curve for each {' and '.join(plain_text(one['path']) for one in others)}" if others else ""
+        )
+        yield (
+            _file_name("sweep", bearing, bearings),
+            f"{caption}. Open circles: beyond a limit.",
+            _curves(study, along, others, own),
+        )
+
+
+def _curves(study: Study, along: Mapping[str, Any], others: list[dict[str, Any]], own: Columns) -> Figure:
+    names = [name for name in study.outputs if np.isfinite(own[name]).any()][:MOST_PANELS]
+    figure, panels = _panels(max(1, len(names)), sharex=True)
+    keys = list(zip(*(own[one["path"]] for one in others), strict=True)) if others else [()] * own["row"].size
+    curves = list(dict.fromkeys(keys))[:MOST_CURVES]
+    for panel, name in zip(panels, names, strict=False):
+        scale = output_scale(name)
+        for place, key in enumerate(curves):
+            chosen = np.array([one == key for one in keys])
+            x, values = _scaled(along, own)[chosen], scale.shown(own[name][chosen])
+            order = np.argsort(x)
+            colour = str(0.7 * place / max(1, len(curves) - 1))
+            said = ", ".join(input_scale(one).text(part) for one, part in zip(others, key, strict=True))
+            panel.plot(x[order], values[order], "-", color=colour, linewidth=0.9, label=said)
+            missed = ~np.isin(own["verdict"][chosen], WITHIN)
+            panel.plot(x[missed], values[missed], "o", color=colour, markerfacecolor="white", markersize=2.5)
+        panel.set_xlabel(_label(input_scale(along)))
+        panel.set_ylabel(_label(scale))
+    if others and panels:
+        panels[0].legend(frameon=False, fontsize=5.5, handlelength=1.5)
+    return figure
+
+
+def _sensitivity(study: Study) -> Iterator[Drawn]:
+    found = indices_of(study)
+    bearings = _bearings(study)
+    for bearing in bearings:
+        varying = [one for one in found if one.bearing == bearing and any(map(math.isfinite, one.total))]
+        own = varying[:MOST_PANELS]
+        if own:
+            caption = f"Sobol indices{_of(bearing, bearings)}: first order (black), total (pale), 95 % intervals."
+            yield _file_name("indices", bearing, bearings), caption, _bars(own)
+
+
+def _bars(found: list[Indices]) -> Figure:
+    figure, panels = _panels(len(found), sharex=True)
+    for panel, one in zip(panels, found, strict=True):
+        places = np.arange(len(one.inputs), dtype=float)
+        bars: dict[str, Any] = {"height": 0.2, "error_kw": {"elinewidth": 0.5, "ecolor": GREY}}
+        panel.barh(places + 0.1, one.first, xerr=one.first_conf, color=INK, **bars)
+        panel.barh(places - 0.1, one.total, xerr=one.total_conf, color=PALE, **bars)
+        _named_bars(panel, one.inputs)
+        panel.set_title(mathematics(output_scale(one.output).name), fontsize=8, pad=3)
+        panel.set_xlim(0.0, 1.15)
+        panel.set_xlabel("share of the variance")
+    return figure
+
+
+def _spectrum(study: Study) -> Iterator[Drawn]:
+    shares = np.array([one.share for one in study.block.load_cases])
+    names = [str(one) for one in dict.fromkeys(study.columns["group"])]
+    bearings = _bearings(study)
+    figure, panels = _panels(1, 60.0)
+    for place, bearing in enumerate(bearings):
+        own = _lines_of(study.columns, bearing)
+        look: dict[str, Any] = {
+            "color": str(0.7 * place / max(1, len(bearings) - 1)),
+            "marker": "o",
+            "markersize": 3.0,
+        }
+        panels[0].plot(own["row"], 100.0 * own["margin"], label=plain_text(bearing), **look)
+    panels[0].axhline(0.0, color=GREY, linewidth=0.7, linestyle=(0, (5, 2)))
+    labels = [f"{plain_text(name)}\n{100.0 * share:.3g} %" for name, share in zip(names, shares, strict=True)]
+    panels[0].set_xticks(range(len(names)), labels)
+    panels[0].set_ylabel("governing margin in %")
+    if len(bearings) > 1:
+        panels[0].legend(frameon=False, fontsize=6)
+    yield "spectrum", "Margin of the governing check in each load case, with its share of time.", figure
+
+
+def _optimise(study: Study) -> Iterator[Drawn]:
+    found = optimum_of(study)
+    if not found.rows:
+        return
+    goals = [output_scale(name) for name in found.objectives]
+    if len(goals) > 1:
+        figure, axes = Sheet(110.0, 76.0, left=16.0, bottom=11.0).panels()
+        panel = axes[0][0]
+        kept = np.isin(study.columns["verdict"], (*WITHIN, Verdict.NO_VERDICT.key))
+        x, y = (scale.shown(study.columns[name]) for scale, name in zip(goals, found.objectives, strict=False))
+        if len(_bearings(study)) == 1:
+            panel.plot(x[kept], y[kept], ".", color=PALE, markersize=3.0)
+        front = [scale.shown(found.values[:, place]) for place, scale in enumerate(goals[:2])]
+        order = np.argsort(front[0])
+        panel.plot(front[0][order], front[1][order], "o-", color=INK, markersize=3.5, linewidth=0.8)
+        panel.set_xlabel(_label(goals[0]))
+        panel.set_ylabel(_label(goals[1]))
+        said = f"Pareto front: of {found.feasible} designs within all limits (pale) no other is better in both."
+        yield "pareto", said, figure
+    caption = "Designs within all limits in parallel coordinates, each axis from its least to its largest value; "
+    yield "designs", caption + "black: the best ones.", _parallel(study, found.rows)
+
+
+def _parallel(study: Study, best: tuple[int, ...]) -> Figure:
+    """Parallel coordinates of fields and objectives of the first bearing."""
+    own = _lines_of(study.columns, _bearings(study)[0])
+    kept = np.flatnonzero(np.isin(own["verdict"], (*WITHIN, Verdict.NO_VERDICT.key)))[-MOST_LINES:]
+    scales = {one["path"]: input_scale(one) for one in study.inputs}
+    scales |= {name: output_scale(name) for name in (*study.block.minimise, *study.block.maximise)}
+    heights, ticks = [], []
+    for name, scale in scales.items():
+        column = own[name]
+        if column.dtype == object:
+            known = sorted({str(one) for one in column})
+            values = np.array([known.index(str(one)) for one in column], float)
+            ends = (known[0], known[-1])
+        else:
+            values = column.astype(float)
+            low, high = (float(end) for end in (np.nanmin(values[kept]), np.nanmax(values[kept])))
+            ends = (scale.text(low), scale.text(high))
+        low, high = np.nanmin(values[kept]), np.nanmax(values[kept])
+        heights.append((values - low) / (high - low) if high > low else np.full(values.size, 0.5))
+        ticks.append(ends)
+    figure, axes = Sheet(WIDTH, 70.0, left=10.0, bottom=16.0).panels()
+    panel = axes[0][0]
+    lines = np.array(heights)
+    for place in kept:
+        panel.plot(lines[:, place], color=PALE, linewidth=0.4, zorder=1)
+    for place in np.flatnonzero(np.isin(own["row"], best)):
+        panel.plot(lines[:, place], color=INK, linewidth=1.0, zorder=2)
+    for place, ends in enumerate(ticks):
+        panel.axvline(place, color=GREY, linewidth=0.5, zorder=0)
+        for at, end in ((-0.06, ends[0]), (1.03, ends[1])):
+            panel.annotate(end, (place, at), ha="center", fontsize=6, annotation_clip=False)
+    labels = [
+        f"{mathematics(scale.name) if scale.quantity else scale.name}\n{scale.unit}".strip()
+        for scale in scales.values()
+    ]
+    panel.set_xticks(range(len(scales)), labels)
+    panel.tick_params(axis="x", pad=9, length=0)
+    panel.set_yticks([])
+    panel.set_ylim(0.0, 1.08)
+    return figure
+
+
+_OF_KIND: Mapping[str, Callable[[Study], Iterator[Drawn]]] = {
+    "tolerance": _tolerance,
+    "map": _map,
+    "sweep": _sweep,
+    "sensitivity": _sensitivity,
+    "spectrum": _spectrum,
+    "optimise": _optimise,
+}

@@ -1,0 +1,255 @@
+"""Rows of a study: a pure function of the case and the values in its fields, whoever computes it, and where."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from babbitt.case.case_file import CaseFile
+from babbitt.case.loading import build_case
+from babbitt.case.named_files import NamedFiles
+from babbitt.case.variation import CaseVariation
+from babbitt.core.files.reading import Reach
+from babbitt.core.kind import find_kind, imported
+from babbitt.core.notices import InputError
+from babbitt.core.result import ROUND_OFF, Outcome, Result, Verdict
+from babbitt.study.inputs import Input
+
+__all__ = [
+    "Columns",
+    "RowTask",
+    "SolvesMany",
+    "answers_of_arrays",
+    "empty_answers",
+    "joined",
+    "margin_name",
+    "solved_rows",
+]
+
+Columns = dict[str, NDArray[Any]]
+"""Arrays of one length by the names of their columns: float64, int64, or words (object)."""
+
+REFUSED, ERROR = "refused", "error"
+"""Status of a row that the case does not take, and of one whose computation broke off."""
+
+WORDS = ("group", "bearing", "status", "verdict", "governing_check", "failed_checks", "message")
+"""Columns of words that every table has."""
+
+LONGEST_MESSAGE = 300
+"""Characters of the reason of a row without an answer."""
+
+
+@dataclass(frozen=True, eq=False)
+class RowTask:
+    """What every row of a study has in common.
+
+    Attributes
+    ----------
+    kind : str
+        Of the case.
+    given : Mapping
+        The case, with what its named files hold in their place, so that it can be solved anywhere.
+    file : Path
+        What messages call the case.
+    reach : Reach
+        Where the case may name other files.
+    inputs : tuple of Input
+        The fields that vary.
+    outputs : tuple of str
+        Quantities of the results that are kept.
+    codes : tuple of str
+        Checks whose margins are kept.
+    """
+
+    kind: str
+    given: Mapping[str, Any]
+    file: Path
+    reach: Reach
+    inputs: tuple[Input, ...]
+    outputs: tuple[str, ...] = ()
+    codes: tuple[str, ...] = ()
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of all columns, in their order."""
+        margins = tuple(margin_name(code) for code in self.codes)
+        inputs = tuple(one.path for one in self.inputs)
+        return ("row", "group", "bearing", *inputs, *self.outputs, *margins, "margin", *WORDS[2:])
+
+    def words_of(self) -> frozenset[str]:
+        """Names of the columns that hold words."""
+        return frozenset(WORDS) | {one.path for one in self.inputs if one.is_choice}
+
+    def case(self, values: Mapping[str, Any]) -> CaseFile:
+        """The case with values of a row in its fields.
+
+        Raises
+        ------
+        InputError
+            For a value that the case does not take.
+        """
+        given = dict(self.given)
+        for one in self.inputs:
+            variation = CaseVariation(self.file, given, one.field, reach=self.reach)
+            given = variation.given_with(one.in_case(values[one.path]))
+        return build_case(given, self.file.name, NamedFiles(self.file.parent, self.reach))
+
+
+class SolvesMany(Protocol):
+    """What a kind may offer for many rows at once: arrays through its method, without an object a row."""
+
+    def __call__(self, task: RowTask, rows: Columns) -> Columns | None:
+        """Answer rows as `solved_rows` does, equal to it; None for a case or fields that it does not know."""
+
+
+def margin_name(code: str) -> str:
+    """Name of the column with the margin of a check."""
+    return f"margin_{code}"
+
+
+def solved_rows(task: RowTask, rows: Columns) -> Columns:
+    """Solve rows one by one, or many at once where the kind can.
+
+    Parameters
+    ----------
+    task : RowTask
+    rows : Columns
+        ``row`` (its number), ``group`` (what it is for) and a column for each input.
+
+    Returns
+    -------
+    Columns
+        Those of `RowTask.names`, a line for each row and bearing (operating point, clearance) of the case. A row
+        that is refused or has no solution says why and stops nothing.
+    """
+    kind = find_kind(task.kind)
+    if kind is not None and kind.solve_many:
+        many: SolvesMany = imported(kind.solve_many)
+        if (found := many(task, rows)) is not None:
+            return found
+    lines = [line for place in range(rows["row"].size) for line in _lines(task, _at(rows, place))]
+    return _columns(task, lines)
+
+
+def _at(rows: Columns, place: int) -> dict[str, Any]:
+    return {name: column[place] for name, column in rows.items()}
+
+
+def _lines(task: RowTask, row: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
+    """The answers of one row."""
+    try:
+        calculations = task.case(row).calculations()
+    except InputError as error:
+        yield {**row, **_without_answer(REFUSED, error.message)}
+        return
+    for one in calculations:
+        name = str(one.problem.name)
+        try:
+            # Of several steady states the first, as everywhere that one answer is asked for.
+            yield {**row, "bearing": name, **_answer(task, one.solve()[0].result)}
+        except InputError as error:
+            yield {**row, "bearing": name, **_without_answer(REFUSED, error.message)}
+        except (ArithmeticError, ValueError, RuntimeError) as error:  # of one row among thousands
+            yield {**row, "bearing": name, **_without_answer(ERROR, f"{type(error).__name__}: {error}")}
+
+
+def _without_answer(status: str, why: str) -> dict[str, Any]:
+    message = " ".join(why.split())[:LONGEST_MESSAGE]
+    return {"status": status, "verdict": Verdict.NO_SOLUTION.key, "message": message}
+
+
+def _answer(task: RowTask, result: Result) -> dict[str, Any]:
+    solved = result.outcome.solved
+    governing = result.governing_check
+    values = {name: result.values.get(name, math.nan) for name in task.outputs} if solved else {}
+    margins: dict[str, float] = {}
+    for check in result.limits if solved else ():
+        name = margin_name(check.code)
+        margins[name] = min(check.margin, margins.get(name, math.inf))
+    missed = dict.fromkeys(check.code for check in result.limits if not check.ok) if solved else {}
+    return {
+        **values,
+        **{name: margin for name, margin in margins.items() if name.removeprefix("margin_") in task.codes},
+        "margin": result.margin,
+        "status": result.outcome.name.lower(),
+        "verdict": result.verdict.key,
+        "governing_check": governing.code if governing is not None else "",
+        "failed_checks": " ".join(missed),
+        "message": "" if solved else " ".join(result.message.split())[:LONGEST_MESSAGE],
+    }
+
+
+def _columns(task: RowTask, lines: Sequence[Mapping[str, Any]]) -> Columns:
+    words = task.words_of()
+    made: Columns = {}
+    for name in task.names:
+        if name in words:
+            made[name] = np.array([line.get(name, "") for line in lines], object)
+        elif name == "row":
+            made[name] = np.array([line[name] for line in lines], np.int64)
+        else:
+            made[name] = np.array([line.get(name, math.nan) for line in lines], np.float64)
+    return made
+
+
+def answers_of_arrays(
+    task: RowTask,
+    rows: Columns,
+    bearing: str,
+    values: Mapping[str, NDArray[Any]],
+    margins: Mapping[str, NDArray[Any]],
+    verdicts: NDArray[Any],
+) -> Columns:
+    """The columns of rows that were solved as arrays, one bearing a row; what `SolvesMany` gives back.
+
+    Parameters
+    ----------
+    task : RowTask
+    rows : Columns
+        As `solved_rows` gets them, shape (n,).
+    bearing : str
+        Name of the result.
+    values : mapping
+        By the name of a quantity its values in SI, shape (n,); others than `RowTask.outputs` are left out.
+    margins : mapping
+        By the code of each limit its margin, shape (n,); NaN where it was not made. A margin of which no more
+        than `babbitt.core.result.ROUND_OFF` is missing is kept.
+    verdicts : ndarray of str
+        Keys of `babbitt.core.result.Verdict`, shape (n,). Rows without a solution have their reason from
+        elsewhere: such a chunk is better left to the rows one by one.
+    """
+    count = rows["row"].size
+    codes = np.array([*margins, ""], object)
+    table = np.array([margins[code] for code in codes[:-1]] or np.full((1, count), np.nan), np.float64)
+    made = np.isfinite(table).any(axis=0)
+    least = np.where(np.isfinite(table), table, np.inf).argmin(axis=0)
+    found: Columns = {**rows, "bearing": np.full(count, bearing, object), **values}
+    found |= {margin_name(code): margins[code] for code in margins}
+    found["margin"] = np.where(made, table[least, np.arange(count)], np.nan)
+    found["status"] = np.full(count, Outcome.CONVERGED.name.lower(), object)
+    found["verdict"] = verdicts
+    found["governing_check"] = codes[np.where(made, least, len(margins))]
+    failed = np.full(count, "", object)
+    for code, margin in margins.items():
+        missed = margin < -ROUND_OFF
+        failed[missed] = [f"{before} {code}".strip() for before in failed[missed]]
+    found["failed_checks"] = failed
+    found["message"] = np.full(count, "", object)
+    nothing = np.full(count, np.nan)
+    return {name: found.get(name, nothing) for name in task.names}
+
+
+def empty_answers(task: RowTask) -> Columns:
+    """A table without lines."""
+    return _columns(task, [])
+
+
+def joined(parts: Sequence[Columns]) -> Columns:
+    """Tables of the same columns, one below the other."""
+    return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}

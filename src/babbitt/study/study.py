@@ -1,0 +1,385 @@
+"""A study from its block to its table: planned, computed, kept, and opened again."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from babbitt import __version__
+from babbitt.case.case_file import CaseFile
+from babbitt.case.case_hash import case_hash
+from babbitt.case.kinds import KINDS
+from babbitt.case.loading import case_from_dict
+from babbitt.case.named_files import NamedFiles
+from babbitt.case.parts.study import StudyBlock
+from babbitt.case.with_units import case_text, with_units
+from babbitt.core.files.writing import replace_synced
+from babbitt.core.nearest_name import unknown_name
+from babbitt.core.notices import InputError
+from babbitt.core.quantities import QUANTITIES
+from babbitt.core.result import Result
+from babbitt.study import grids, indices, optimum, spectrum
+from babbitt.study.engine import Engine, NoWatch, Watch, chunk_size, timed
+from babbitt.study.inputs import Input, inputs_of
+from babbitt.study.maps import default_axes
+from babbitt.study.rows import Columns, RowTask
+from babbitt.study.sampling import batch_sizes
+from babbitt.study.store import FORMAT, Store
+from babbitt.study.workers import Alone, Processes, Workers
+
+__all__ = ["Study", "open_study", "plan", "require_possible", "run_study", "write_designs"]
+
+KEY_RESULTS = (
+    "minimum_film_thickness",
+    "friction_power",
+    "outlet_temperature",
+    "effective_temperature",
+    "maximum_temperature",
+    "total_flow",
+    "maximum_pressure",
+    "eccentricity_ratio",
+)
+"""Kept where the study names no outputs, as far as the method gives them."""
+
+FEWEST_KEY_RESULTS, MOST_OUTPUTS = 3, 12
+"""Of a method that gives fewer of them its first results are kept, at most so many."""
+
+SHORT = 3.0
+"""Seconds of work for which no process is started: starting takes as long."""
+
+
+@dataclass(frozen=True, eq=False)
+class Plan:
+    """What a study will compute.
+
+    Attributes
+    ----------
+    case : CaseFile
+    block : StudyBlock
+    task : RowTask
+    rows : int
+    seconds_a_row : float
+        Measured on the nominal case.
+    checks : tuple of dict
+        Code, quantity, limit and bound of the checks of the nominal case.
+    """
+
+    case: CaseFile
+    block: StudyBlock
+    task: RowTask
+    rows: int
+    seconds_a_row: float
+    checks: tuple[dict[str, Any], ...]
+
+    @property
+    def description(self) -> dict[str, Any]:
+        """What ``study.json`` says."""
+        return {
+            "format": FORMAT,
+            "babbitt": __version__,
+            "name": self.case.name,
+            "case_hash": case_hash(self.case),
+            "study": self.block.model_dump(exclude_defaults=True, mode="json"),
+            "inputs": [_told(one) for one in self.task.inputs],
+            "outputs": list(self.task.outputs),
+            "checks": list(self.checks),
+            "rows": self.rows,
+            "rows_in_chunk": chunk_size(self.seconds_a_row),
+            "batches": batch_sizes(grids.samples_of(self.block), self.block.sampling),
+            "kind": self.case.kind,
+            "case": json.loads(json.dumps(dict(self.task.given), default=str)),
+            "text": self.case.text,
+        }
+
+
+def _told(one: Input) -> dict[str, Any]:
+    """An input in words and numbers."""
+    told: dict[str, Any] = {"path": one.path, "field": one.field, "unit": one.unit, "meaning": one.meaning}
+    told |= {"law": one.law.words, "reason": one.reason, "form": one.form}
+    if one.is_choice:
+        return told | {"values": list(one.law.values)}  # type: ignore[union-attr]
+    return told | {"support": [float(end) for end in one.law.support]}  # type: ignore[union-attr]
+
+
+@dataclass(frozen=True, eq=False)
+class Study:
+    """A study that was computed, or as much of it as is.
+
+    Attributes
+    ----------
+    description : mapping
+        Case, plan and versions, as ``study.json`` has them.
+    columns : dict of str to ndarray
+        A line for each row and bearing: ``row``, ``group``, ``bearing``, inputs and outputs in SI, margins,
+        ``status``, ``verdict``, ``governing_check``, ``failed_checks``, ``message``.
+    folder : Path or None
+        Where it is stored.
+    """
+
+    description: Mapping[str, Any]
+    columns: Columns
+    folder: Path | None = None
+
+    @property
+    def block(self) -> StudyBlock:
+        """What was asked."""
+        return StudyBlock.model_validate(self.description["study"])
+
+    @property
+    def kind(self) -> str:
+        """Which question."""
+        return str(self.description["study"]["kind"])
+
+    @property
+    def inputs(self) -> tuple[dict[str, Any], ...]:
+        """The fields that vary: path, unit, meaning, law, reason, and support or values."""
+        return tuple(self.description["inputs"])
+
+    @property
+    def outputs(self) -> tuple[str, ...]:
+        """Quantities that were kept."""
+        return tuple(self.description["outputs"])
+
+    @property
+    def rows(self) -> int:
+        """Rows that are finished."""
+        return int(np.unique(self.columns["row"]).size)
+
+    @property
+    def complete(self) -> bool:
+        """Whether all rows are finished."""
+        return self.rows >= int(self.description["rows"])
+
+    def of(self, group: str) -> Columns:
+        """The lines of rows that are for one thing."""
+        chosen = self.columns["group"] == group
+        return {name: column[chosen] for name, column in self.columns.items()}
+
+
+def plan(case: CaseFile, block: StudyBlock) -> Plan:
+    """Plan a study; nothing is written, and one case is solved.
+
+    Raises
+    ------
+    InputError
+        For all that makes the study impossible.
+    """
+    block = default_axes(case, block)
+    inputs, rows = require_possible(case, block)
+    task = _task(case, inputs)
+    results = _results_of_nominal(case, task)
+    outputs = _outputs(block, results)
+    checks = {check.code: check for result in results for check in result.limits}
+    told = tuple(
+        {"code": one.code, "quantity": one.quantity, "limit": one.limit, "bound": one.bound.value}
+        for one in checks.values()
+    )
+    task = RowTask(task.kind, task.given, task.file, task.reach, inputs, outputs, tuple(checks))
+    values, groups = grids.nominal(inputs)
+    _, seconds = timed(task, {"row": np.array([0]), "group": groups, **values})
+    return Plan(case, block, task, rows, seconds, told)
+
+
+def require_possible(case: CaseFile, block: StudyBlock) -> tuple[tuple[Input, ...], int]:
+    """Find out without solving whether a study can be computed: its fields, and its rows.
+
+    Raises
+    ------
+    InputError
+        For all that makes the study impossible, but for outputs that the results lack.
+    """
+    block = default_axes(case, block)
+    inputs = _inputs(case, block)
+    indices.require_numeric(block, inputs)
+    optimum.require_pymoo(block, inputs)
+    rows = grids.planned(block, inputs)
+    grids.require_bearable(rows, 12 + len(inputs) + len(block.outputs))
+    return inputs, rows
+
+
+def _inputs(case: CaseFile, block: StudyBlock) -> tuple[Input, ...]:
+    return spectrum.inputs_of_spectrum(case, block) if block.kind == "spectrum" else inputs_of(case, block)
+
+
+def _task(case: CaseFile, inputs: tuple[Input, ...]) -> RowTask:
+    """The case as workers get it: the files that it names in their place."""
+    origin = case.origin
+    if origin is None:
+        raise InputError("E005", f"{case.name}: only a case from a file, a text or a dictionary can be varied")
+    model = KINDS[case.kind]
+    given = model.with_named_files(dict(origin.given), NamedFiles(origin.file.parent, origin.reach))
+    return RowTask(case.kind, given, origin.file, origin.reach, inputs)
+
+
+def _results_of_nominal(case: CaseFile, task: RowTask) -> tuple[Result, ...]:
+    """The answers at the medians; where the case does not take these, those of the case as it stands."""
+    values, _ = grids.nominal(task.inputs)
+    try:
+        made = task.case(grids.first_of(values))
+        return tuple(one.solve()[0].result for one in made.calculations())
+    except InputError:
+        return tuple(one.solve()[0].result for one in case.calculations())
+
+
+def _outputs(block: StudyBlock, results: Sequence[Result]) -> tuple[str, ...]:
+    """The quantities that are kept: those asked for, else the key results."""
+    there = list(dict.fromkeys(name for result in results for name in result.values if name in QUANTITIES))
+    asked = tuple(dict.fromkeys((*block.outputs, *block.minimise, *block.maximise)))
+    for name in asked:
+        if name not in there:
+            where = "minimise" if name in block.minimise else "maximise" if name in block.maximise else "outputs"
+            raise InputError("E005", f"study.{where}: {unknown_name(name, there, 'a quantity of these results')}")
+    if block.outputs:
+        return asked
+    key = [name for name in KEY_RESULTS if name in there]
+    if len(key) < FEWEST_KEY_RESULTS:
+        key = [name for name in there if name not in ("wall_time", "iterations")][:MOST_OUTPUTS]
+    return tuple(dict.fromkeys((*key, *asked)))
+
+
+def run_study(
+    made: Plan,
+    *,
+    workers: int | Workers = 1,
+    folder: Path | None = None,
+    watch: Watch | None = None,
+) -> Study:
+    """Compute a study.
+
+    Parameters
+    ----------
+    made : Plan
+    workers : int or Workers
+        Processes of this machine, or where chunks go instead.
+    folder : Path, optional
+        Where finished chunks are kept; what stands there of the same study is not computed again.
+    watch : Watch, optional
+        What is told meanwhile.
+
+    Raises
+    ------
+    InterruptedStudyError
+        After an interrupt.
+    InputError
+        E007 for a folder that cannot be used.
+    """
+    store = Store(folder) if folder is not None else None
+    description = made.description
+    if store is not None:
+        description = store.begin(description)
+    hands = _workers(workers, made)
+    engine = Engine(made.task, hands, int(description["rows_in_chunk"]), store, watch or NoWatch())
+    try:
+        columns = _ASKED[made.block.kind](made, engine)
+    finally:
+        hands.stop()
+        if store is not None:
+            store.close()
+    return Study(description, columns, folder)
+
+
+def open_study(path: str | Path) -> Study:
+    """Read a study that was stored, finished or not.
+
+    Raises
+    ------
+    InputError
+        E007 for a folder that holds no study, or none that is readable.
+    """
+    store = Store(Path(path))
+    return Study(store.description, store.table(), Path(path))
+
+
+def case_of(study: Study, row: int) -> CaseFile:
+    """The case of one row, as it can be solved or written.
+
+    Raises
+    ------
+    InputError
+        E005 for a row that there is not.
+    """
+    places = np.flatnonzero(study.columns["row"] == row)
+    if not places.size:
+        raise InputError("E005", f"the study has no row {row}; there are 0 to {study.rows - 1}")
+    given = dict(study.description["case"])
+    case = case_from_dict(given, study.description["name"])
+    inputs = _inputs(case, study.block)
+    task = _task(case, inputs)
+    made = task.case({one.path: study.columns[one.path][places[0]] for one in inputs})
+    assert made.origin is not None, "it was read just now"
+    return made.with_origin(replace(made.origin, given=with_units(made.origin.given, made)))
+
+
+def write_designs(study: Study) -> tuple[Path, ...]:
+    """Write the best designs of an optimisation into its folder, each as a case file that runs; where they are.
+
+    Nothing of another kind, or of a study that is not stored.
+    """
+    if study.folder is None or study.kind != "optimise":
+        return ()
+    files = {}
+    for row in optimum.optimum_of(study).rows:
+        case = case_of(study, row)
+        assert case.origin is not None, "it was read just now"
+        text = case_text(case.origin.given)
+        files[f"design-row-{row}.yaml"] = f"# Row {row} of the study of {case.name}\n{text}".encode()
+    folder = study.folder / DESIGNS
+    folder.mkdir(exist_ok=True)
+    for left in folder.glob("design-row-*.yaml"):
+        left.unlink()
+    for name, content in files.items():
+        replace_synced(folder / name, content)
+    return tuple(folder / name for name in files)
+
+
+DESIGNS = "designs"
+"""Folder of the best designs, in that of their study."""
+
+
+def _workers(workers: int | Workers, made: Plan) -> Workers:
+    if not isinstance(workers, int):
+        return workers
+    if workers < 1:
+        raise InputError("E005", f"workers is {workers}; give 1 or more")
+    work = made.rows * made.seconds_a_row
+    return Alone() if workers == 1 or work < SHORT else Processes(min(workers, os.cpu_count() or 1, made.rows))
+
+
+def _grid(made: Plan, engine: Engine) -> Columns:
+    return engine.answers(*grids.product(made.task.inputs))
+
+
+def _tolerance(made: Plan, engine: Engine) -> Columns:
+    inputs = made.task.inputs
+    blocks = [grids.nominal(inputs), grids.joint_sample(inputs, made.block), grids.corners(inputs)]
+    return engine.answers(*grids.stacked(blocks))
+
+
+def _sensitivity(made: Plan, engine: Engine) -> Columns:
+    inputs = made.task.inputs
+    base = indices.saltelli(inputs, grids.samples_of(made.block), made.block.seed)
+    return engine.answers(*grids.stacked([grids.nominal(inputs), grids.differences(inputs), base]))
+
+
+def _spectrum(made: Plan, engine: Engine) -> Columns:
+    return engine.answers(*spectrum.rows_of_spectrum(made.task.inputs, made.block))
+
+
+def _optimise(made: Plan, engine: Engine) -> Columns:
+    return optimum.optimised(made.task, made.block, engine)
+
+
+_ASKED: Mapping[str, Callable[[Plan, Engine], Columns]] = {
+    "sweep": _grid,
+    "map": _grid,
+    "tolerance": _tolerance,
+    "sensitivity": _sensitivity,
+    "spectrum": _spectrum,
+    "optimise": _optimise,
+}

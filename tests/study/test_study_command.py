@@ -1,0 +1,218 @@
+"""The command study: one file, one command, and what it leaves behind."""
+
+from __future__ import annotations
+
+import io
+from pathlib import Path
+
+import numpy as np
+import pytest
+import yaml
+from journal_cases import JOURNAL
+
+import babbitt
+
+STUDIES = {
+    "sweep": {
+        "kind": "sweep",
+        "vary": {"load": {"range": ["10 kN", "30 kN", 3]}, "lubricant": ["ISO VG 32", "ISO VG 46"]},
+    },
+    "tolerance": {
+        "kind": "tolerance",
+        "samples": 20,
+        "vary": {"clearance": {"fit": "H7/e8"}, "load": {"uniform": ["20 kN", "60 kN"]}},
+    },
+    "map": {
+        "kind": "map",
+        "vary": {"speed": {"range": ["500 rpm", "3000 rpm", 4]}, "load": {"range": ["10 kN", "60 kN", 4]}},
+    },
+    "sensitivity": {
+        "kind": "sensitivity",
+        "samples": 4,
+        "outputs": ["friction_power"],
+        "vary": {
+            "supply.temperature": {"normal": ["58 degC", "2 K"]},
+            "load": {"triangular": ["10 kN", "24 kN", "30 kN"]},
+        },
+    },
+    "spectrum": {
+        "kind": "spectrum",
+        "load_cases": [
+            {"name": "idle", "share": "30 %", "set": {"speed": "800 rpm", "load": "6 kN"}},
+            {"name": "full", "share": "70 %", "set": {"speed": "2000 rpm", "load": "24 kN"}},
+        ],
+    },
+    "optimise": {
+        "kind": "optimise",
+        "vary": {
+            "clearance.mean": {"uniform": ["0.8 permille", "2 permille"]},
+            "lubricant": ["ISO VG 32", "ISO VG 46"],
+        },
+        "minimise": ["friction_power", "total_flow"],
+        "population": 6,
+        "generations": 2,
+    },
+}
+TITLES = {
+    "sweep": "Results",
+    "tolerance": "Yield",
+    "map": "Map of",
+    "sensitivity": "Sobol indices",
+    "spectrum": "Over the spectrum",
+    "optimise": "Pareto set",
+}
+
+
+def written(path, study):
+    path.write_text(yaml.safe_dump({**JOURNAL, "study": study}, sort_keys=False))
+    return path
+
+
+@pytest.mark.parametrize("kind", STUDIES)
+def test_each_kind_is_one_command_with_table_workbook_report_and_figures(run, tmp_path, kind):
+    openpyxl = pytest.importorskip("openpyxl")
+    file = written(tmp_path / "case.yaml", STUDIES[kind])
+    options = ["--out", "a.study", "--workers", 1, "--xlsx", "a.xlsx", "--report", "a.html", "--plots", "figures"]
+    status, out, err = run("study", file, *options)
+    assert (status, err) == (0, "")
+    assert TITLES[kind] in out
+    book = openpyxl.load_workbook(io.BytesIO((tmp_path / "a.xlsx").read_bytes()))
+    assert book.sheetnames == ["Inputs", "Results", "Summary"]
+    heads = [cell.value for cell in book["Results"][1]]
+    stored = babbitt.open_study(tmp_path / "a.study")
+    assert book["Results"].max_row == 1 + len(stored.table)
+    assert {"verdict", "governing_check"} <= set(heads)
+    page = (tmp_path / "a.html").read_text()
+    assert TITLES[kind] in page
+    assert page.count("<img") == len(list((tmp_path / "figures").glob("*.svg"))) > 0
+    again, shown, _ = run("study", "show", "a.study")
+    assert (again, shown) == (0, out)
+
+
+def test_the_case_beside_a_study_is_solved_as_before(run, tmp_path):
+    plain = tmp_path / "plain.yaml"
+    plain.write_text(yaml.safe_dump(JOURNAL))
+    file = written(tmp_path / "case.yaml", STUDIES["tolerance"])
+    assert run("solve", file)[1] == run("solve", plain)[1]
+    assert run("check", file)[0] == 0
+
+
+def test_a_study_in_a_file_of_its_own(run, tmp_path):
+    (tmp_path / "case.yaml").write_text(yaml.safe_dump(JOURNAL))
+    (tmp_path / "study.yaml").write_text(
+        yaml.safe_dump({"case": "case.yaml", "study": STUDIES["spectrum"]}, sort_keys=False)
+    )
+    file = written(tmp_path / "both.yaml", STUDIES["spectrum"])
+    assert run("study", "study.yaml", "--workers", 1)[:2] == run("study", file, "--workers", 1)[:2]
+
+
+def test_a_best_design_is_a_case_that_runs(run, tmp_path):
+    file = written(tmp_path / "case.yaml", STUDIES["optimise"])
+    assert run("study", file, "--out", "a.study", "--workers", 1)[0] == 0
+    designs = sorted((tmp_path / "a.study" / "designs").glob("*.yaml"))
+    study = babbitt.open_study(tmp_path / "a.study")
+    assert len(designs) == len(study.answer.rows) > 0
+    for row, powers in zip(study.answer.rows, study.answer.values, strict=True):
+        result = babbitt.load_case(tmp_path / "a.study" / "designs" / f"design-row-{row}.yaml").solve()
+        assert result.friction_power == pytest.approx(powers[0], rel=1e-9)
+        assert result.total_flow == pytest.approx(powers[1], rel=1e-9)
+
+
+BAD = {
+    "unknown path": {"kind": "tolerance", "vary": {"laod": {"uniform": ["1 kN", "2 kN"]}}},
+    "not numeric": {"kind": "tolerance", "vary": {"lubricant": {"uniform": [1, 2]}}},
+    "empty range": {"kind": "sweep", "vary": {"load": {"range": ["5 kN", "5 kN", 3]}}},
+    "beyond its bounds": {"kind": "tolerance", "vary": {"load": {"normal": ["5 kN", "5 kN"]}}},
+    "too many samples": {"kind": "tolerance", "samples": 10**12, "vary": {"load": {"uniform": ["1 kN", "2 kN"]}}},
+    "contradictory limits": {"kind": "tolerance", "vary": {"load": {"uniform": ["5 kN", "2 kN"]}}},
+    "choice in Sobol": {"kind": "sensitivity", "vary": {"lubricant": ["ISO VG 32", "ISO VG 46"]}},
+    "unknown output": {"kind": "tolerance", "vary": {"load": {"uniform": ["1 kN", "2 kN"]}}, "outputs": ["power"]},
+    "grid of a law": {"kind": "sweep", "vary": {"load": {"uniform": ["1 kN", "2 kN"]}}},
+}
+
+
+@pytest.mark.parametrize("what", BAD)
+def test_bad_input_is_one_clear_line_and_nothing_is_written(run, tmp_path, what):
+    file = written(tmp_path / "case.yaml", BAD[what])
+    status, out, err = run("study", file, "--out", "a.study", "--xlsx", "a.xlsx", "--report", "a.html")
+    assert (status, out) == (2, "")
+    line, code = err.strip().splitlines()
+    assert "study" in line
+    assert code.startswith("(E00")
+    assert [path.name for path in tmp_path.iterdir()] == ["case.yaml"]
+
+
+OUTPUTS = {
+    "ending of a workbook": ["--xlsx", "a.csv"],
+    "ending of a report": ["--report", "a.txt"],
+    "an input": ["--report", "case.yaml"],
+    "one for two": ["--report", "a.html", "--xlsx", "a.html"],
+    "no folder": ["--xlsx", "missing/a.xlsx"],
+    "no dask": ["--scheduler", "nonsense"],
+}
+
+
+@pytest.mark.parametrize("what", OUTPUTS)
+def test_outputs_are_refused_before_any_work(run, tmp_path, what):
+    file = written(tmp_path / "case.yaml", STUDIES["spectrum"])
+    status, out, err = run("study", file, *OUTPUTS[what])
+    assert (status, out) == (2, "")
+    assert "E007" in err
+    assert [path.name for path in tmp_path.iterdir()] == ["case.yaml"]
+
+
+def test_a_file_without_a_study_says_so(run, tmp_path):
+    (tmp_path / "case.yaml").write_text(yaml.safe_dump(JOURNAL))
+    status, _, err = run("study", "case.yaml")
+    assert status == 2
+    assert "holds no study" in err
+    assert run("study", "show", "missing.study")[0] == 2
+    assert run("study", "case.yaml", "case.yaml")[0] == 2
+
+
+def test_a_case_outside_the_folder_wants_leave(run, tmp_path):
+    (tmp_path / "case.yaml").write_text(yaml.safe_dump(JOURNAL))
+    (tmp_path / "below").mkdir()
+    file = tmp_path / "below" / "study.yaml"
+    file.write_text(yaml.safe_dump({"case": "../case.yaml", "study": STUDIES["spectrum"]}))
+    status, _, err = run("study", file, "--workers", 1)
+    assert status == 2
+    assert "--allow-outside" in err
+    assert run("study", file, "--workers", 1, "--allow-outside")[0] == 0
+
+
+def test_python_asks_as_the_command_does(run, tmp_path):
+    written(tmp_path / "case.yaml", STUDIES["tolerance"])
+    bearing = babbitt.load_case(tmp_path / "case.yaml")
+    assert run("study", "case.yaml", "--workers", 1, "--out", "a.study")[0] == 0
+    stored, found = babbitt.open_study(tmp_path / "a.study"), bearing.study()
+    assert found.summary() == stored.summary()
+    again = bearing.study("tolerance", STUDIES["tolerance"]["vary"], samples=20)
+    assert again.table.equals(found.table)
+    assert found.table.attrs["units"]["clearance"] == "m"
+    row = found.case(5)
+    assert row.solve().result.margin == found.table["margin"][5]
+
+
+def test_numbers_of_python_are_si_and_arrays_will_do(tmp_path):
+    xarray = pytest.importorskip("xarray")
+    bearing = babbitt.JournalBearing(**{name: value for name, value in JOURNAL.items() if name != "kind"})
+    over = {"load": np.array([10e3, 20e3]), "supply.temperature": [323.15, "60 degC"]}
+    grid = bearing.study("sweep", over, outputs=["friction_power"]).to_xarray()
+    assert isinstance(grid, xarray.Dataset)
+    assert grid["friction_power"].shape == (2, 2)
+    expected = bearing.solve({"load": 20e3, "supply.temperature": 333.15}).friction_power
+    assert float(grid["friction_power"].sel(load=20e3)[1]) == pytest.approx(expected, rel=1e-12)
+    with pytest.raises(babbitt.InputError, match="is no grid"):
+        bearing.study("tolerance", {"load": {"normal": [20e3, 1e3]}}, samples=2).to_xarray()
+
+
+def test_other_programs_read_the_chunks(run, tmp_path):
+    polars, duckdb = pytest.importorskip("polars"), pytest.importorskip("duckdb")
+    file = written(tmp_path / "case.yaml", STUDIES["sweep"])
+    assert run("study", file, "--out", "a.study", "--workers", 1)[0] == 0
+    ours = babbitt.open_study(Path("a.study")).table
+    theirs = polars.read_parquet("a.study/chunks/*.parquet")
+    assert theirs["margin"].to_list() == ours["margin"].to_list()
+    ((rows,),) = duckdb.sql("select count(*) from 'a.study/chunks/*.parquet' where verdict = 'pass'").fetchall()
+    assert rows == (ours["verdict"] == "pass").sum()
