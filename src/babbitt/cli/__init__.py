@@ -1,4 +1,4 @@
-"""The command line: solve, check, compare, sweep, study, export, upgrade, new, schema, validate, list, explain, cite."""
+"""The command line: what calculates (`solve`, `study`, `size`, ...) and what informs (`list`, `explain`, ...)."""
 
 from __future__ import annotations
 
