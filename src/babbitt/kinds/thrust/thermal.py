@@ -169,7 +169,7 @@ def thermal_pad(
         hottest = highest_usable(oil.lubricant)
         motion = _at_rest(pad, sector, first, load)
     except UnsettledPadError:
-        if not sector.warm.temperature.max() < hottest:
+        if not sector.thermal.temperature.max() < hottest:
             raise ThermalRunawayError from None
         raise
     except NoFilmError:
@@ -217,7 +217,7 @@ class _PadEquilibrium:
 
     def __post_init__(self) -> None:
         self.free = list(self.pad.free_tilts) if self.load is None else [0, *self.pad.free_tilts]
-        self.to_film, self.cost = self.pad.from_pivot(), _cost_of_pass(self.sector.warm.heat.grid.resolved)
+        self.to_film, self.cost = self.pad.from_pivot(), _cost_of_pass(self.sector.thermal.heat.grid.resolved)
         self.left, self.last = np.zeros(3), np.zeros(3)
 
     def room(self, at: Array) -> float:
