@@ -100,7 +100,7 @@ def read_file(path: FilePath) -> dict[str, Any]:
     """
     given = _document(_text_of(path), printable(path)).plain()
     if not isinstance(given, dict):
-        load_case(path)  # tells what is wrong
+        load_case(path)  # reports what is wrong
     return dict(given)
 
 
@@ -191,7 +191,7 @@ def _named_in(message: str, given: Any) -> Path:
 
 
 def load_cases(paths: Iterable[str | FilePath], reach: Reach = Reach.FOLDER) -> tuple[CaseFile, ...]:
-    """Read several case files, or tell every problem of all of them at once.
+    """Read several case files, or report every problem of all of them at once.
 
     Raises
     ------

@@ -53,7 +53,7 @@ USER = "limit set in the case"
 LARGEST_HEAT_ERROR = 1e-3
 """Of the heat balance of films with their own temperatures, over the heat made."""
 LAMINAR = "C110"
-"""The check of other methods that the film is laminar; here W407 tells it, for nothing else could be chosen."""
+"""The check of other methods that the film is laminar; here W407 reports it, for nothing else could be chosen."""
 
 
 class PadSolutionState:

@@ -52,7 +52,7 @@ def recovered(
     film: JournalFilm, heat: FilmHeat, scales: Scales, load: Array, resolution: Resolution,
     lost: ThermalEquilibrium, share: float,
 ) -> ThermalEquilibrium:  # fmt: skip
-    """Where the film rests after all, or where a search ended.
+    """The equilibrium after all, or where a search ended.
 
     A film that was thrown about under its whole load goes on, with passes that remember each other. What else was
     lost is sought under a load that grows from a ``share`` of it, and at last from where the film of one

@@ -30,7 +30,7 @@ from babbitt.reynolds.surface.surface_equilibrium import line_density
 __all__ = ["CLOSER", "ThermalTrail"]
 
 CLOSER = 1e-3
-"""Change of temperature in a pass, K, at which a film that goes on from the last one rests: such films are
+"""Change of temperature in a pass, K, at which a film that goes on from the last one has converged: such films are
 compared with each other, and this close a pass more is cheap."""
 
 
@@ -88,14 +88,14 @@ class ThermalTrail:
 def _continued_from(
     last: ThermalEquilibrium, asked: Posed, heat: FilmHeat, resolution: Resolution
 ) -> ThermalEquilibrium:
-    """Where a film rests that is close to the last one, on its lines."""
+    """Equilibrium of a film close to the last one, on its lines."""
     thermal = _continued(last, asked, heat, resolution, last.thermal.density)
     if last.mixed:
         return _with_a_gap(
             accelerated_equilibrium(thermal, asked.load, last.position, resolution.tolerance, SETTLED)
         )
     found = find_thermal_equilibrium(thermal, asked.load, last.position, resolution.tolerance, CLOSER)
-    if found.status == TOO_MANY_STEPS:  # as streamers that flicker for ever: it may rest less closely
+    if found.status == TOO_MANY_STEPS:  # as streamers that flicker for ever: it may converge less closely
         found = find_thermal_equilibrium(thermal, asked.load, found.position, resolution.tolerance, SETTLED)
     return _with_a_gap(stabilised(found, resolution, SETTLED))
 

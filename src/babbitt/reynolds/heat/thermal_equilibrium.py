@@ -1,8 +1,8 @@
-"""The door of the thermal film: where the journal rests when the oil heats itself.
+"""The door of the thermal film: where the journal is in equilibrium when the oil heats itself.
 
 Every step is one pass of Reynolds equation, energy equation and walls (``thermal_film_state``), and one Newton
 step of the journal on the stiffness at frozen temperatures; on a coarse ring first, then on the fine one. At the
-end the film rests and the energy equation alone is solved until heat closes to round-off.
+end the film has converged and the energy equation alone is solved until heat closes to round-off.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ from babbitt.reynolds.lands._equilibrium import (
 )
 from babbitt.reynolds.model import Cavitation, JournalFilm, Resolution
 from babbitt.reynolds.scales import Scales
-from babbitt.reynolds.stability.load_slope import RestingNodes
+from babbitt.reynolds.stability.load_slope import EquilibriumNodes
 from babbitt.reynolds.surface.surface_equilibrium import SurfaceEquilibrium, line_density, position_under
 from babbitt.reynolds.surface.surface_solution import (
     couette_shear,
@@ -145,7 +145,7 @@ def thermal_film_at(
 ) -> ThermalFilm:
     """Film with its own temperatures at a prescribed position (m) of the journal; see `solve_thermal_journal`.
 
-    ``settled`` is the change of temperature in a pass, K, at which film and temperature rest beside each other.
+    ``settled`` is the change of temperature in a pass, K, at which film and temperature have converged.
 
     Raises
     ------
@@ -247,7 +247,7 @@ def answer(
     torques = thermal.friction, thermal.friction - 2.0 * slope_torque(settled), streamers
     solution = solution_of(frame.film, scales, settled, torques, begun)
     solved = thermal_film(solution, scales, thermal, supply_order(frame.film, seen))
-    return turned_back(frame, replace(solved, nodes=RestingNodes(settled, frame, scales)))
+    return turned_back(frame, replace(solved, nodes=EquilibriumNodes(settled, frame, scales)))
 
 
 def turned_back(frame: LoadFrame, found: ThermalFilm) -> ThermalFilm:

@@ -1,4 +1,4 @@
-"""Passes of Reynolds equation, energy equation and walls, until film, temperature and journal rest."""
+"""Passes of Reynolds equation, energy equation and walls, until film, temperature and journal converge."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ SWEEPS = 3
 COARSE, COARSELY_SETTLED = 1e-2, 2.0
 """Residual force over load, and change of temperature in a pass (K), at which a coarse ring has done its part."""
 SETTLED = 5e-2
-"""Change of temperature in a pass, K, at which film and temperature rest beside each other."""
+"""Change of temperature in a pass, K, at which film and temperature have converged."""
 COLD_LOAD = 2.0
 """Dimensionless load up to which the journal starts where a film of fresh oil carries it: a centred one leaks
 nothing and would have no bound to its temperature."""
@@ -49,8 +49,8 @@ COLDLY_CARRIED = 0.2
 """Residual force over load of this start: the first heat moves the journal by more."""
 MOST_PASSES = 120
 NEARER, IN_VAIN = 0.8, 40
-"""Share of the least distance from rest that counts as nearer, and passes in a row that bring the film no nearer,
-after which it counts as thrown about."""
+"""Share of the least distance from equilibrium that counts as nearer, and passes in a row that bring the film no
+nearer, after which it counts as not converging."""
 MAX_STALLED_PASSES = 4
 """Passes at rest after which nodes that change sides for ever are let be."""
 MAX_CONTACT_PASSES = 12
@@ -61,7 +61,7 @@ ACTIVE_SET_ROUNDS, ROUNDS = 8, 8
 
 @dataclass(frozen=True, eq=False)
 class ThermalEquilibrium:
-    """Where a search ended; ``mixed`` where only passes that remember each other brought the film to rest."""
+    """Where a search ended; ``mixed`` where only passes that remember each other made the film converge."""
 
     thermal: ThermalFilmState
     position: Array

@@ -13,7 +13,7 @@ from babbitt.reynolds.heat.heat_model import mean_over_layers
 from babbitt.reynolds.heat.thermal_film_state import ThermalFilmState
 from babbitt.reynolds.scales import Scales
 from babbitt.reynolds.solution import FilmSolution
-from babbitt.reynolds.stability.load_slope import RestingNodes
+from babbitt.reynolds.stability.load_slope import EquilibriumNodes
 from babbitt.reynolds.surface.surface_solution import twins
 
 __all__ = ["ThermalFilm", "thermal_film"]
@@ -83,7 +83,7 @@ class ThermalFilm:
     effective_viscosity : float
         Uniform viscosity of the oil with the same friction power in the same gap by shear, at every place with the
         turbulence that the film has there, Pa s.
-    nodes : RestingNodes or None
+    nodes : EquilibriumNodes or None
         The film as it was solved.
     """
 
@@ -102,7 +102,7 @@ class ThermalFilm:
     insulated: bool
     heat: HeatSplit
     effective_viscosity: float
-    nodes: RestingNodes | None = None
+    nodes: EquilibriumNodes | None = None
 
     @property
     def maximum_temperature(self) -> float:
@@ -133,7 +133,7 @@ class ThermalFilm:
 def thermal_film(
     film: FilmSolution, scales: Scales, thermal: ThermalFilmState, order: Sequence[int]
 ) -> ThermalFilm:
-    """Temperatures and heat of a ring beside its film; ``order`` of its supplies in the bearing as given."""
+    """Temperatures and heat of a ring and its film; ``order`` of its supplies in the bearing as given."""
     columns, unit = thermal.columns, thermal.walls.flow_heat
     cold = thermal.heat.supply_temperature
     leaving, own = side_oil(thermal)

@@ -341,7 +341,7 @@ def beginning(film: JournalFilm, load: Array) -> Array:
 
 
 APPROACH = (0.6, 0.8, 0.9, 0.96, 0.99, 1.0)
-"""Shares of a position over which the journal goes there where the active set finds no rest at once."""
+"""Shares of a position over which the journal goes there where the active set does not converge at once."""
 WET_ROUNDS = 60
 """Rounds of the active set at one place."""
 CALM = 1e-4
