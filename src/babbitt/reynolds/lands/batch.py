@@ -13,12 +13,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from babbitt.core.notices import InputError
 from babbitt.reynolds._structs import LAND_COLUMNS
+from babbitt.reynolds.bore import check_lands
 from babbitt.reynolds.lands._batch import HEAD, find_equilibria
 from babbitt.reynolds.lands._equilibrium import CONVERGED
 from babbitt.reynolds.lands._forces import RESULT_SIZE
 from babbitt.reynolds.lands._integrals import INFLOW, JOURNAL_TORQUE, OUTFLOW, SIDE_FLOW, TOTALS
 from babbitt.reynolds.lands.operators import kernel_operator
-from babbitt.reynolds.model import ENGINEERING, Cavitation, Land, Resolution, check_lands
+from babbitt.reynolds.model import ENGINEERING, Cavitation, Land, Resolution
 
 __all__ = ["BatchSolution", "solve_batch"]
 
