@@ -10,7 +10,7 @@ from babbitt.reynolds.heat.globalisation import accelerated_equilibrium, recover
 from babbitt.reynolds.heat.heat_model import THERMAL_ENGINEERING, BushRing, ConductingWalls, FilmHeat, JournalHeat
 from babbitt.reynolds.heat.thermal_equilibrium import CLOSED, CLOSING, OPEN
 from babbitt.reynolds.heat.thermal_film_state import GUESSED_SHARE
-from babbitt.reynolds.heat.thermal_passes import cold_start, fresh_ring, rest
+from babbitt.reynolds.heat.thermal_passes import cold_start, find_thermal_equilibrium, fresh_ring
 from babbitt.reynolds.lands._equilibrium import CONVERGED
 from babbitt.reynolds.model import FilmStart, JournalFilm, Land, Pocket, grooved_bore
 from babbitt.reynolds.scales import Scales
@@ -37,48 +37,50 @@ LOAD = (0.0, -6e3)
 def ring_for(film, heat, load=LOAD):
     """Fine ring, dimensionless load, and where fresh oil carries it."""
     scales = Scales.of(film, film.angular_speed)
-    warm = fresh_ring(film, heat, scales, 2 * THERMAL_ENGINEERING.intervals, THERMAL_ENGINEERING, None)
+    thermal = fresh_ring(film, heat, scales, 2 * THERMAL_ENGINEERING.intervals, THERMAL_ENGINEERING, None)
     force = np.asarray(load) / scales.force
-    return warm, force, cold_start(warm.sample, force)
+    return thermal, force, cold_start(thermal.sample, force)
 
 
 def test_a_film_starts_where_what_leaves_would_carry_its_heat_off():
-    warm, _, at = ring_for(BEARING, FULL)
-    thinner = warm.guess(at)
-    risen = warm.temperature - COLD
-    leaving = np.maximum(warm.flows.leak, 0.0).sum()
+    thermal, _, at = ring_for(BEARING, FULL)
+    thinner = thermal.guess(at)
+    risen = thermal.temperature - COLD
+    leaving = np.maximum(thermal.flows.leak, 0.0).sum()
     assert np.ptp(risen) == 0.0
     assert risen.max() > 2.0
     assert thinner == pytest.approx(iso_vg_32(COLD + risen.max()) / iso_vg_32(COLD), rel=1e-3)
-    assert risen.max() * leaving == pytest.approx(GUESSED_SHARE * warm.dissipation * warm.rise * thinner, rel=0.01)
-    walls = warm.walls
+    assert risen.max() * leaving == pytest.approx(
+        GUESSED_SHARE * thermal.dissipation * thermal.rise * thinner, rel=0.01
+    )
+    walls = thermal.walls
     assert walls.bush == pytest.approx(walls.ambient + walls.synthesis @ walls.harmonics, abs=1e-9)
-    assert walls.journal[0] == pytest.approx(warm.temperature.max(), abs=1e-9)
+    assert walls.journal[0] == pytest.approx(thermal.temperature.max(), abs=1e-9)
 
 
 @pytest.mark.parametrize("film", [BEARING, POCKETS], ids=["grooves", "pockets"])
 @pytest.mark.parametrize("heat", [ADIABATIC, FULL], ids=["adiabatic", "full"])
 def test_mixed_passes_lead_to_the_same_rest(film, heat):
     plain, load, at = ring_for(film, heat)
-    found = rest(plain, load, at, 1e-5, 1e-3)
+    found = find_thermal_equilibrium(plain, load, at, 1e-5, 1e-3)
     other, load, at = ring_for(film, heat)
     mixed = accelerated_equilibrium(other, load, at, 1e-5, 1e-3)
     assert found.status == mixed.status == CONVERGED
     assert mixed.position == pytest.approx(found.position, abs=2e-4)
     assert other.temperature == pytest.approx(plain.temperature, abs=0.05)
-    assert mixed.warm.sample.force == pytest.approx(-load, abs=1e-5 * np.hypot(*load))
+    assert mixed.thermal.sample.force == pytest.approx(-load, abs=1e-5 * np.hypot(*load))
 
 
 def test_mixed_passes_at_a_given_place_do_not_move_the_journal():
-    warm, _, _ = ring_for(BEARING, FULL)
-    found = accelerated_equilibrium(warm, None, np.array([0.2, -0.5]), 1e-5, 1e-3)
+    thermal, _, _ = ring_for(BEARING, FULL)
+    found = accelerated_equilibrium(thermal, None, np.array([0.2, -0.5]), 1e-5, 1e-3)
     assert found.status == CONVERGED
     assert found.position.tolist() == [0.2, -0.5]
 
 
 def test_a_film_that_was_lost_is_found_from_the_film_of_one_temperature():
-    warm, load, at = ring_for(BEARING, FULL)
-    lost = replace(rest(warm, load, at, 1e-5, 1e-3), status=2, load=None)
+    thermal, load, at = ring_for(BEARING, FULL)
+    lost = replace(find_thermal_equilibrium(thermal, load, at, 1e-5, 1e-3), status=2, load=None)
     scales = Scales.of(BEARING, BEARING.angular_speed)
     found = recovered(BEARING, FULL, scales, load, THERMAL_ENGINEERING, lost, 1.0)
     assert found.status == CONVERGED
@@ -89,17 +91,17 @@ def test_a_film_that_was_lost_is_found_from_the_film_of_one_temperature():
 def test_walls_come_back_to_their_temperatures_however_far_they_were_thrown(film):
     """A creeping film conducts far more than its oil carries; closing its heat still takes few rounds."""
     film = replace(film, angular_speed=5.0, clearance=40e-6)
-    warm, load, at = ring_for(film, FULL, (0.0, -60e3))
-    found = rest(warm, load, at, 1e-3, 1e-2)
+    thermal, load, at = ring_for(film, FULL, (0.0, -60e3))
+    found = find_thermal_equilibrium(thermal, load, at, 1e-3, 1e-2)
     assert found.status == CONVERGED
-    assert warm.close(CLOSING, CLOSED) < OPEN
-    journal, bush = float(warm.walls.journal[0]), warm.walls.bush.copy()
-    walls, gap = warm.walls, FULL.conductivity / warm.walls.conductance.max()
+    assert thermal.close(CLOSING, CLOSED) < OPEN
+    journal, bush = float(thermal.walls.journal[0]), thermal.walls.bush.copy()
+    walls, gap = thermal.walls, FULL.conductivity / thermal.walls.conductance.max()
     conducted = FULL.conductivity / gap * math.pi * film.diameter  # W/(m K), over what one turn carries
     assert conducted > 50.0 * FULL.volumetric_heat_capacity * 0.25 * film.angular_speed * film.diameter * gap
     walls.journal[0] += 15.0
     walls.harmonics[:] += np.where(np.arange(walls.harmonics.size) % 2, 6.0, -4.0)
     walls.bush[:] = walls.ambient + walls.synthesis @ walls.harmonics
-    assert warm.close(60, 1e-6) < 1e-6
+    assert thermal.close(60, 1e-6) < 1e-6
     assert walls.journal[0] == pytest.approx(journal, abs=1e-4)
     assert walls.bush == pytest.approx(bush, abs=1e-4)

@@ -11,7 +11,7 @@ from babbitt.reynolds.heat.heat_model import THERMAL_ENGINEERING, BushRing, Cond
 from babbitt.reynolds.heat.thermal_continuation import CLOSER, ThermalTrail
 from babbitt.reynolds.heat.thermal_equilibrium import solve_thermal_journal
 from babbitt.reynolds.heat.thermal_film_state import RELAX
-from babbitt.reynolds.heat.thermal_passes import cold_start, continued, fresh_ring, rest
+from babbitt.reynolds.heat.thermal_passes import cold_start, continued, find_thermal_equilibrium, fresh_ring
 from babbitt.reynolds.lands._equilibrium import CONVERGED
 from babbitt.reynolds.model import JournalFilm, grooved_bore
 from babbitt.reynolds.scales import Scales
@@ -41,9 +41,9 @@ def settled_ring(heat):
         return fresh_ring(BEARING, heat, scales, 2 * THERMAL_ENGINEERING.intervals, THERMAL_ENGINEERING, density)
 
     even = ring(None)
-    at = rest(even, force, cold_start(even.sample, force), 1e-2, 1.0).position
-    warm = ring(line_density(BEARING, at, even.sample.gap(at)))
-    found = rest(warm, force, at, 1e-5, 1e-4)
+    at = find_thermal_equilibrium(even, force, cold_start(even.sample, force), 1e-2, 1.0).position
+    thermal = ring(line_density(BEARING, at, even.sample.gap(at)))
+    found = find_thermal_equilibrium(thermal, force, at, 1e-5, 1e-4)
     assert found.status == CONVERGED
     return found, ring
 
@@ -52,10 +52,10 @@ def settled_ring(heat):
 def test_a_film_on_the_same_lines_goes_on_where_the_last_one_rested(heat):
     """Nothing is left to do: neither the wet set nor a temperature changes, those of the walls included."""
     found, ring = settled_ring(heat)
-    again = continued(ring(found.warm.density), found.warm)
-    assert (again.sample.work.wet == found.warm.sample.work.wet).all()
-    assert again.temperature == pytest.approx(found.warm.temperature, abs=1e-9)
-    assert again.walls.bush == pytest.approx(found.warm.walls.bush, abs=1e-9)
+    again = continued(ring(found.thermal.density), found.thermal)
+    assert (again.sample.work.wet == found.thermal.sample.work.wet).all()
+    assert again.temperature == pytest.approx(found.thermal.temperature, abs=1e-9)
+    assert again.walls.bush == pytest.approx(found.thermal.walls.bush, abs=1e-9)
     changed, change = again.advance(found.position, 3, 8)
     assert changed == 0
     assert change < 2e-3
@@ -65,14 +65,14 @@ def test_a_film_on_the_same_lines_goes_on_where_the_last_one_rested(heat):
 def test_walls_keep_their_temperature_on_other_lines():
     """Harmonics are the same on any lines: between lines nothing is lost but what a straight line cuts off."""
     found, ring = settled_ring(FULL)
-    other = continued(ring(None), found.warm)
-    assert np.ptp(np.diff(found.warm.sample.ring.theta)) > 0.01
-    assert other.walls.harmonics.tolist() == found.warm.walls.harmonics.tolist()
-    lines = found.warm.walls.bush.size
+    other = continued(ring(None), found.thermal)
+    assert np.ptp(np.diff(found.thermal.sample.ring.theta)) > 0.01
+    assert other.walls.harmonics.tolist() == found.thermal.walls.harmonics.tolist()
+    lines = found.thermal.walls.bush.size
     between = np.interp(
         other.sample.ring.theta[: other.walls.bush.size],
-        found.warm.sample.ring.theta[:lines],
-        found.warm.walls.bush,
+        found.thermal.sample.ring.theta[:lines],
+        found.thermal.walls.bush,
     )
     assert np.ptp(between) > 5.0
     assert other.walls.bush == pytest.approx(between, abs=0.1 * np.ptp(between))
@@ -80,18 +80,18 @@ def test_walls_keep_their_temperature_on_other_lines():
 
 def test_a_change_of_temperature_counts_by_the_share_that_oil_fills():
     found, _ = settled_ring(ADIABATIC)
-    warm = found.warm
-    line = int(np.argmin(np.where(warm.columns.supply[:, 0] < 0, warm.flows.fill[:, 0], 1.0)))
-    filled, before = float(warm.flows.fill[line, 0]), warm.temperature.copy()
+    thermal = found.thermal
+    line = int(np.argmin(np.where(thermal.columns.supply[:, 0] < 0, thermal.flows.fill[:, 0], 1.0)))
+    filled, before = float(thermal.flows.fill[line, 0]), thermal.temperature.copy()
     assert 0.0 < filled < 0.6
-    warm.temperature[line] += 5.0
-    warm.relaxation = RELAX
-    _, change = warm.advance(found.position, 3, 8)
-    rises = np.abs(warm.last_rise).max(axis=2)
+    thermal.temperature[line] += 5.0
+    thermal.relaxation = RELAX
+    _, change = thermal.advance(found.position, 3, 8)
+    rises = np.abs(thermal.last_rise).max(axis=2)
     assert rises.max() > 4.0
-    assert change == pytest.approx(float((rises * warm.flows.fill).max()), rel=1e-9)
+    assert change == pytest.approx(float((rises * thermal.flows.fill).max()), rel=1e-9)
     assert change < 0.9 * rises.max()
-    assert warm.temperature == pytest.approx(before, abs=0.5)
+    assert thermal.temperature == pytest.approx(before, abs=0.5)
 
 
 @pytest.mark.parametrize("sense", [1.0, -1.0])

@@ -36,13 +36,15 @@ WALLS = ConductingWalls(BushRing((0.2, 0.3), (50.0,), 50.0, 293.15), JournalHeat
 HEAT = FilmHeat(oil, 1.72e6, 0.13, COLD, WALLS)
 
 
-def given_to_walls(warm):
+def given_to_walls(thermal):
     """Harmonics of the flux into the bush and the heat into the journal, with the energy equation solved."""
-    walls, cells = warm.walls, warm.cells
-    surface = warm.sample.ring.surface
-    sweep_energy(surface, warm.columns, warm.flows, cells, walls, warm.temperature, warm.groove, 600, 1e-12)
-    bush = (cells.bush * (warm.temperature[:, :, 0] - walls.bush[:, None])).sum(axis=1)
-    journal = (cells.journal * (warm.temperature[:, :, -1] - walls.journal[0])).sum()
+    walls, cells = thermal.walls, thermal.cells
+    surface = thermal.sample.ring.surface
+    sweep_energy(
+        surface, thermal.columns, thermal.flows, cells, walls, thermal.temperature, thermal.groove, 600, 1e-12
+    )
+    bush = (cells.bush * (thermal.temperature[:, :, 0] - walls.bush[:, None])).sum(axis=1)
+    journal = (cells.journal * (thermal.temperature[:, :, -1] - walls.journal[0])).sum()
     flux = bush * walls.flow_heat / (walls.area * walls.width)
     return np.append(walls.analysis @ flux, journal * walls.flow_heat)
 
@@ -55,20 +57,20 @@ def given_to_walls(warm):
 @pytest.mark.parametrize("mode", [0, 1, 5, 11, 15, -1])
 def test_every_wall_warmed_alone_gets_what_is_foretold(film, grid, mode):
     scales = Scales.of(film, film.angular_speed)
-    warm = search(
+    thermal = search(
         film, replace(HEAT, grid=grid), scales, np.array([0.0, -112.8e3]) / scales.force, THERMAL_DRAFT
-    ).warm
-    warm.fill(warm.viscosity)
-    warm.prepare_walls()
-    walls = warm.walls
+    ).thermal
+    thermal.fill(thermal.viscosity)
+    thermal.prepare_walls()
+    walls = thermal.walls
     modes, foretold = walls.admittance.size, np.linalg.inv(walls.inverse)
     foretold[np.diag_indices(modes + 1)] -= np.append(walls.admittance, walls.journal[2])
-    before = given_to_walls(warm)
+    before = given_to_walls(thermal)
     if mode >= 0:
         walls.bush[:] += walls.synthesis[:, mode]
     else:
         walls.journal[0] += 1.0
-    change = given_to_walls(warm) - before
+    change = given_to_walls(thermal) - before
     for part in (slice(0, modes), slice(modes, None)):  # W/m2 and W
         largest = np.abs(foretold[part]).max()
         assert -change[part] == pytest.approx(foretold[part, mode], abs=2e-3 * largest)

@@ -46,7 +46,7 @@ def test_oil_between_parallel_faces_warms_with_the_square_of_the_radius():
 def test_columns_share_the_area_of_the_pad(resolved):
     """They weigh conduction across the gap: the integral of r dr over the square of the outer radius."""
     heat = replace(ONE_VISCOSITY, grid=HeatGrid(resolved=resolved))
-    columns = ThermalSectorState.of(PAD, heat, 100e-6).warm.columns
+    columns = ThermalSectorState.of(PAD, heat, 100e-6).thermal.columns
     assert columns.size.size == (7 if resolved else 1)
     assert columns.size.sum() == pytest.approx(0.5 * (0.2**2 - 0.1**2) / 0.2**2, rel=1e-12)
 

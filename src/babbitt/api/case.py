@@ -1,4 +1,4 @@
-"""What every bearing of the Python front door can do: tell what is missing, be changed, solved, written."""
+"""What every bearing of the Python front door can do: report what is missing, be changed, solved, written."""
 
 from __future__ import annotations
 

@@ -104,7 +104,7 @@ def read_file(path: FilePath) -> dict[str, Any]:
     """
     given = read_tree(text_of(path), printable(path)).plain()
     if not isinstance(given, dict):
-        load_case(path)  # tells what is wrong
+        load_case(path)  # reports what is wrong
     return dict(given)
 
 
@@ -196,7 +196,7 @@ def _named_in(message: str, given: Any) -> Path:
 
 
 def load_cases(paths: Iterable[str | FilePath], reach: Reach = Reach.FOLDER) -> tuple[CaseFile, ...]:
-    """Read several case files, or tell every problem of all of them at once.
+    """Read several case files, or report every problem of all of them at once.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""What every piece of a case file is: frozen, without unknown keys, and able to tell all that is wrong at once.
+"""What every piece of a case file is: frozen, without unknown keys, and able to report all that is wrong at once.
 
 Pydantic stops at the fields: rules between fields would only be asked once every field is right. Here the rules
 are asked of whatever is right, so that a file with a wrong unit and a bore smaller than its journal hears of both.
@@ -74,7 +74,7 @@ class Issue:
         return () if self.lacks is None and self.says == MISSING else self.lacks
 
     def under(self, *path: str | int) -> Issue:
-        """Tell the same of a piece further down."""
+        """Report the same of a piece further down."""
         return replace(self, path=(*path, *self.path))
 
 
@@ -160,7 +160,7 @@ class Part(BaseModel):
 
     @classmethod
     def _with_every_issue(cls, given: Any, handler: ModelWrapValidatorHandler[Self], info: ValidationInfo) -> Self:
-        """Read the part from the words of today, and tell all that is wrong with it."""
+        """Read the part from the words of today, and report all that is wrong with it."""
         try:
             part = handler(given)
         except ValidationError as error:
@@ -200,7 +200,7 @@ def is_given(part: Part, name: str) -> bool:
 
 
 def not_read(part: Part, why: str, *paths: str) -> Iterator[Notice]:
-    """Tell of fields that are given and that nothing reads.
+    """Report fields that are given and that nothing reads.
 
     Parameters
     ----------
@@ -275,7 +275,7 @@ def _line(issue: Issue, given: Any) -> InitErrorDetails:
 
 
 def _at_written(details: ErrorDetails, reading: Reading) -> InitErrorDetails:
-    """Tell a finding at the word that the file has."""
+    """Report a finding at the word that the file has."""
     context: dict[str, Any] = dict(details["ctx"])
     if remark := reading.remark(details["loc"]):
         context["hint"] = "; ".join(filter(None, (context["hint"], remark)))
@@ -300,7 +300,7 @@ def _given_twice(former: Path, today: Path) -> Issue:
 
 
 def _no_choice(cls: type[Part], path: Path, given: Mapping[str, Any]) -> Issue:
-    """Tell of a key in the mapping of a method that is no choice of it."""
+    """Report a key in the mapping of a method that is no choice of it."""
     method, name = str(given[METHOD]), str(path[-1])
     known = choices_of(cls, method)
     if name in every_choice(cls):

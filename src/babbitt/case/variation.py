@@ -220,7 +220,7 @@ def case_variation(
     InputError
         E005 for a bearing that the file does not have, or an empty path.
     """
-    inputs = load_case(file, reach).files  # tells of every problem with its line
+    inputs = load_case(file, reach).files  # reports every problem with its line
     given = read_file(file)
     if not all(path.split(".")):
         raise InputError("E005", f"'{path}' names no field; write it as load, or clearance.mean")

@@ -48,7 +48,7 @@ def _warned(
     file: TextIO | None = None,
     line: str | None = None,
 ) -> None:
-    """Tell of a warning in one line, without the place in the program that gave it."""
+    """Report a warning in one line, without the place in the program that gave it."""
     print(printable_lines(f"babbitt: {message}"), file=sys.stderr)
 
 

@@ -1,4 +1,4 @@
-"""The command that writes a case file as it is written today, and what the others tell of one that is not."""
+"""The command that writes a case file as it is written today, and what the others report of one that is not."""
 
 from __future__ import annotations
 

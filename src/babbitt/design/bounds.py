@@ -38,7 +38,7 @@ def certain(checks: Iterable[Check], bounds: Bounds) -> tuple[Check, ...]:
 
 
 def undecided(checks: Iterable[Check], bounds: Bounds) -> tuple[Notice, ...]:
-    """Tell the reasons of those left out by `certain`."""
+    """Give the reasons of those left out by `certain`."""
     return tuple(bounds[check.code] for check in checks if _says_nothing(check, bounds))
 
 

@@ -27,7 +27,7 @@ from babbitt.report.text import plain_text
 Data = dict[str, Any]
 
 NOT_FOR_PAPER = ("wall_time", "iterations")
-"""Results that tell of the run rather than of the bearing, and differ from run to run."""
+"""Results about the run rather than the bearing, and differ from run to run."""
 
 WARNING_HEADINGS = {
     Effect.NO_VERDICT: "No verdict: outside the validity of the model",

@@ -1,4 +1,4 @@
-"""The page of `babbitt compare`: what every method tells of one bearing, as one HTML file."""
+"""The page of `babbitt compare`: results of every method for one bearing, as one HTML file."""
 
 from __future__ import annotations
 

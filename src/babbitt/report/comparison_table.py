@@ -100,7 +100,7 @@ def _table(title: Text, compared: Sequence[str], variants: Sequence[Variant], as
 
 @dataclass(frozen=True)
 class Row:
-    """One quantity with its unit, as every method tells it."""
+    """One quantity with its unit, by every method."""
 
     meaning: str
     unit: str

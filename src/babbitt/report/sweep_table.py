@@ -24,7 +24,7 @@ from babbitt.study.case_sweep import CaseSweep
 
 REFUSED = "refused"
 NOT_REPORTED = ("wall_time", "iterations")
-"""Results that tell of the run and differ from run to run."""
+"""Results about the run, which differ from run to run."""
 
 
 def print_sweep(sweep: CaseSweep, to: Console | None = None) -> None:

@@ -56,7 +56,7 @@ class Resolution:
     coarse_intervals : int
         Intervals of the first search.
     tolerance : float
-        Residual force over load at which the journal rests.
+        Residual force over load at which the journal is in equilibrium.
     """
 
     axial_unknowns: int = 4

@@ -208,7 +208,7 @@ def mean_radial(clearance: ClearanceInput, diameter: float) -> float:
 
 
 def mean_assumed(clearance: ClearanceInput, diameter: float) -> Iterator[str]:
-    """Tell the assumption of a bearing that is computed at one clearance and given by its tolerances."""
+    """Report the assumption of a bearing that is computed at one clearance and given by its tolerances."""
     if isinstance(clearance, FitClearance | LimitsClearance | DeviationsClearance):
         mean = f"{1e6 * mean_radial(clearance, diameter):.4g} µm"
         yield f"Radial clearance {mean}, the mean of its tolerances; their limits are not computed."

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING, TypeAlias, TypeVar
 
 from babbitt.core.notices import Notice
 from babbitt.core.result import Matrix, Outcome
@@ -27,8 +27,8 @@ if TYPE_CHECKING:
     from babbitt.kinds.journal.infinitely_long_bearing.state import LongFilmState
 
     Array = NDArray[np.float64]
-    Case = SegmentCase | LongFilmCase
-    State = SegmentFilmState | LongFilmState
+    Case: TypeAlias = SegmentCase | LongFilmCase
+    State: TypeAlias = SegmentFilmState | LongFilmState
 
 StateT = TypeVar("StateT", "SegmentFilmState", "LongFilmState")
 

@@ -8,7 +8,7 @@ from babbitt.core.notices import Notice
 from babbitt.kinds.shaft_line.excitation import RunoutHarmonic, ThrustHarmonic
 from babbitt.kinds.shaft_line.line import ShaftLine
 from babbitt.kinds.shaft_line.model import LineOperation
-from babbitt.kinds.thrust.design import PrescribedThrust, ThrustDesign, warm_films
+from babbitt.kinds.thrust.design import PrescribedThrust, ThrustDesign, films_in_oil
 from babbitt.kinds.thrust.load_curve import LoadCurve
 from babbitt.properties.lubricants import Lubricant
 
@@ -77,4 +77,4 @@ class LineDesign:
 
     def films_at(self, duty: LineOperation) -> LoadCurve:
         """Films of one pad at the speed and thrust of a duty."""
-        return warm_films(self.thrust, duty.bearing, duty.speed, PrescribedThrust(duty.thrust))[0]
+        return films_in_oil(self.thrust, duty.bearing, duty.speed, PrescribedThrust(duty.thrust))[0]

@@ -11,7 +11,7 @@ __all__ = ["oil_assumptions"]
 
 def oil_assumptions(oil: Oil) -> Iterator[str]:
     """What is assumed of the temperature of the films."""
-    if oil.warm is None:
+    if oil.thermal is None:
         which = "all films" if oil.balance is None else "the film of each pad"
         yield (
             f"One viscosity for {which}, that at the effective temperature; rigid pads; frictionless pivots; "

@@ -36,7 +36,7 @@ __all__ = [
     "operating_state",
     "share_on",
     "temperatures_of_share",
-    "warm_films",
+    "films_in_oil",
 ]
 
 NEARLY = 3e-7
@@ -85,7 +85,7 @@ class Oil:
     resolved: bool = False
 
     @property
-    def warm(self) -> PadOil | None:
+    def thermal(self) -> PadOil | None:
         """The oil of films with their own temperatures; None for films of one viscosity."""
         if self.supply_temperature is None or not self.own_temperatures:
             return None
@@ -168,7 +168,7 @@ def operating_state(design: ThrustDesign) -> ThrustState:
         E202 where the pads do not balance.
     ThermalRunawayError
     """
-    films, together = warm_films(design, design.bearing, design.speed, design.duty)
+    films, together = films_in_oil(design, design.bearing, design.speed, design.duty)
     share = _share(films, design.bearing, design.duty)
     if isinstance(films, TabulatedFilms) and isinstance(design.duty, PrescribedThrust):
         share = exactly_shared(films, share)
@@ -263,16 +263,16 @@ def _fed_by_neighbours(
     return share
 
 
-def warm_films(
+def films_in_oil(
     design: ThrustDesign, bearing: ThrustBearing, speed: float, duty: PrescribedThrust | PrescribedFilm
 ) -> tuple[LoadCurve, Temperatures | None]:
     """Films of one pad in the oil of the design at a speed and a duty; temperatures of pads that share evenly."""
-    if (warm := design.oil.warm) is not None:
-        begin = carrying(bearing.pad, warm.fresh_viscosity, speed)
+    if (oil := design.oil.thermal) is not None:
+        begin = carrying(bearing.pad, oil.fresh_viscosity, speed)
         if isinstance(duty, PrescribedFilm):
-            return thermal_load_curve(bearing.pad, warm, speed, duty.film), None
+            return thermal_load_curve(bearing.pad, oil, speed, duty.film), None
         mean = duty.thrust / bearing.number
-        return thermal_load_curve(bearing.pad, warm, speed, begin.height_for(mean), mean), None
+        return thermal_load_curve(bearing.pad, oil, speed, begin.height_for(mean), mean), None
     films = carrying(bearing.pad, design.oil.fixed_viscosity, speed)
     balance = design.oil.balance
     if balance is None:

@@ -39,7 +39,7 @@ class PivotFault:
 
 @lru_cache(maxsize=64)
 def pivot_fault(pad: ThrustPad) -> PivotFault | None:
-    """Tell whether and why a plane laminar pad does not balance; None where it does.
+    """Say whether and why a plane laminar pad does not balance; None where it does.
 
     Parameters
     ----------

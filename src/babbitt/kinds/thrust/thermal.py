@@ -1,4 +1,4 @@
-"""Pads whose films have their own temperatures: tilt, height and heat at rest beside each other.
+"""Pads whose films have their own temperatures: tilt, height and heat in equilibrium.
 
 Every pass is one of Reynolds and energy equation and one Newton step of the pad on its stiffness at frozen
 temperatures (`babbitt.reynolds.sector.thermal_sector`).
@@ -42,7 +42,7 @@ Array = NDArray[np.float64]
 
 MOST_PASSES = 300
 SETTLED = 1e-4
-"""Change of temperature in a pass, K, at which film, pad and temperature rest beside each other."""
+"""Change of temperature in a pass, K, at which film, pad and temperature have converged."""
 BALANCED = 1e-6
 """Of forces and moments over the load, with it."""
 MOVED = 0.4
@@ -107,7 +107,7 @@ class PadOil:
 
 @dataclass(frozen=True, eq=False)
 class InitialState:
-    """A pad that rests, from which another one is begun."""
+    """A pad in equilibrium, from which another one is begun."""
 
     oil: PadOil
     state: PadState
@@ -169,7 +169,7 @@ def thermal_pad(
         hottest = highest_usable(oil.lubricant)
         motion = _at_rest(pad, sector, first, load)
     except UnsettledPadError:
-        if not sector.warm.temperature.max() < hottest:
+        if not sector.thermal.temperature.max() < hottest:
             raise ThermalRunawayError from None
         raise
     except NoFilmError:
@@ -195,7 +195,7 @@ def _cold_slopes(
 
 
 def _at_rest(pad: ThrustPad, sector: ThermalSectorState, motion: Array, load: float | None) -> Array:
-    """Passes until film, temperatures and pad rest; then the pad alone, exactly, at frozen temperatures."""
+    """Passes until film, temperatures and pad converge; then the pad alone, exactly, at frozen temperatures."""
     ended = damped_newton(_PadEquilibrium(pad, sector, load), motion, MOST_PASSES, most_halvings=HALVINGS)
     if not ended.status:
         raise UnsettledPadError
@@ -204,7 +204,7 @@ def _at_rest(pad: ThrustPad, sector: ThermalSectorState, motion: Array, load: fl
 
 @dataclass(eq=False)
 class _PadEquilibrium:
-    """A pad that is to rest in a film that heats itself; see `babbitt.numerics.damped_newton.NewtonProblem`."""
+    """Equilibrium of a pad in a film that heats itself; see `babbitt.numerics.damped_newton.NewtonProblem`."""
 
     pad: ThrustPad
     sector: ThermalSectorState
@@ -217,7 +217,7 @@ class _PadEquilibrium:
 
     def __post_init__(self) -> None:
         self.free = list(self.pad.free_tilts) if self.load is None else [0, *self.pad.free_tilts]
-        self.to_film, self.cost = self.pad.from_pivot(), _cost_of_pass(self.sector.warm.heat.grid.resolved)
+        self.to_film, self.cost = self.pad.from_pivot(), _cost_of_pass(self.sector.thermal.heat.grid.resolved)
         self.left, self.last = np.zeros(3), np.zeros(3)
 
     def room(self, at: Array) -> float:

@@ -63,7 +63,7 @@ def share_values(design: ThrustDesign, state: ThrustState) -> dict[str, float]:
 
 def effective_viscosity(design: ThrustDesign, state: ThrustState) -> float:
     """Of the films, Pa s: theirs, or that at the effective temperature where each has its own."""
-    if state.temperatures is None or (design.oil.warm is None and not _own_balances(state.share)):
+    if state.temperatures is None or (design.oil.thermal is None and not _own_balances(state.share)):
         return state.films.viscosity
     return float(design.lubricant.dynamic_viscosity(state.temperatures.effective))
 

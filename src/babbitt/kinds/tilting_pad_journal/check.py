@@ -55,7 +55,7 @@ USER = "limit set in the case"
 LARGEST_HEAT_ERROR = 1e-3
 """Of the heat balance of films with their own temperatures, over the heat made."""
 LAMINAR = "C110"
-"""The check of other methods that the film is laminar; here W407 tells it."""
+"""The check of other methods that the film is laminar; here W407 reports it."""
 
 
 class PadSolutionState:

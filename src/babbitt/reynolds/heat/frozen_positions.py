@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.reynolds.equilibrium.many_positions import PositionCoefficients, require_finite
-from babbitt.reynolds.stability.load_slope import RestingNodes
+from babbitt.reynolds.stability.load_slope import EquilibriumNodes
 from babbitt.reynolds.surface.surface_equilibrium import SurfaceState
 
 __all__ = ["FrozenPositions"]
@@ -25,11 +25,11 @@ class FrozenPositions:
 
     Parameters
     ----------
-    nodes : RestingNodes
+    nodes : EquilibriumNodes
         They stay as they are; every call works on a copy.
     """
 
-    def __init__(self, nodes: RestingNodes) -> None:
+    def __init__(self, nodes: EquilibriumNodes) -> None:
         self.nodes = nodes
 
     def forces(self, places: Array) -> PositionCoefficients:

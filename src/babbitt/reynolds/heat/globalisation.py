@@ -24,8 +24,8 @@ from babbitt.reynolds.heat.thermal_passes import (
     ThermalEquilibrium,
     attempt,
     continued,
+    find_thermal_equilibrium,
     fresh_ring,
-    rest,
 )
 from babbitt.reynolds.lands._equilibrium import CONTACT, CONVERGED, NO_FILM, THINNEST, TOO_MANY_STEPS
 from babbitt.reynolds.model import JournalFilm, Resolution
@@ -52,7 +52,7 @@ def recovered(
     film: JournalFilm, heat: FilmHeat, scales: Scales, load: Array, resolution: Resolution,
     lost: ThermalEquilibrium, share: float,
 ) -> ThermalEquilibrium:  # fmt: skip
-    """Where the film rests after all, or where a search ended.
+    """The equilibrium after all, or where a search ended.
 
     A film that was thrown about under its whole load goes on, with passes that remember each other. What else was
     lost is sought under a load that grows from a ``share`` of it, and at last from where the film of one
@@ -71,8 +71,10 @@ def recovered(
     if not one.outcome.solved:
         return lost
     at, gap = one.position / scales.length, one.minimum_film_thickness / scales.length
-    warm = _ring_at(film, heat, scales, at, gap, resolution)
-    found = stabilised(rest(warm, load, at, resolution.tolerance, SETTLED), resolution, SETTLED)
+    thermal = _ring_at(film, heat, scales, at, gap, resolution)
+    found = stabilised(
+        find_thermal_equilibrium(thermal, load, at, resolution.tolerance, SETTLED), resolution, SETTLED
+    )
     return found if found.status == CONVERGED else lost
 
 
@@ -87,8 +89,8 @@ def _gone_on(
     """Where passes that remember each other bring a film that was thrown about under its whole load."""
     if not _is_thrown_about(lost) or lost.load is None or not np.array_equal(lost.load, load):
         return lost
-    warm = continued(_ring_at(film, heat, scales, lost.position, lost.gap, resolution), lost.warm)
-    return accelerated_equilibrium(warm, load, lost.position, resolution.tolerance, SETTLED)
+    thermal = continued(_ring_at(film, heat, scales, lost.position, lost.gap, resolution), lost.thermal)
+    return accelerated_equilibrium(thermal, load, lost.position, resolution.tolerance, SETTLED)
 
 
 def _is_thrown_about(found: ThermalEquilibrium) -> bool:
@@ -99,7 +101,7 @@ def stabilised(found: ThermalEquilibrium, resolution: Resolution, settled: float
     """Let a film that passes threw about converge after all, on the same lines."""
     if found.load is None or not _is_thrown_about(found):
         return found
-    return accelerated_equilibrium(found.warm, found.load, found.position, resolution.tolerance, settled)
+    return accelerated_equilibrium(found.thermal, found.load, found.position, resolution.tolerance, settled)
 
 
 def _ring_at(
@@ -109,31 +111,31 @@ def _ring_at(
 
 
 def accelerated_equilibrium(
-    warm: ThermalFilmState, load: Array | None, at: Array, tolerance: float, settled: float
+    thermal: ThermalFilmState, load: Array | None, at: Array, tolerance: float, settled: float
 ) -> ThermalEquilibrium:
     """Let film, temperature and journal (where there is a load) converge by passes that remember each other.
 
     A pass is a map of temperatures, walls and journal. Anderson's combination of the last ones also calms waves
     that run through the film from pass to pass, as where hot oil flows back before the inlet.
     """
-    gap = warm.sample.gap(at)
-    passes = _Passes(warm, load, 0.0 if load is None else tolerance * math.hypot(*load) + 1e-13, settled)
-    weights = np.concatenate((_scale(warm), np.full(2, GAP_IN_KELVIN / gap)))
-    start = np.concatenate((_packed(warm), at))
+    gap = thermal.sample.gap(at)
+    passes = _Passes(thermal, load, 0.0 if load is None else tolerance * math.hypot(*load) + 1e-13, settled)
+    weights = np.concatenate((_scale(thermal), np.full(2, GAP_IN_KELVIN / gap)))
+    start = np.concatenate((_packed(thermal), at))
     found = fixed_point(passes.residual, passes.settled, start, MIXED, passes.bounded, weights)
     at = found.state[-2:]
-    gap = warm.sample.gap(at)
+    gap = thermal.sample.gap(at)
     if found.status is FixedPointStatus.LOST:
-        return ThermalEquilibrium(warm, at, NO_FILM, found.evaluations, gap)
+        return ThermalEquilibrium(thermal, at, NO_FILM, found.evaluations, gap)
     status = CONVERGED if found.converged else TOO_MANY_STEPS
-    return ThermalEquilibrium(warm, at, status, found.evaluations, gap, load, mixed=found.converged)
+    return ThermalEquilibrium(thermal, at, status, found.evaluations, gap, load, mixed=found.converged)
 
 
 @dataclass(eq=False)
 class _Passes:
     """Passes as a map of the state: temperatures (``_packed``), then the place of the journal."""
 
-    warm: ThermalFilmState
+    thermal: ThermalFilmState
     load: Array | None
     floor: float
     change_at_rest: float
@@ -142,11 +144,11 @@ class _Passes:
 
     def residual(self, state: Array) -> Array | None:
         """What a pass changes; None where the film is none, or does not answer to the journal."""
-        warm, at = self.warm, state[-2:]
-        _unpack(warm, state[:-2])
-        warm.relaxation = 1.0
-        changed, change = warm.advance(at, SWEEPS, ROUNDS)
-        left = np.zeros(2) if self.load is None else warm.sample.force + self.load
+        thermal, at = self.thermal, state[-2:]
+        _unpack(thermal, state[:-2])
+        thermal.relaxation = 1.0
+        changed, change = thermal.advance(at, SWEEPS, ROUNDS)
+        left = np.zeros(2) if self.load is None else thermal.sample.force + self.load
         size = math.hypot(*left)
         if not (math.isfinite(size) and math.isfinite(change)):
             return None
@@ -154,10 +156,10 @@ class _Passes:
         self.calm += rests
         self.at_rest = rests and (changed == 0 or self.calm > MAX_STALLED_PASSES)
         try:
-            step = np.linalg.solve(warm.sample.stiffness, left) if size > 0.0 else left
+            step = np.linalg.solve(thermal.sample.stiffness, left) if size > 0.0 else left
         except np.linalg.LinAlgError:
             return None
-        return np.concatenate((_packed(warm) - state[:-2], step))
+        return np.concatenate((_packed(thermal) - state[:-2], step))
 
     def settled(self, state: Array, residual: Array) -> bool:
         """Whether the last pass found the film at rest."""
@@ -167,28 +169,28 @@ class _Passes:
         """The move with a bound on the temperatures, halved for the gap; None where no gap is left."""
 
         def gap(place: Array) -> float:
-            return self.warm.sample.gap(place[-2:])
+            return self.thermal.sample.gap(place[-2:])
 
         move = move * min(1.0, MOST_RISE / max(float(np.abs(move[:-2]).max()), 1e-300))
         return halved_for_room(gap, state, move, max(SHRINK * gap(state), CONTACT))
 
 
-def _packed(warm: ThermalFilmState) -> Array:
+def _packed(thermal: ThermalFilmState) -> Array:
     """Temperatures of film, supplies and walls, K."""
-    walls = warm.walls
-    return np.concatenate((warm.temperature.ravel(), warm.groove, walls.harmonics, walls.journal[:1]))
+    walls = thermal.walls
+    return np.concatenate((thermal.temperature.ravel(), thermal.groove, walls.harmonics, walls.journal[:1]))
 
 
-def _scale(warm: ThermalFilmState) -> Array:
+def _scale(thermal: ThermalFilmState) -> Array:
     """Weights of ``_packed``: the film counts by its root mean square."""
-    film = np.full(warm.temperature.size, warm.temperature.size**-0.5)
-    return np.concatenate((film, np.ones(warm.groove.size + warm.walls.harmonics.size + 1)))
+    film = np.full(thermal.temperature.size, thermal.temperature.size**-0.5)
+    return np.concatenate((film, np.ones(thermal.groove.size + thermal.walls.harmonics.size + 1)))
 
 
-def _unpack(warm: ThermalFilmState, packed: Array) -> None:
-    walls, film, supplies = warm.walls, warm.temperature.size, warm.groove.size
-    warm.temperature[:] = packed[:film].reshape(warm.temperature.shape)
-    warm.groove[:] = packed[film : film + supplies]
+def _unpack(thermal: ThermalFilmState, packed: Array) -> None:
+    walls, film, supplies = thermal.walls, thermal.temperature.size, thermal.groove.size
+    thermal.temperature[:] = packed[:film].reshape(thermal.temperature.shape)
+    thermal.groove[:] = packed[film : film + supplies]
     walls.harmonics[:] = packed[film + supplies : -1]
     walls.journal[0] = packed[-1]
     walls.bush[:] = walls.ambient + walls.synthesis @ walls.harmonics

@@ -14,7 +14,13 @@ from babbitt.reynolds.heat.globalisation import accelerated_equilibrium, stabili
 from babbitt.reynolds.heat.heat_model import THERMAL_ENGINEERING, FilmHeat
 from babbitt.reynolds.heat.thermal_equilibrium import Posed, answer, posed, search
 from babbitt.reynolds.heat.thermal_film_state import ThermalFilmState
-from babbitt.reynolds.heat.thermal_passes import SETTLED, ThermalEquilibrium, continued, fresh_ring, rest
+from babbitt.reynolds.heat.thermal_passes import (
+    SETTLED,
+    ThermalEquilibrium,
+    continued,
+    find_thermal_equilibrium,
+    fresh_ring,
+)
 from babbitt.reynolds.heat.thermal_solution import ThermalFilm
 from babbitt.reynolds.lands._equilibrium import CONVERGED, NO_FILM, THINNEST, TOO_MANY_STEPS
 from babbitt.reynolds.model import JournalFilm, Resolution
@@ -24,7 +30,7 @@ from babbitt.reynolds.surface.surface_equilibrium import line_density
 __all__ = ["CLOSER", "ThermalTrail"]
 
 CLOSER = 1e-3
-"""Change of temperature in a pass, K, at which a film that goes on from the last one rests: such films are
+"""Change of temperature in a pass, K, at which a film that goes on from the last one has converged: such films are
 compared with each other, and this close a pass more is cheap."""
 
 
@@ -69,8 +75,8 @@ class ThermalTrail:
             return self.solve(film, heat, load, resolution)
         begun, asked = time.perf_counter(), posed(film, load)
         density = line_density(asked.seen, self.last.position, self.last.gap)
-        warm = _continued(self.last, asked, heat, resolution, density)
-        found = rest(warm, asked.load, self.last.position, resolution.tolerance, SETTLED)
+        thermal = _continued(self.last, asked, heat, resolution, density)
+        found = find_thermal_equilibrium(thermal, asked.load, self.last.position, resolution.tolerance, SETTLED)
         return self._noted(asked, _with_a_gap(stabilised(found, resolution, SETTLED)), begun)
 
     def _noted(self, asked: Posed, found: ThermalEquilibrium, begun: float) -> ThermalFilm:
@@ -82,13 +88,15 @@ class ThermalTrail:
 def _continued_from(
     last: ThermalEquilibrium, asked: Posed, heat: FilmHeat, resolution: Resolution
 ) -> ThermalEquilibrium:
-    """Where a film rests that is close to the last one, on its lines."""
-    warm = _continued(last, asked, heat, resolution, last.warm.density)
+    """Equilibrium of a film close to the last one, on its lines."""
+    thermal = _continued(last, asked, heat, resolution, last.thermal.density)
     if last.mixed:
-        return _with_a_gap(accelerated_equilibrium(warm, asked.load, last.position, resolution.tolerance, SETTLED))
-    found = rest(warm, asked.load, last.position, resolution.tolerance, CLOSER)
-    if found.status == TOO_MANY_STEPS:  # as streamers that flicker for ever: it may rest less closely
-        found = rest(warm, asked.load, found.position, resolution.tolerance, SETTLED)
+        return _with_a_gap(
+            accelerated_equilibrium(thermal, asked.load, last.position, resolution.tolerance, SETTLED)
+        )
+    found = find_thermal_equilibrium(thermal, asked.load, last.position, resolution.tolerance, CLOSER)
+    if found.status == TOO_MANY_STEPS:  # as streamers that flicker for ever: it may converge less closely
+        found = find_thermal_equilibrium(thermal, asked.load, found.position, resolution.tolerance, SETTLED)
     return _with_a_gap(stabilised(found, resolution, SETTLED))
 
 
@@ -97,9 +105,9 @@ def _continued(
 ) -> ThermalFilmState:
     """Ring with the temperatures of the last film."""
     lines = fresh_ring(asked.seen, heat, asked.scales, 2 * resolution.intervals, resolution, density)
-    warm = continued(lines, last.warm)
-    warm.relaxation = last.warm.relaxation  # it swings as the last one did
-    return warm
+    thermal = continued(lines, last.thermal)
+    thermal.relaxation = last.thermal.relaxation  # it swings as the last one did
+    return thermal
 
 
 def _with_a_gap(found: ThermalEquilibrium) -> ThermalEquilibrium:

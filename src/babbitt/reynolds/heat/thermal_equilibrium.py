@@ -1,8 +1,8 @@
-"""The door of the thermal film: where the journal rests when the oil heats itself.
+"""The door of the thermal film: where the journal is in equilibrium when the oil heats itself.
 
 Every step is one pass of Reynolds equation, energy equation and walls (``thermal_film_state``), and one Newton
 step of the journal on the stiffness at frozen temperatures; on a coarse ring first, then on the fine one. At the
-end the film rests and the energy equation alone is solved until heat closes to round-off.
+end the film has converged and the energy equation alone is solved until heat closes to round-off.
 """
 
 from __future__ import annotations
@@ -26,8 +26,8 @@ from babbitt.reynolds.heat.thermal_passes import (
     SWEEPS,
     ThermalEquilibrium,
     attempt,
+    find_thermal_equilibrium,
     fresh_ring,
-    rest,
 )
 from babbitt.reynolds.heat.thermal_solution import ThermalFilm, thermal_film
 from babbitt.reynolds.lands._equilibrium import (
@@ -40,9 +40,8 @@ from babbitt.reynolds.lands._equilibrium import (
 )
 from babbitt.reynolds.model import Cavitation, JournalFilm, Resolution
 from babbitt.reynolds.scales import Scales
-from babbitt.reynolds.stability.load_slope import RestingNodes
-from babbitt.reynolds.surface.surface_equilibrium import SurfaceEquilibrium, line_density
-from babbitt.reynolds.surface.surface_equilibrium import rest as carry
+from babbitt.reynolds.stability.load_slope import EquilibriumNodes
+from babbitt.reynolds.surface.surface_equilibrium import SurfaceEquilibrium, line_density, position_under
 from babbitt.reynolds.surface.surface_solution import (
     couette_shear,
     mirrored,
@@ -146,7 +145,7 @@ def thermal_film_at(
 ) -> ThermalFilm:
     """Film with its own temperatures at a prescribed position (m) of the journal; see `solve_thermal_journal`.
 
-    ``settled`` is the change of temperature in a pass, K, at which film and temperature rest beside each other.
+    ``settled`` is the change of temperature in a pass, K, at which film and temperature have converged.
 
     Raises
     ------
@@ -158,19 +157,19 @@ def thermal_film_at(
     frame = LoadFrame.of(film, position)
     seen, scales = turning_forwards(frame.film)
     at = np.asarray(frame.load) * scales.sense / scales.length
-    warm = fresh_ring(seen, heat, scales, 2 * resolution.intervals, resolution, None)
-    gap = warm.sample.gap(at)
+    thermal = fresh_ring(seen, heat, scales, 2 * resolution.intervals, resolution, None)
+    gap = thermal.sample.gap(at)
     if not gap > 0.0:
-        return answer(frame, seen, scales, ThermalEquilibrium(warm, at, NO_FILM, 0, gap), begun)
+        return answer(frame, seen, scales, ThermalEquilibrium(thermal, at, NO_FILM, 0, gap), begun)
     status, passes = TOO_MANY_STEPS, 0
     while passes < MOST_PASSES and status != CONVERGED:
         passes += 1
-        changed, change = warm.advance(at, SWEEPS)
+        changed, change = thermal.advance(at, SWEEPS)
         if changed == 0 and change < settled:
             status = CONVERGED
-    found = ThermalEquilibrium(warm, at, status, passes, gap)
+    found = ThermalEquilibrium(thermal, at, status, passes, gap)
     if status != CONVERGED:
-        found = accelerated_equilibrium(warm, None, at, resolution.tolerance, settled)
+        found = accelerated_equilibrium(thermal, None, at, resolution.tolerance, settled)
     return answer(frame, seen, scales, found, begun)
 
 
@@ -198,12 +197,12 @@ def on_usual_lines(
     along, across = USUAL_PLACE * load / max(math.hypot(*load), 1e-300), np.array([-1.0, 1.0])
     usual = math.cos(USUAL_ATTITUDE) * along + math.sin(USUAL_ATTITUDE) * across * along[::-1]
     density = line_density(film, usual, 1.0 - USUAL_PLACE)
-    warm = fresh_ring(film, heat, scales, 2 * resolution.intervals, resolution, density)
+    thermal = fresh_ring(film, heat, scales, 2 * resolution.intervals, resolution, density)
     for _ in range(USUAL_ROUNDS):
-        warm.sample.evaluate(usual)
-    thinner = warm.guess(usual)
-    at, _, _, gap = carry(warm.sample, load / thinner, usual, COLDLY_CARRIED, 30, False)
-    return rest(warm, load, at, resolution.tolerance, SETTLED) if gap > THICK else None
+        thermal.sample.evaluate(usual)
+    thinner = thermal.guess(usual)
+    at, _, _, gap = position_under(thermal.sample, load / thinner, usual, COLDLY_CARRIED, 30, False)
+    return find_thermal_equilibrium(thermal, load, at, resolution.tolerance, SETTLED) if gap > THICK else None
 
 
 def polished(found: ThermalEquilibrium) -> ThermalEquilibrium:
@@ -212,7 +211,7 @@ def polished(found: ThermalEquilibrium) -> ThermalEquilibrium:
     The film is left with the coefficients of its answer (``smooth``); a step from ``NEARLY`` there is the last.
     Where the load is missed by more than ``MISSED`` at the end, the film has not converged.
     """
-    sample, at, load, smooth = found.warm.sample, found.position, found.load, False
+    sample, at, load, smooth = found.thermal.sample, found.position, found.load, False
     whole = 0.0 if load is None else math.hypot(*load)
     for _ in range(POLISH):
         residual = np.zeros(2) if load is None else sample.force + load
@@ -234,21 +233,21 @@ def answer(
     frame: LoadFrame, seen: JournalFilm, scales: Scales, found: ThermalEquilibrium, begun: float
 ) -> ThermalFilm:
     """Close the heat balance, solve for the coefficients; everything in SI and in the frame as given."""
-    warm = found.warm
+    thermal = found.thermal
     if found.status == CONVERGED:
         found = polished(found)
     if found.status == CONVERGED:
-        warm.gather(found.position)
-        if not warm.close(CLOSING, CLOSED) < OPEN:
+        thermal.gather(found.position)
+        if not thermal.close(CLOSING, CLOSED) < OPEN:
             found = replace(found, status=TOO_MANY_STEPS)
-    settled = SurfaceEquilibrium(seen, warm.sample, found.position, found.status, found.passes, found.gap)
-    surface = warm.sample.ring.surface
-    viscosity = warm.flows.shear_viscosity[: surface.step.size][:, warm.columns.column[surface.node]]
+    settled = SurfaceEquilibrium(seen, thermal.sample, found.position, found.status, found.passes, found.gap)
+    surface = thermal.sample.ring.surface
+    viscosity = thermal.flows.shear_viscosity[: surface.step.size][:, thermal.columns.column[surface.node]]
     streamers = streamer_shear(settled, couette_shear(settled, viscosity))
-    torques = warm.friction, warm.friction - 2.0 * slope_torque(settled), streamers
+    torques = thermal.friction, thermal.friction - 2.0 * slope_torque(settled), streamers
     solution = solution_of(frame.film, scales, settled, torques, begun)
-    thermal = thermal_film(solution, scales, warm, supply_order(frame.film, seen))
-    return turned_back(frame, replace(thermal, nodes=RestingNodes(settled, frame, scales)))
+    solved = thermal_film(solution, scales, thermal, supply_order(frame.film, seen))
+    return turned_back(frame, replace(solved, nodes=EquilibriumNodes(settled, frame, scales)))
 
 
 def turned_back(frame: LoadFrame, found: ThermalFilm) -> ThermalFilm:

@@ -1,4 +1,4 @@
-"""Passes of Reynolds equation, energy equation and walls, until film, temperature and journal rest."""
+"""Passes of Reynolds equation, energy equation and walls, until film, temperature and journal converge."""
 
 from __future__ import annotations
 
@@ -23,11 +23,16 @@ from babbitt.reynolds.lands._equilibrium import (
 from babbitt.reynolds.model import JournalFilm, Resolution
 from babbitt.reynolds.scales import Scales
 from babbitt.reynolds.surface.mesh_lines import Density
-from babbitt.reynolds.surface.surface_equilibrium import Effort, PseudoTime, SurfaceState, line_density
-from babbitt.reynolds.surface.surface_equilibrium import rest as carry
+from babbitt.reynolds.surface.surface_equilibrium import (
+    Effort,
+    PseudoTime,
+    SurfaceState,
+    line_density,
+    position_under,
+)
 from babbitt.reynolds.surface.unwrapped_mesh import build_ring
 
-__all__ = ["ThermalEquilibrium", "attempt", "cold_start", "continued", "fresh_ring", "rest"]
+__all__ = ["ThermalEquilibrium", "attempt", "cold_start", "continued", "fresh_ring", "find_thermal_equilibrium"]
 
 Array = NDArray[np.float64]
 
@@ -36,7 +41,7 @@ SWEEPS = 3
 COARSE, COARSELY_SETTLED = 1e-2, 2.0
 """Residual force over load, and change of temperature in a pass (K), at which a coarse ring has done its part."""
 SETTLED = 5e-2
-"""Change of temperature in a pass, K, at which film and temperature rest beside each other."""
+"""Change of temperature in a pass, K, at which film and temperature have converged."""
 COLD_LOAD = 2.0
 """Dimensionless load up to which the journal starts where a film of fresh oil carries it: a centred one leaks
 nothing and would have no bound to its temperature."""
@@ -44,8 +49,8 @@ COLDLY_CARRIED = 0.2
 """Residual force over load of this start: the first heat moves the journal by more."""
 MOST_PASSES = 120
 NEARER, IN_VAIN = 0.8, 40
-"""Share of the least distance from rest that counts as nearer, and passes in a row that bring the film no nearer,
-after which it counts as thrown about."""
+"""Share of the least distance from equilibrium that counts as nearer, and passes in a row that bring the film no
+nearer, after which it counts as not converging."""
 MAX_STALLED_PASSES = 4
 """Passes at rest after which nodes that change sides for ever are let be."""
 MAX_CONTACT_PASSES = 12
@@ -56,9 +61,9 @@ ACTIVE_SET_ROUNDS, ROUNDS = 8, 8
 
 @dataclass(frozen=True, eq=False)
 class ThermalEquilibrium:
-    """Where a search ended; ``mixed`` where only passes that remember each other brought the film to rest."""
+    """Where a search ended; ``mixed`` where only passes that remember each other made the film converge."""
 
-    warm: ThermalFilmState
+    thermal: ThermalFilmState
     position: Array
     status: int
     passes: int
@@ -72,10 +77,10 @@ def attempt(
 ) -> ThermalEquilibrium:
     """Coarse rings under a growing load, then the fine ring."""
     per_turn, total = 2 * resolution.intervals, 0
-    warm = fresh_ring(film, heat, scales, per_turn // 2, resolution, None)
-    at = cold_start(warm.sample, share * load)
+    thermal = fresh_ring(film, heat, scales, per_turn // 2, resolution, None)
+    at = cold_start(thermal.sample, share * load)
     while True:
-        found = rest(warm, share * load, at, COARSE, COARSELY_SETTLED)
+        found = find_thermal_equilibrium(thermal, share * load, at, COARSE, COARSELY_SETTLED)
         total += found.passes
         if found.status != CONVERGED:
             return replace(found, passes=total)
@@ -83,16 +88,16 @@ def attempt(
         if share == 1.0:
             break
         share = min(1.0, 3.0 * share)
-        warm = continued(fresh_ring(film, heat, scales, per_turn // 2, resolution, density), warm)
-    warm = continued(fresh_ring(film, heat, scales, per_turn, resolution, density), warm)
-    found = rest(warm, load, at, resolution.tolerance, SETTLED)
+        thermal = continued(fresh_ring(film, heat, scales, per_turn // 2, resolution, density), thermal)
+    thermal = continued(fresh_ring(film, heat, scales, per_turn, resolution, density), thermal)
+    found = find_thermal_equilibrium(thermal, load, at, resolution.tolerance, SETTLED)
     return replace(found, passes=total + found.passes)
 
 
 def cold_start(sample: SurfaceState, load: Array) -> Array:
     """Where a film of fresh oil carries the load, or a part of it that leaves the film thick."""
     part = min(1.0, COLD_LOAD / max(math.hypot(*load), 1e-300))
-    at, _, _, gap = carry(sample, part * load, np.zeros(2), COLDLY_CARRIED, 30, False)
+    at, _, _, gap = position_under(sample, part * load, np.zeros(2), COLDLY_CARRIED, 30, False)
     return at if gap > 0.0 else np.zeros(2)
 
 
@@ -102,30 +107,32 @@ def fresh_ring(
 ) -> ThermalFilmState:  # fmt: skip
     """Ring at the supply temperature."""
     ring = build_ring(film, scales.pressure, per_turn, resolution.axial_unknowns, density)
-    warm = ThermalFilmState.of(SurfaceState.of(ring, Effort(math.inf)), heat, film, scales.rate)
-    warm.density = density
-    return warm
+    thermal = ThermalFilmState.of(SurfaceState.of(ring, Effort(math.inf)), heat, film, scales.rate)
+    thermal.density = density
+    return thermal
 
 
-def continued(warm: ThermalFilmState, before: ThermalFilmState) -> ThermalFilmState:
+def continued(thermal: ThermalFilmState, before: ThermalFilmState) -> ThermalFilmState:
     """Take over active set and temperatures of a ring with the same columns."""
-    warm.sample.start_from(before.sample)
-    warm.start_from(before)
-    return warm
+    thermal.sample.start_from(before.sample)
+    thermal.start_from(before)
+    return thermal
 
 
-def rest(warm: ThermalFilmState, load: Array, at: Array, tolerance: float, settled: float) -> ThermalEquilibrium:
+def find_thermal_equilibrium(
+    thermal: ThermalFilmState, load: Array, at: Array, tolerance: float, settled: float
+) -> ThermalEquilibrium:
     """Let film, temperature and journal converge on one ring."""
-    found = damped_newton(_Carrying(warm, load, tolerance, settled), at, MOST_PASSES, CONTACT)
+    found = damped_newton(_Carrying(thermal, load, tolerance, settled), at, MOST_PASSES, CONTACT)
     known = None if found.status == NO_FILM else load
-    return ThermalEquilibrium(warm, found.at, found.status, found.steps, found.room, known)
+    return ThermalEquilibrium(thermal, found.at, found.status, found.steps, found.room, known)
 
 
 @dataclass(eq=False)
 class _Carrying:
     """A film that heats itself and is to carry a load; see `babbitt.numerics.damped_newton.NewtonProblem`."""
 
-    warm: ThermalFilmState
+    thermal: ThermalFilmState
     load: Array
     tolerance: float
     change_at_rest: float
@@ -142,7 +149,7 @@ class _Carrying:
 
     def room(self, at: Array) -> float:
         """Smallest gap."""
-        return self.warm.sample.gap(at)
+        return self.thermal.sample.gap(at)
 
     def kept_room(self, at: Array, room: float) -> float:
         """A share of the gap."""
@@ -153,8 +160,8 @@ class _Carrying:
         self.sunk = self.sunk + 1 if step > 1 and self.room(at) < THINNEST else 0
         if self.sunk > MAX_CONTACT_PASSES:
             return NO_FILM
-        changed, change = self.warm.advance(at, SWEEPS, 1 if 1 < step < ACTIVE_SET_ROUNDS else ROUNDS)
-        self.residual = self.warm.sample.force + self.load
+        changed, change = self.thermal.advance(at, SWEEPS, 1 if 1 < step < ACTIVE_SET_ROUNDS else ROUNDS)
+        self.residual = self.thermal.sample.force + self.load
         size, floor = math.hypot(*self.residual), self.tolerance * self.size_of_load + 1e-13
         if not (math.isfinite(size) and math.isfinite(change)):
             return NO_FILM
@@ -172,4 +179,4 @@ class _Carrying:
 
     def move(self, at: Array, room: float) -> Array:
         """Step of the journal at frozen temperatures."""
-        return self.rule.move(self.warm.sample, self.residual, room)
+        return self.rule.move(self.thermal.sample, self.residual, room)

@@ -13,7 +13,7 @@ from babbitt.reynolds.heat.heat_model import mean_over_layers
 from babbitt.reynolds.heat.thermal_film_state import ThermalFilmState
 from babbitt.reynolds.scales import Scales
 from babbitt.reynolds.solution import FilmSolution
-from babbitt.reynolds.stability.load_slope import RestingNodes
+from babbitt.reynolds.stability.load_slope import EquilibriumNodes
 from babbitt.reynolds.surface.surface_solution import twins
 
 __all__ = ["ThermalFilm", "thermal_film"]
@@ -83,7 +83,7 @@ class ThermalFilm:
     effective_viscosity : float
         Uniform viscosity of the oil with the same friction power in the same gap by shear, at every place with the
         turbulence that the film has there, Pa s.
-    nodes : RestingNodes or None
+    nodes : EquilibriumNodes or None
         The film as it was solved.
     """
 
@@ -102,7 +102,7 @@ class ThermalFilm:
     insulated: bool
     heat: HeatSplit
     effective_viscosity: float
-    nodes: RestingNodes | None = None
+    nodes: EquilibriumNodes | None = None
 
     @property
     def maximum_temperature(self) -> float:
@@ -130,52 +130,57 @@ class ThermalFilm:
         return mean_over_layers(self.temperature, self.layers)
 
 
-def thermal_film(film: FilmSolution, scales: Scales, warm: ThermalFilmState, order: Sequence[int]) -> ThermalFilm:
-    """Temperatures and heat of a ring beside its film; ``order`` of its supplies in the bearing as given."""
-    columns, unit = warm.columns, warm.walls.flow_heat
-    cold = warm.heat.supply_temperature
-    leaving, own = side_oil(warm)
+def thermal_film(
+    film: FilmSolution, scales: Scales, thermal: ThermalFilmState, order: Sequence[int]
+) -> ThermalFilm:
+    """Temperatures and heat of a ring and its film; ``order`` of its supplies in the bearing as given."""
+    columns, unit = thermal.columns, thermal.walls.flow_heat
+    cold = thermal.heat.supply_temperature
+    leaving, own = side_oil(thermal)
     over_sides = float((leaving * (own - cold)).sum()) * unit
-    exchange = supply_exchange(film, scales, warm, order)
+    exchange = supply_exchange(film, scales, thermal, order)
     back, returned = float(exchange.heat.sum()) * unit, float((exchange.heat * exchange.back).sum()) * unit
     sides = float(film.end_flows.sum()) + film.side_inflow
-    bush, journal = warm.bush_heat(), float(warm.walls.journal[1])
-    dissipation = warm.dissipation * warm.rise * unit
+    bush, journal = thermal.bush_heat(), float(thermal.walls.journal[1])
+    dissipation = thermal.dissipation * thermal.rise * unit
     edges = np.concatenate(([0.0], np.cumsum(columns.layer)))
     half = 0.5 * film.film.width
-    mesh = warm.sample.ring.mesh
+    mesh = thermal.sample.ring.mesh
     inner = mesh.nodes[mesh.between_sides] * half
     resolved = columns.size.size > 1
-    wall, shaft = warm.walls.bush.copy(), float(warm.walls.journal[0])
-    if warm.walls.insulated:  # walls are as warm as the oil that touches them
-        touching = warm.temperature[:, :, [0, -1]].mean(axis=1)
-        wall, shaft = touching[:, 0].copy(), float(touching[:, 1] @ warm.walls.width / warm.walls.width.sum())
+    wall, shaft = thermal.walls.bush.copy(), float(thermal.walls.journal[0])
+    if thermal.walls.insulated:  # walls are as warm as the oil that touches them
+        touching = thermal.temperature[:, :, [0, -1]].mean(axis=1)
+        wall, shaft = (
+            touching[:, 0].copy(),
+            float(touching[:, 1] @ thermal.walls.width / thermal.walls.width.sum()),
+        )
     return ThermalFilm(
         film=film,
         axial_positions=inner if resolved else np.zeros(1),
         layers=0.5 * (edges[1:] + edges[:-1]),
-        temperature=warm.temperature.copy(),
+        temperature=thermal.temperature.copy(),
         supply_temperature=cold,
         side_temperature=float(cold + (over_sides + back - returned) * scales.flow / (unit * sides))
         if sides > 0.0
         else cold,
         groove_temperatures=exchange.temperature[list(order)],
         fresh_flow=exchange.fresh[list(order)] * scales.flow,
-        returned_flow=exchange.warm[list(order)] * exchange.back[list(order)] * scales.flow,
+        returned_flow=exchange.surplus[list(order)] * exchange.back[list(order)] * scales.flow,
         bush_temperature=wall,
-        bush_flux=warm.walls.bush_flux.copy(),
+        bush_flux=thermal.walls.bush_flux.copy(),
         journal_temperature=shaft,
-        insulated=warm.walls.insulated,
+        insulated=thermal.walls.insulated,
         heat=HeatSplit(dissipation, over_sides + back, bush, journal, returned),
-        effective_viscosity=warm.reference_viscosity * warm.effective_viscosity,
+        effective_viscosity=thermal.reference_viscosity * thermal.effective_viscosity,
     )
 
 
-def side_oil(warm: ThermalFilmState) -> tuple[Array, Array]:
+def side_oil(thermal: ThermalFilmState) -> tuple[Array, Array]:
     """What leaves over the sides, dimensionless, and how warm it is, K, both (lines, columns)."""
-    flows = warm.flows
+    flows = thermal.flows
     profile = flows.pressure_profile[np.arange(flows.leak.shape[0]) % flows.pressure_profile.shape[0]]
-    return np.maximum(flows.leak, 0.0), np.asarray((profile * warm.temperature).sum(axis=2))
+    return np.maximum(flows.leak, 0.0), np.asarray((profile * thermal.temperature).sum(axis=2))
 
 
 @dataclass(frozen=True)
@@ -188,7 +193,7 @@ class SupplyExchange:
         Mixed, K.
     fresh : ndarray
         Fresh oil given.
-    warm, heat : ndarray
+    surplus, heat : ndarray
         Oil that the film brings and does not take again, and its heat above that of fresh oil.
     back : ndarray
         Share of it that goes back into the supply; the rest leaves over the ends of the groove.
@@ -196,30 +201,30 @@ class SupplyExchange:
 
     temperature: Array
     fresh: Array
-    warm: Array
+    surplus: Array
     heat: Array
     back: Array
 
 
 def supply_exchange(
-    film: FilmSolution, scales: Scales, warm: ThermalFilmState, order: Sequence[int]
+    film: FilmSolution, scales: Scales, thermal: ThermalFilmState, order: Sequence[int]
 ) -> SupplyExchange:
     """Flows of the supplies of a film, from the balance of the oil that they mix.
 
     Of what leaves over the ends of a groove, the warm oil that the next film does not take goes first; the rest is
     fresh oil that has not mixed.
     """
-    grooves, carried, cold = warm.groove.size, warm.heat.carry_over, warm.heat.supply_temperature
-    surface, columns = warm.sample.ring.surface, warm.columns
-    brought, taken, enthalpy = supply_balances(surface, columns, warm.flows, warm.temperature, grooves)
+    grooves, carried, cold = thermal.groove.size, thermal.heat.carry_over, thermal.heat.supply_temperature
+    surface, columns = thermal.sample.ring.surface, thermal.columns
+    brought, taken, enthalpy = supply_balances(surface, columns, thermal.flows, thermal.temperature, grooves)
     surplus = np.maximum(carried * brought - taken, 0.0)
     balance = np.array([
         (1.0 - carried) * brought + surplus,
-        (1.0 - carried) * (enthalpy - brought * cold) + surplus * (warm.groove - cold),
+        (1.0 - carried) * (enthalpy - brought * cold) + surplus * (thermal.groove - cold),
         np.maximum(taken - carried * brought, 0.0),
-        warm.groove,
+        thermal.groove,
     ])  # fmt: skip
-    ring = warm.sample.ring
+    ring = thermal.sample.ring
     if len(ring.mesh.side_nodes) == 1:  # one of two images in the mid-plane is not seen
         images = twins(film.film, len(ring.groove_lines))
         unseen = np.bincount(columns.supply.ravel() + 1, minlength=grooves + 1)[1:] == 0

@@ -94,13 +94,13 @@ class ThermalSectorState:
         Unit of the gap, m.
     unit : float
         Of the pressure, Pa.
-    warm : ThermalFilmState
+    thermal : ThermalFilmState
     """
 
     pad: SectorPad
     height: float
     unit: float
-    warm: ThermalFilmState
+    thermal: ThermalFilmState
 
     @classmethod
     def of(
@@ -144,19 +144,19 @@ class ThermalSectorState:
         lines, count, layers = *columns.supply.shape, columns.layer.size
         cold, capacity = heat.supply_temperature, heat.volumetric_heat_capacity
         speed, radius = pad.angular_speed, pad.outer_radius
-        warm = ThermalFilmState(
+        thermal = ThermalFilmState(
             sample, heat, columns, new_flows(lines, theta.size - 1, count, layers),
             new_cells(lines, count, layers), np.full((lines, count, layers), cold), np.full(1, cold),
             _insulated(ring, heat, speed, height, capacity * speed * radius**2 * height), pad.viscosity,
             pad.viscosity * speed * (radius / height) ** 2 / capacity, 0.0, drains_of(ring),
             np.ones((lines, count, layers)), np.zeros((lines, count, layers)),
         )  # fmt: skip
-        return cls(pad, height, unit, warm)
+        return cls(pad, height, unit, thermal)
 
     def start_from(self, before: ThermalSectorState) -> None:
         """Take over the temperatures of a film on the same lines."""
-        self.warm.temperature[:] = before.warm.temperature
-        self.warm.groove[:] = before.warm.groove
+        self.thermal.temperature[:] = before.thermal.temperature
+        self.thermal.groove[:] = before.thermal.groove
 
     def place(self, motion: Array) -> Array:
         """Position of the kernels, in which the gap closes, for (height, slope_x, slope_y) in m and 1."""
@@ -164,29 +164,29 @@ class ThermalSectorState:
 
     def least_gap(self, motion: Array) -> float:
         """Least gap, m."""
-        return self.warm.sample.gap(self.place(motion)) * self.height
+        return self.thermal.sample.gap(self.place(motion)) * self.height
 
     def advance(self, motion: Array) -> float:
         """One pass of film and temperature; largest change of temperature, K (infinite while the film breaks
         up anew).
         """
-        changed, change = self.warm.advance(self.place(motion), SWEEPS, 8)
+        changed, change = self.thermal.advance(self.place(motion), SWEEPS, 8)
         return float(change) if changed == 0 else np.inf
 
     def carry(self, motion: Array) -> None:
         """Pressure alone, temperatures as they are."""
-        self.warm.sample.evaluate(self.place(motion))
+        self.thermal.sample.evaluate(self.place(motion))
 
     @property
     def forces(self) -> Array:
         """As `SectorFilm.forces`, of the last pass."""
-        return np.asarray(-self.warm.sample.force * self._levers * self._force)
+        return np.asarray(-self.thermal.sample.force * self._levers * self._force)
 
     @property
     def stiffness(self) -> Array:
         """As `SectorFilm.stiffness`, temperatures frozen."""
         lengths = motion_lengths(self.pad, self.height)
-        return np.asarray(self.warm.sample.stiffness * np.outer(self._levers, 1.0 / lengths) * self._force)
+        return np.asarray(self.thermal.sample.stiffness * np.outer(self._levers, 1.0 / lengths) * self._force)
 
     @property
     def _levers(self) -> Array:
@@ -207,56 +207,56 @@ class ThermalSectorState:
         float
             Change of temperature in the last round, K.
         """
-        warm, pad = self.warm, self.pad
+        thermal, pad = self.thermal, self.pad
         at = self.place(motion)
-        warm.sample.evaluate(at, smooth=True)
-        warm.gather(at)
-        change = warm.close(CLOSING, CLOSED)
-        ring, sample = warm.sample.ring, warm.sample
+        thermal.sample.evaluate(at, smooth=True)
+        thermal.gather(at)
+        change = thermal.close(CLOSING, CLOSED)
+        ring, sample = thermal.sample.ring, thermal.sample
         flow = pad.angular_speed * pad.outer_radius**2 * self.height
         power = self.unit * flow
         answers = (sample.force, sample.stiffness, sample.damping)
         scales = (ring.theta, ring.mesh, self.height, self.unit)
-        torque = warm.friction * power / pad.angular_speed
+        torque = thermal.friction * power / pad.angular_speed
         lowest = sample.gap(at)
         film = sector_answer(pad, ring.surface, sample.work, answers, scales, lowest, torque, bool(change < 1e-4))
         return film, self._heat_of(), change
 
     def refed(self, supply: float) -> SectorHeat:
         """Temperatures of the film as it flows, fed with oil of another temperature, K; a small change."""
-        warm = self.warm
-        warm.heat = replace(warm.heat, supply_temperature=supply)
-        warm.walls = warm.walls._replace(fresh=supply)
-        warm.close(CLOSING, CLOSED)
+        thermal = self.thermal
+        thermal.heat = replace(thermal.heat, supply_temperature=supply)
+        thermal.walls = thermal.walls._replace(fresh=supply)
+        thermal.close(CLOSING, CLOSED)
         return self._heat_of()
 
     def _heat_of(self) -> SectorHeat:
-        warm, pad = self.warm, self.pad
-        surface, columns = warm.sample.ring.surface, warm.columns
-        leaving, own = side_oil(warm)
-        temperatures, sent, enthalpy = warm.temperature[..., None], np.empty(1), np.empty(1)
-        groove_balance(surface, columns, warm.flows, 1.0, temperatures, GROOVE, sent)
-        brought, taken = groove_balance(surface, columns, warm.flows, 0.0, temperatures, GROOVE, enthalpy)
+        thermal, pad = self.thermal, self.pad
+        surface, columns = thermal.sample.ring.surface, thermal.columns
+        leaving, own = side_oil(thermal)
+        temperatures, sent, enthalpy = thermal.temperature[..., None], np.empty(1), np.empty(1)
+        groove_balance(surface, columns, thermal.flows, 1.0, temperatures, GROOVE, sent)
+        brought, taken = groove_balance(surface, columns, thermal.flows, 0.0, temperatures, GROOVE, enthalpy)
         out = float(leaving.sum())
-        cold, carried = warm.heat.supply_temperature, warm.heat.carry_over
+        cold, carried = thermal.heat.supply_temperature, thermal.heat.carry_over
         drained = (1.0 - carried) * (sent[0] - brought * cold)
-        drained += max(carried * brought - taken, 0.0) * (float(warm.groove[GROOVE]) - cold)
-        carried_off = (float((leaving * (own - cold)).sum()) + drained) * warm.walls.flow_heat
-        temperature = warm.temperature.copy()
+        drained += max(carried * brought - taken, 0.0) * (float(thermal.groove[GROOVE]) - cold)
+        carried_off = (float((leaving * (own - cold)).sum()) + drained) * thermal.walls.flow_heat
+        temperature = thermal.temperature.copy()
         temperature[-1] = temperature[-2]
-        nodes = warm.sample.ring.mesh.nodes[warm.sample.ring.mesh.between_sides] * pad.outer_radius
+        nodes = thermal.sample.ring.mesh.nodes[thermal.sample.ring.mesh.between_sides] * pad.outer_radius
         edges = np.concatenate(([0.0], np.cumsum(columns.layer)))
         return SectorHeat(
             layers=0.5 * (edges[1:] + edges[:-1]),
             radius=nodes if columns.size.size > 1 else np.array([0.5 * (pad.inner_radius + pad.outer_radius)]),
             temperature=temperature,
             supply=cold,
-            inlet=float(warm.groove[GROOVE]),
+            inlet=float(thermal.groove[GROOVE]),
             trailing=float(enthalpy[0]) / brought if brought > 0.0 else cold,
             side=float((leaving * own).sum()) / out if out > 0.0 else cold,
             sent=float(sent[0]) / brought if brought > 0.0 else cold,
-            heat=HeatSplit(warm.dissipation * warm.rise * warm.walls.flow_heat, carried_off, 0.0, 0.0),
-            effective_viscosity=pad.viscosity * warm.effective_viscosity,
+            heat=HeatSplit(thermal.dissipation * thermal.rise * thermal.walls.flow_heat, carried_off, 0.0, 0.0),
+            effective_viscosity=pad.viscosity * thermal.effective_viscosity,
         )
 
 

@@ -26,7 +26,7 @@ from babbitt.reynolds.surface.surface_equilibrium import SurfaceEquilibrium, rin
 from babbitt.reynolds.surface.surface_solution import mirrored, true_pressures
 from babbitt.reynolds.surface.unwrapped_mesh import field_at, gauss_angles
 
-__all__ = ["CLOSE", "RestingNodes", "SlopeCheck", "confirmed_coefficients"]
+__all__ = ["CLOSE", "EquilibriumNodes", "SlopeCheck", "confirmed_coefficients"]
 
 Array = NDArray[np.float64]
 Pair = tuple[Array, Array]
@@ -75,7 +75,7 @@ class SlopeCheck:
 
 
 @dataclass(frozen=True, eq=False)
-class RestingNodes:
+class EquilibriumNodes:
     """A film at rest as it was solved, node by node with the viscosity that every node has.
 
     Attributes
@@ -100,7 +100,7 @@ def can_be_checked(film: JournalFilm) -> bool:
 def confirmed_coefficients(
     found: FilmSolution,
     resolution: Resolution,
-    nodes: RestingNodes | None = None,
+    nodes: EquilibriumNodes | None = None,
     bore_gain: BoreGain | None = None,
 ) -> tuple[FilmSolution, SlopeCheck | None]:
     """A film with coefficients that are the slope of its own load, within 1 %.
@@ -111,7 +111,7 @@ def confirmed_coefficients(
         In equilibrium.
     resolution : Resolution
         Its grid.
-    nodes : RestingNodes or None
+    nodes : EquilibriumNodes or None
         Of a film with temperatures of its own; None: the film has one temperature.
     bore_gain : callable or None
         How the bore gives way under the pressure of a film, beside other displacements; None: it is rigid.
@@ -144,14 +144,14 @@ def confirmed_coefficients(
     return replace(found, stiffness=stiffness, damping=damping / scales.rate), check
 
 
-def _nodes_of(found: FilmSolution, resolution: Resolution) -> RestingNodes:
+def _nodes_of(found: FilmSolution, resolution: Resolution) -> EquilibriumNodes:
     """Nodes of a film of one temperature, solved anew in the frame of its load."""
     film, (x, y) = found.film, found.position
     frame = LoadFrame.of(film, (-float(found.force[0]), -float(found.force[1])))
     scales = Scales.of(frame.film, abs(film.angular_speed))
     seen = mirrored(frame.film) if film.angular_speed < 0.0 else frame.film
     at = np.asarray(frame.place((float(x), float(y)))) * scales.sense / scales.length
-    return RestingNodes(ring_at(seen, scales.pressure, at, np.zeros(2), resolution), frame, scales)
+    return EquilibriumNodes(ring_at(seen, scales.pressure, at, np.zeros(2), resolution), frame, scales)
 
 
 def _slope_near(beside: _NearbyFilms, frozen: Pair) -> tuple[Pair | None, SlopeCheck]:
@@ -207,9 +207,9 @@ class _Displaced:
 
 
 class _NearbyFilms:
-    """Films beside a film at rest, on its nodes; `settled` tells whether all since it was set found their end."""
+    """Films near one in equilibrium, on its nodes; `settled` says whether all since it was set converged."""
 
-    def __init__(self, found: FilmSolution, nodes: RestingNodes, bore_gain: BoreGain | None) -> None:
+    def __init__(self, found: FilmSolution, nodes: EquilibriumNodes, bore_gain: BoreGain | None) -> None:
         ring = nodes.ring.sample.ring
         self.nodes, self.settled = nodes, True
         self._sample, self._bore_gain = nodes.ring.sample, bore_gain

@@ -164,7 +164,7 @@ def line_density(film: JournalFilm, at: Array, gap: float) -> Density:
     return density
 
 
-def rest(
+def position_under(
     sample: SurfaceState, load: Array, at: Array, tolerance: float, max_steps: int, patient: bool
 ) -> tuple[Array, int, int, float]:
     """Move the journal until the film on this ring carries the load.
@@ -273,7 +273,7 @@ def find_surface_equilibrium_near(
         return near
     effort = Effort.for_ring(film, unit, resolution)
     sample = replace(near.sample, effort=effort)
-    at, status, steps, gap = rest(sample, load, at, resolution.tolerance, max_steps, False)
+    at, status, steps, gap = position_under(sample, load, at, resolution.tolerance, max_steps, False)
     if status == CONVERGED:
         sample.evaluate(at, smooth=True)
     return thick_enough(SurfaceEquilibrium(film, sample, at, status, near.steps + steps, gap))
@@ -303,7 +303,7 @@ def attempt(
         if coarse is not None:
             sample.start_from(coarse)
         coarse = sample
-        at, status, steps, gap = rest(sample, share * load, at, 1e-2, steps_per_grid, patient)
+        at, status, steps, gap = position_under(sample, share * load, at, 1e-2, steps_per_grid, patient)
         total += steps
         settled = status == CONVERGED
         if max(gap, last_gap) < THINNEST and not effort.spent:  # no way back from there is known
@@ -318,7 +318,7 @@ def attempt(
             share = min(1.0, 4.0 * share)
     fine = SurfaceState.of(build_ring(film, unit, per_turn, resolution.axial_unknowns, density), effort)
     fine.start_from(sample)
-    at, status, steps, gap = rest(fine, load, at, resolution.tolerance, max_steps, patient)
+    at, status, steps, gap = position_under(fine, load, at, resolution.tolerance, max_steps, patient)
     if status == CONVERGED:
         fine.evaluate(at, smooth=True)
     return SurfaceEquilibrium(film, fine, at, status, total + steps, gap)
@@ -341,12 +341,12 @@ def beginning(film: JournalFilm, load: Array) -> Array:
 
 
 APPROACH = (0.6, 0.8, 0.9, 0.96, 0.99, 1.0)
-"""Shares of a position over which the journal goes there where the active set finds no rest at once."""
+"""Shares of a position over which the journal goes there where the active set does not converge at once."""
 WET_ROUNDS = 60
 """Rounds of the active set at one place."""
 CALM = 1e-4
 """Change of the force over the last half of the rounds, relative, up to which nodes that change sides for ever are
-let be: what an equilibrium with such nodes may miss of its load (`rest`)."""
+let be: what an equilibrium with such nodes may miss of its load (`position_under`)."""
 
 
 def coarse_ring(film: JournalFilm, unit: float, resolution: Resolution, motions: int = 2) -> UnwrappedMesh:

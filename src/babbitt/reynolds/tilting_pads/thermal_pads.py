@@ -34,7 +34,7 @@ Array = NDArray[np.float64]
 RELAXATIONS = (0.8, 0.4, 0.2)
 """Shares of a new viscosity that a pass takes, in one attempt after the other."""
 SETTLED, SHAPED = 5e-3, 3e-4
-"""Largest change of temperature in a pass, K, and of a pad's shape over the smallest gap, at which they rest."""
+"""Largest change of temperature in a pass, K, and of a pad's shape over the smallest gap, when converged."""
 MOST_PASSES, GROWING_PASSES = 100, 40
 """Of an attempt, and of one with a little more growth."""
 LOOSE, FINE = 1e-2, 1e-4
@@ -169,7 +169,7 @@ def grow(failed: Settled, load: Array | None, at: Array) -> Settled:
 
 
 def settle(films: PadFilms, load: Array | None, at: Array, part: float, most: int = MOST_PASSES) -> Settled:
-    """Passes until temperatures, shapes and journal rest.
+    """Passes until temperatures, shapes and journal converge.
 
     Where the end of a film jumps from node to node for ever, temperatures next to it swing; they are let be once
     they only swing, by less than `SWING`. So are they where a pad stays at its limit.

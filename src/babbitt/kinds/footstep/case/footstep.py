@@ -246,7 +246,7 @@ def heel_cases(case: FootstepCase) -> tuple[FootstepProblem, ...]:
 
 
 def _fields_not_read(case: FootstepCase) -> Iterator[Notice]:
-    """Tell of limits of the clearance, and of what makes no difference to a smooth heel computed alone."""
+    """Report limits of the clearance, and of what makes no difference to a smooth heel computed alone."""
     yield from not_read(case, "mean_footstep", *LIMITS)
     if case.variants == "smooth":
         yield from not_read(case, "smooth_heel", "groove", *(f"options.{one}" for one in OF_GROOVES))

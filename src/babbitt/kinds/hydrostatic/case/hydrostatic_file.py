@@ -140,7 +140,7 @@ class HydrostaticFile(FilmChoices, CaseFile):
             yield Issue(("supply", "pump_flow"), says, "pressure", "that of the pump's relief valve")
 
     def _fields_not_read(self) -> Iterator[Notice]:
-        """Tell of fields that make no difference to this bearing."""
+        """Report fields that make no difference to this bearing."""
         if self.method == "quick":
             yield from not_read(self, "no_grid", "accuracy")
         if self.lubricant is not None:
@@ -161,7 +161,7 @@ class HydrostaticFile(FilmChoices, CaseFile):
         return film, supplied
 
     def _beyond_data(self) -> Iterator[Notice]:
-        """Tell of temperatures outside the data of the lubricant; a film's own is known with its heat balance."""
+        """Report temperatures outside the data of the lubricant; a film's own is known with its heat balance."""
         if self.lubricant is None or self.supply.temperature is None:
             return
         lubricant = self.lubricant.lubricant()

@@ -100,7 +100,7 @@ class JackingPocketCase(FilmChoices, CaseFile):
                             "angles below the horizontal, such as -90 deg")  # fmt: skip
 
     def _fields_not_read(self) -> Iterator[Notice]:
-        """Tell of fields that make no difference to these pockets."""
+        """Report fields that make no difference to these pockets."""
         yield from not_read(self, "mean_clearance", *LIMITS)
         if self.method == "quick":
             yield from not_read(self, "strips",

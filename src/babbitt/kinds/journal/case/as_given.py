@@ -50,7 +50,7 @@ def words_of(
     cooling: Cooling | None,
     materials: Materials,
 ) -> tuple[Words, ...]:
-    """Tell how the numbers of one bearing at one operating point were given.
+    """Say how the numbers of one bearing at one operating point were given.
 
     Parameters
     ----------

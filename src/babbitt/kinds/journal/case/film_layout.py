@@ -84,7 +84,7 @@ def film_layout(bearing: JournalBearing, point: OperatingPoint | None, width: fl
 def _not_used(
     bearing: JournalBearing, point: OperatingPoint | None, fields: tuple[str, ...], why: str
 ) -> tuple[Notice, ...]:
-    """Tell of fields that the bearing or the operating point gives and that this film does not read."""
+    """Report fields that the bearing or the operating point gives and that this film does not read."""
     own = [name for name in fields if getattr(bearing, name) is not None]
     if point is not None:
         at = f"operating_points[{bearing.operating_points.index(point)}]"

@@ -53,7 +53,7 @@ def warnings_about_numbers(inputs: Inputs, point: OperatingPoint | None) -> tupl
 
 
 def _about_fields_not_read(bearing: JournalBearing) -> Iterator[Notice]:
-    """Tell of the fields that the method of a bearing does not read."""
+    """Report the fields that the method of a bearing does not read."""
     yield from not_read(bearing, bearing.method, *NOT_READ[bearing.method])
 
 
@@ -70,13 +70,13 @@ def _about_supply_not_used(inputs: Inputs, point: OperatingPoint | None) -> Iter
 
 
 def _about_direction(bearing: JournalBearing) -> Iterator[Notice]:
-    """Tell that the standard does not know a direction of the load."""
+    """Report that the standard does not know a direction of the load."""
     if is_given(bearing, "load_angle") and bearing.load_angle != DOWNWARD:
         yield Notice("W182", values={"load_angle": bearing.load_angle})
 
 
 def _about_feeds(bearing: JournalBearing) -> Iterator[Notice]:
-    """Tell that the standard does not read grooves, pockets and holes at angles in the bore."""
+    """Report that the standard does not read grooves, pockets and holes at angles in the bore."""
     if given := dict.fromkeys(str(path[0]) for path, _ in bearing.feeds()):
         yield Notice("W183", "supply_element", {"fields": tuple(given)})
     for path, given_feed in bearing.feeds():

@@ -1,4 +1,4 @@
-"""The figure of `babbitt compare`: what every method tells of one bearing, and temperatures around the bore."""
+"""The figure of `babbitt compare`: results of every method for one bearing, and temperatures around the bore."""
 
 from __future__ import annotations
 
@@ -93,7 +93,7 @@ def _bars(panel: Axes, variants: Sequence[Variant], name: str) -> None:
             panel.annotate(quantity.format(value), (length, place), xytext=(2, 0), textcoords="offset points",
                            fontsize=7, va="center", annotation_clip=False)  # fmt: skip
     panel.set_yticks(places, [one.label for one in variants])
-    panel.set_ylim(places[-1] - 0.5, places[0] + 0.5)  # a method that does not tell the quantity keeps its row
+    panel.set_ylim(places[-1] - 0.5, places[0] + 0.5)  # a method without the quantity keeps its row
     panel.set_xlim(0.0, 1.28 * np.nanmax(shown))
     panel.set_xlabel(axis_label(quantity))
 

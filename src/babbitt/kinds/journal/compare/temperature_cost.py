@@ -1,4 +1,4 @@
-"""What one temperature for the whole film costs, in words: the fullest thermal film beside the others."""
+"""What one temperature for the whole film costs, in words: the fullest thermal film compared with the others."""
 
 from __future__ import annotations
 

@@ -223,7 +223,7 @@ def _failure(case: FilmCase, found: Equilibrium[FilmState]) -> Notice:
 
 
 def _warnings_about_ducts(asked: FilmCase, case: FilmCase, beyond: Arrival) -> Iterator[Notice]:
-    """Tell of a film that would draw more oil than tubes and holes pass, and of one not limited to that."""
+    """Report a film that would draw more oil than tubes and holes pass, and of one not limited to that."""
     yield from warnings_about_supply(beyond.limit, beyond.flow)
     if case is asked:
         yield Notice("W186")

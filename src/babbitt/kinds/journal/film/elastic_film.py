@@ -56,7 +56,7 @@ class ElasticFilm(Generic[SolutionT]):
     Attributes
     ----------
     outcome : Outcome
-        Read this first: of the film, or not converged where the displacement did not converge beside it.
+        Read this first: of the film, or not converged where the displacement did not converge with it.
     solution : FilmSolution or ThermalFilm
         The last film. Its coefficients hold for a bore that does not follow the motion (frozen displacement).
     bore : BoreGrid

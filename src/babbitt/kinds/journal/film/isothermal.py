@@ -177,7 +177,7 @@ def equilibrium_film(case: FilmCase, film: JournalFilm, near: tuple[float, float
 def equilibrium_near_position(case: FilmCase, state: FilmState, place: tuple[float, float]) -> FilmSolution | None:
     """Equilibrium close to a place in m under the load of the case, None where none is found.
 
-    Bore, closed pockets and starved supplies settle beside that film, not beside the one of the operating point.
+    Bore, closed pockets and starved supplies converge with that film, not with that of the operating point.
     """
     from babbitt.reynolds.equilibrium.nearby import equilibrium_near
     from babbitt.reynolds.equilibrium.position import film_at_position

@@ -313,7 +313,7 @@ def _size(path: Array) -> float:
 
 
 def _begin(journal: MovingJournal, instants: Array) -> Array:
-    """Where the mean load would rest the journal, else a little below the centre."""
+    """Equilibrium position under the mean load, else a little below the centre."""
     loads = np.array([journal.load(turned) for turned in instants])
     mean = np.trapezoid(loads, instants, axis=0) / journal.changing.cycle
     if math.hypot(*mean) > 1e-3 * np.hypot(*loads.T).max() and journal.film.angular_speed:

@@ -1,4 +1,4 @@
-"""Whether the journal could rest elsewhere, as the answer of a bearing tells it."""
+"""Other equilibrium positions of the journal, as the result of a bearing reports them."""
 
 from __future__ import annotations
 
@@ -99,7 +99,7 @@ def equilibrium_values(found: EquilibriumPoints | None) -> dict[str, float]:
 
 
 def equilibrium_checks(case: FilmCase, values: Mapping[str, float]) -> Iterator[Check]:
-    """Limits of the film thickness, asked of the thinnest film where the journal may rest as well."""
+    """Limits of the film thickness, compared with the thinnest film at any equilibrium position."""
     if "least_resting_film" in values:
         for check in film_checks(case, values):
             yield replace(check, quantity="least_resting_film", value=values["least_resting_film"])

@@ -352,7 +352,7 @@ def _inside(thermal: ThermalFilm) -> ThermalFilm:
 
 
 def _accepted(thermal: ThermalFilm, oil: Lubricant) -> ThermalFilm:
-    """The film if it rests below the temperatures at which oil ends."""
+    """The film if it stays below the temperatures at which the laws of the oil end."""
     hottest = thermal.maximum_temperature
     if not math.isfinite(hottest + thermal.effective_viscosity):
         raise NoFilmError(Outcome.NOT_CONVERGED)

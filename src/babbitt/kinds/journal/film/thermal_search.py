@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 __all__ = ["ThermalSearch"]
 
 EXACT = 1e-5
-"""Change of temperature in a pass, K, at which a film rests whose flows are compared with those of another."""
+"""Change of temperature in a pass, K, at which films converge whose flows are compared with one another."""
 
 
 @dataclass

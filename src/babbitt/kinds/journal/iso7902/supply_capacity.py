@@ -151,7 +151,7 @@ def capacity_not_checked(case: DesignCase, film: Film) -> Iterator[Notice]:
 def warnings_about_capacity(
     case: DesignCase, film: Film, starved: Equilibrium[Film] | None, values: Values
 ) -> Iterator[Notice]:
-    """Tell what the supply lacks, and what follows from it.
+    """Report what the supply lacks, and what follows from it.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Static locus: where the journal rests over the load and over the speed, and its coefficients on the way."""
+"""Static locus: equilibrium positions over the load and over the speed, with coefficients."""
 
 from __future__ import annotations
 

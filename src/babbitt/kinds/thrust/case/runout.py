@@ -61,7 +61,7 @@ RunoutInput = Annotated[tuple[Runout, ...], _OneLength(_waves, "an amplitude suc
 
 
 def describe_runout(runouts: tuple[Runout, ...]) -> Iterator[tuple[str, str]]:
-    """Tell how a case gave its runout, also that it gave none."""
+    """Say how a case gave its runout, also that it gave none."""
     if not runouts:
         yield "Runout of the collar", "none"
     for face in runouts:

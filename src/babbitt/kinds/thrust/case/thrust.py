@@ -249,7 +249,7 @@ class ThrustBearingInputs(ThrustFilmChoices):
         )
 
     def _fields_not_read(self) -> Iterator[Notice]:
-        """Tell of fields that make no difference to this bearing."""
+        """Report fields that make no difference to this bearing."""
         pivot = self.pads.pivot
         if not isinstance(pivot, TiltingPivot):
             yield from not_read(self, "fixed_pads", *INERTIAS)
@@ -260,7 +260,7 @@ class ThrustBearingInputs(ThrustFilmChoices):
             yield from not_read(self, "films_given", "lubricant", "supply.temperature")
 
     def _assumed_crown(self) -> Iterator[Notice]:
-        """Tell of the crown that plane pads on a pivot in their middle are taken to have."""
+        """Report the crown that plane pads on a pivot in their middle are taken to have."""
         if self.pads.crowned_by_heat:
             yield Notice("W214", values={"crown": self.pads.crown_at_work(), "difference": ASSUMED_DIFFERENCE})
 
@@ -305,7 +305,7 @@ def written(value: float, unit: str) -> str:
 
 
 def words_of(case: ThrustBearingInputs) -> Iterator[tuple[str, str]]:
-    """Tell how a case gave its numbers."""
+    """Say how a case gave its numbers."""
     pads, pivot = case.pads, case.pads.pivot
     inner, outer = pads.radii()
     yield (

@@ -20,7 +20,7 @@ def written(value: float, unit: str) -> str:
 
 
 def words_of(case: TiltingPadJournalCase, speed: float, which: str) -> Iterator[tuple[str, str]]:
-    """Tell how the numbers of a bearing were given."""
+    """Say how the numbers of a bearing were given."""
     pads = case.pads
     if pads.pivot_angles is None:
         yield "Pads", f"{pads.count} at equal distances, the first pivot at {written(pads.angles[0], 'deg')}"

@@ -68,7 +68,7 @@ def _over_cross_coupling(panel: Axes, found: CrossCoupling, least: float) -> Non
 
 
 def stability_table(result: Result) -> dict[str, Any]:
-    """What both kinds of coefficients tell."""
+    """Margins by both kinds of coefficients."""
     rows = []
     for name, prefix in (("rotor and pads together", ""), ("synchronously reduced", "synchronous_")):
         critical = result.values.get(f"{prefix}critical_cross_coupling")
