@@ -101,6 +101,9 @@ def test_a_case_of_it_is_an_object_of_the_front_door():
     assert slider.gradient("width", of="load")["load"]["width"] == pytest.approx(load / slider.width, rel=1e-6)
     assert bb.parse_case(slider.to_yaml()) == pickle.loads(pickle.dumps(slider)) == slider
     assert pickle.loads(pickle.dumps(type(slider)(speed="1 m/s"))).missing[:1] == ("length",)
+    assert bb.OverhungCoupling(**bb.parse_case(template("overhung_coupling")).given).text.count("\n") > 8
+    written = type(slider)(**slider.given).to_yaml()
+    assert written.splitlines()[:3] == ["kind: plane_slider", "name: Slider", "length: 50 mm"]
     assert slider.replace({"speed": None}).missing == ("speed",)
 
 
