@@ -146,6 +146,10 @@ def test_a_column_may_show_its_own_quantity(run, tmp_path):
     assert "film_ratio" in heads
 
 
+def test_a_slow_speed_of_its_own_is_shown_in_mm_per_second():
+    assert quantity("approach", "v", "m/s", "mm/s", 4, "Speed of approach").with_unit(0.0125) == "12.50 mm/s"
+
+
 def test_its_code_is_explained_and_questions_a_result(run):
     text = template("plane_slider").replace("inlet_film: 60 um", "inlet_film: 160 um")
     (result,) = solve(parse_case(text)).results
