@@ -10,6 +10,7 @@ from babbitt.api.own_bore import Gap, with_own_bore, with_own_bore_in_words, wit
 from babbitt.api.words import of_machine
 from babbitt.case.case_file import CaseFile
 from babbitt.case.part import Part
+from babbitt.core.kind import find_kind
 from babbitt.core.solution import Calculation
 from babbitt.kinds.coupling.case.overhung_coupling import OverhungCouplingCase
 from babbitt.kinds.footstep.case.footstep import FootstepCase
@@ -407,6 +408,15 @@ class OverhungCoupling(Case, OverhungCouplingCase):
         assumptions: Iterable[Any] | None = ...,
         notes: str | None = ...,
         source: str | None = ...,
+    ) -> None: ...
+
+class OfAnotherPackage(Case):
+    model: ClassVar[type[CaseFile]]
+    default_name: ClassVar[str]
+    def __init__(
+        self,
+        *,
+        babbitt: Literal[1] | Enum | None = ...,
     ) -> None: ...
 
 PUBLIC: Mapping[type[CaseFile], type[Case]]

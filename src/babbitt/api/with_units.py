@@ -57,8 +57,11 @@ def case_text(given: Mapping[str, Any]) -> str:
 
     def field(name: str, value: Any) -> str:
         inside = None if isinstance(value, dict | list) else False
-        text = yaml.safe_dump({name: value}, allow_unicode=True, width=110, sort_keys=False, default_flow_style=inside)
-        return str(text)
+        return str(
+            yaml.safe_dump(
+                {name: value}, sort_keys=False, allow_unicode=True, width=110, default_flow_style=inside
+            )
+        )
 
     return "".join(field(name, value) for name, value in given.items())
 
