@@ -169,6 +169,8 @@ def test_cite_names_every_law_that_the_film_takes(run, tmp_path):
 
 def test_explain_and_version(run):
     assert "Reynolds" in run("explain", "w101")[1]
+    both = run("explain", "w101", "C104")[1]
+    assert both == f"{run('explain', 'W101')[1]}\n{run('explain', 'C104')[1]}"
     assert run("--version")[1].startswith("babbitt ")
 
 

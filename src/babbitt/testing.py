@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
+from functools import partial
 from typing import Any, get_args
 
 from babbitt.case import KINDS, parse_case, template
@@ -11,7 +12,7 @@ from babbitt.core.kind import Kind, register
 from babbitt.core.nearest_name import unknown_name
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Result
-from babbitt.report.view import View, find_view
+from babbitt.report.view import find_view
 from babbitt.solving import MachineResult, solve
 
 __all__ = ["check_kind", "mistakes_of"]
@@ -64,7 +65,7 @@ def _mistakes(kind: Kind) -> Iterator[str]:
         return
     yield from _tried("schema", lambda: _of_model(kind, model))
     for method in kind.views:
-        yield from _tried(f"view of {method}", lambda method=method: _of_view(find_view(kind.name, method)))
+        yield from _tried(f"view of {method}", partial(_of_view, kind, method))
     yield from _tried("meanings", lambda: _unknown(kind.load_meanings(), "a quantity"))
     try:
         case = parse_case(template(kind.name), kind.template)
@@ -110,7 +111,8 @@ def _of_model(kind: Kind, model: type[CaseFile]) -> Iterator[str]:
                 yield f"the method {unknown_name(name, kind.views, 'among the views')}"
 
 
-def _of_view(view: View) -> Iterator[str]:
+def _of_view(kind: Kind, method: str) -> Iterator[str]:
+    view = find_view(kind.name, method)
     yield from _unknown((*view.key_results, *view.fed_results), "a quantity, though a key result")
     yield from _unknown(view.sweep, "a quantity, though of the sweep of a view")
     shown = (column.quantity for column in (*view.columns, *view.overview) if column.quantity)

@@ -56,6 +56,12 @@ def test_template_runs_as_it_stands(kind):
 
 
 @pytest.mark.parametrize("kind", KINDS)
+def test_a_template_asks_for_units_as_the_language_does(kind):
+    """Three said that numbers in SI would do: `load: 11000` is refused."""
+    assert " SI " not in template(kind)
+
+
+@pytest.mark.parametrize("kind", KINDS)
 def test_template_suits_the_schema(kind):
     VALIDATOR.validate(read_document(template(kind)).plain())
 

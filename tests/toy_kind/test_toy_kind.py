@@ -101,6 +101,9 @@ def test_a_case_of_it_is_an_object_of_the_front_door():
     assert slider.gradient("width", of="load")["load"]["width"] == pytest.approx(load / slider.width, rel=1e-6)
     assert bb.parse_case(slider.to_yaml()) == pickle.loads(pickle.dumps(slider)) == slider
     assert pickle.loads(pickle.dumps(type(slider)(speed="1 m/s"))).missing[:1] == ("length",)
+    assert bb.OverhungCoupling(**bb.parse_case(template("overhung_coupling")).given).text.count("\n") > 8
+    written = type(slider)(**slider.given).to_yaml()
+    assert written.splitlines()[:3] == ["kind: plane_slider", "name: Slider", "length: 50 mm"]
     assert slider.replace({"speed": None}).missing == ("speed",)
 
 
@@ -141,6 +144,10 @@ def test_a_column_may_show_its_own_quantity(run, tmp_path):
     (tmp_path / "slider.yaml").write_text(template("plane_slider"), encoding="utf-8")
     heads = run("sweep", "slider.yaml", "outlet_film", "20 um, 30 um", "--csv", "-")[1].splitlines()[0]
     assert "film_ratio" in heads
+
+
+def test_a_slow_speed_of_its_own_is_shown_in_mm_per_second():
+    assert quantity("approach", "v", "m/s", "mm/s", 4, "Speed of approach").with_unit(0.0125) == "12.50 mm/s"
 
 
 def test_its_code_is_explained_and_questions_a_result(run):

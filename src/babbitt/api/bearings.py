@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from functools import cache
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from babbitt.api.case import Case
 from babbitt.api.machine_bearings import by_itself
+from babbitt.api.other_packages import class_of
 from babbitt.api.own_bore import Gap, with_own_bore, with_own_bore_in_words, without_own_bore
 from babbitt.api.words import of_machine
 from babbitt.case.case_file import CaseFile
@@ -207,34 +207,10 @@ PUBLIC: Mapping[type[CaseFile], type[Case]] = {
 """By its case model, the class of each kind that ships."""
 
 
-class OfAnotherPackage(Case):
-    """A case of a kind of another package, whose class is made from its case model when a case is read."""
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        """A class that was made is found anew by its case model."""
-        return _restored, (self.model, self.default_name, self.__getstate__())
-
-
 def public_case(case: CaseFile) -> CaseFile:
     """The same case as an object of its class here; as it is where its kind is not registered."""
     public = PUBLIC.get(type(case))
     kind = find_kind(case.kind) if public is None else None
     if kind is not None and kind.load_model() is type(case):
-        public = _made_class(type(case), kind.name.replace("_", " ").capitalize())
+        public = class_of(type(case), kind.name.replace("_", " ").capitalize())
     return case if public is None else public.of(case)
-
-
-@cache
-def _made_class(model: type[CaseFile], default_name: str) -> type[Case]:
-    """The class of a case model of another package, named like it without ``Case``."""
-    name = model.__name__.removesuffix("Case") or model.__name__
-    said = {"__doc__": model.__doc__, "__module__": model.__module__, "model": model, "default_name": default_name}
-    return type(OfAnotherPackage)(name, (OfAnotherPackage, model), said)
-
-
-def _restored(model: type[CaseFile], default_name: str, state: dict[Any, Any]) -> Case:
-    """A case that was pickled."""
-    made = _made_class(model, default_name)
-    case = made.__new__(made)
-    case.__setstate__(state)
-    return case

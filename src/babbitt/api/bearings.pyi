@@ -6,6 +6,7 @@ from typing import Any, ClassVar, Literal, SupportsFloat, SupportsIndex, TypeAli
 
 from babbitt.api.case import Case
 from babbitt.api.machine_bearings import by_itself
+from babbitt.api.other_packages import class_of
 from babbitt.api.own_bore import Gap, with_own_bore, with_own_bore_in_words, without_own_bore
 from babbitt.api.words import of_machine
 from babbitt.case.case_file import CaseFile

@@ -6,7 +6,7 @@ Each is the part of the case language of the same fields, with short names.
 from __future__ import annotations
 
 from babbitt.api.part import OwnPart
-from babbitt.kinds.hydrostatic.case import pad_shapes, recess_parts, restrictors
+from babbitt.kinds.hydrostatic.case import pad_shapes, recess_parts, restrictors, supply
 
 __all__ = [
     "AnnularPad",
@@ -54,7 +54,7 @@ class MembraneValve(OwnPart, restrictors.MembraneValveInput):
     """A membrane valve before every recess: its gap opens with the recess pressure."""
 
 
-class HydrostaticSupply(OwnPart, restrictors.HydrostaticSupply):
+class HydrostaticSupply(OwnPart, supply.HydrostaticSupply):
     """Oil before the restrictors: at a fixed pressure, or from one pump."""
 
 

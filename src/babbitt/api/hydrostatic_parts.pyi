@@ -6,7 +6,7 @@ from typing import Any, ClassVar, Literal, SupportsFloat, SupportsIndex, TypeAli
 
 from babbitt.api.part import OwnPart
 from babbitt.case.part import Part
-from babbitt.kinds.hydrostatic.case import pad_shapes, recess_parts, restrictors
+from babbitt.kinds.hydrostatic.case import pad_shapes, recess_parts, restrictors, supply
 
 Quantity: TypeAlias = str | SupportsFloat
 
@@ -81,7 +81,7 @@ class MembraneValve(OwnPart, restrictors.MembraneValveInput):
         compliance: Quantity | None = ...,
     ) -> None: ...
 
-class HydrostaticSupply(OwnPart, restrictors.HydrostaticSupply):
+class HydrostaticSupply(OwnPart, supply.HydrostaticSupply):
     def __init__(
         self,
         *,

@@ -46,11 +46,24 @@ def quantity_text(value: float, kind: Kind) -> str | float:
 
 
 def case_text(given: Mapping[str, Any]) -> str:
-    """Write a case as the text of a file, lists of numbers and small mappings on one line."""
+    """Write a case as the text of a file: a field a line, lists of numbers and small mappings on one line.
+
+    >>> print(case_text({"kind": "journal", "load": "10 kN", "supply": {"temperature": "50 degC"}}), end="")
+    kind: journal
+    load: 10 kN
+    supply: {temperature: 50 degC}
+    """
     import yaml
 
-    text = yaml.safe_dump(dict(given), sort_keys=False, allow_unicode=True, width=110, default_flow_style=None)
-    return str(text)
+    def field(name: str, value: Any) -> str:
+        inside = None if isinstance(value, dict | list) else False
+        return str(
+            yaml.safe_dump(
+                {name: value}, sort_keys=False, allow_unicode=True, width=110, default_flow_style=inside
+            )
+        )
+
+    return "".join(field(name, value) for name, value in given.items())
 
 
 def _field(cls: type[Part], name: str, given: Any, value: Any) -> Any:

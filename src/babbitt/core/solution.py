@@ -8,7 +8,7 @@ reports, figures and exports read what was solved instead of solving it again.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Protocol, runtime_checkable
 
@@ -58,19 +58,22 @@ class Solution:
     def __post_init__(self) -> None:
         for says in _mistakes_of_checks(self.result):
             raise kind_mistake(self.result.kind, says)
-        first = {name: _lacking(self.problem, self.result, name) for name in ("warnings", "assumptions")}
-        if any(first.values()):
-            joined = {name: (*lacking, *getattr(self.result, name)) for name, lacking in first.items()}
-            object.__setattr__(self, "result", replace(self.result, **joined))
+        found = self.result
+        warnings = _lacking(self.problem, "warnings", found.warnings)
+        assumptions = _lacking(self.problem, "assumptions", found.assumptions)
+        if warnings or assumptions:
+            joined = replace(
+                found, warnings=(*warnings, *found.warnings), assumptions=(*assumptions, *found.assumptions)
+            )
+            object.__setattr__(self, "result", joined)
 
     def without_state(self) -> Solution:
         """The same without its fields, which take memory where many are kept."""
         return replace(self, state=None)
 
 
-def _lacking(problem: Any, result: Result, name: str) -> tuple[Any, ...]:
+def _lacking(problem: Any, name: str, there: Sequence[Any]) -> tuple[Any, ...]:
     """Warnings or assumptions of a problem that its result does not have."""
-    there = getattr(result, name)
     return tuple(one for one in getattr(problem, name, ()) if one not in there)
 
 

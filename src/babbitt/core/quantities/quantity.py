@@ -42,6 +42,7 @@ SI = {
     "mPas": DisplayUnit("mPa s", 1e3, decimals=2),
     "mm2/s": DisplayUnit("mm²/s", 1e6, decimals=2),
     "m/s": DisplayUnit("m/s", decimals=2),
+    "mm/s": DisplayUnit("mm/s", 1e3, decimals=2),
     "kg/m3": DisplayUnit("kg/m³", decimals=1),
     "MJ/m3K": DisplayUnit("MJ/(m³ K)", 1e-6),
     "pv": DisplayUnit("MPa m/s", 1e-6, decimals=1),

@@ -72,7 +72,7 @@ def build_ring(
 
     Returns
     -------
-    Ring
+    UnwrappedMesh
     """
     mesh = axial_mesh(film, degree, halved=film.is_symmetric and motions == 2)
     grooves = [gap for gap in groove_arcs(film) if film.film_start is not FilmStart.PERIODIC]

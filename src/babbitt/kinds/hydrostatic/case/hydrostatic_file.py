@@ -22,10 +22,10 @@ from babbitt.kinds.hydrostatic.case.methods import METHOD_MAPPING, FilmChoices
 from babbitt.kinds.hydrostatic.case.recess_parts import Frequency, GapLimits, HydrostaticOil, Load, RecessOil
 from babbitt.kinds.hydrostatic.case.restrictors import (
     ConstantFlowInput,
-    HydrostaticSupply,
     MeteredFlowInput,
     RestrictorInput,
 )
+from babbitt.kinds.hydrostatic.case.supply import HydrostaticSupply
 from babbitt.kinds.hydrostatic.geometry import AnnularPad, CircularPad
 from babbitt.kinds.hydrostatic.impedance import Compressibility
 from babbitt.kinds.hydrostatic.methods import METHODS

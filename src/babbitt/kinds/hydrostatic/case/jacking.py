@@ -21,7 +21,8 @@ from babbitt.core.units import si, written
 from babbitt.kinds.hydrostatic.case.methods import METHOD_MAPPING, FilmChoices
 from babbitt.kinds.hydrostatic.case.recess_parts import Gap, Length, Load, RecessRow
 from babbitt.kinds.hydrostatic.case.recess_rules import clearance_is_usable, in_order, lands_between
-from babbitt.kinds.hydrostatic.case.restrictors import FlowRate, SupplyPressure
+from babbitt.kinds.hydrostatic.case.restrictors import FlowRate
+from babbitt.kinds.hydrostatic.case.supply import SupplyPressure
 from babbitt.kinds.hydrostatic.geometry import RecessedJournal
 from babbitt.kinds.hydrostatic.jacking_model import JackingCase
 from babbitt.kinds.hydrostatic.methods import JACKING_METHODS as METHODS
