@@ -104,6 +104,19 @@ def test_a_missed_recommendation_is_listed_and_changes_no_verdict(reverse_gear, 
     assert "Limits violated" not in text
 
 
+def test_a_critical_mass_of_zero_says_that_no_rotor_is_stable(reverse_gear, good):
+    source = "rotor_mass of the case"
+    whirls = Check("C115", "critical_mass", 0.0, 300.0, Bound.AT_LEAST, source)
+    values = {**good.values, "critical_mass": 0.0}
+    text = shown(replace(reverse_gear, results=(replace(good, values=values, checks=(whirls,)),)))
+    assert (
+        text.count("rigid rotor whirls; 0: no rotor is stable") == 2
+    )  # among the results, and as a limit violated
+    held = replace(whirls, value=500.0)
+    kept = replace(good, values={**values, "critical_mass": 500.0}, checks=(held,))
+    assert "no rotor is stable" not in shown(replace(reverse_gear, results=(kept,)))
+
+
 def test_one_bearing_is_written_in_full(reverse_gear, good):
     text = shown(replace(reverse_gear, results=(good,)))
     assert "Minimum film thickness" in text

@@ -180,7 +180,7 @@ def _remarks(results: Sequence[Result]) -> list[RenderableType]:
         ("Remarks", findings.remarks(results), "yellow"),
         ("Recommendations and screening indicators missed", findings.missed_advice(results), "default"),
         ("Information", findings.information(results), "default"),
-        ("Values not found", findings.missing_values(results) if several else (), "default"),
+        ("Values not found", findings.missing_values(results), "default"),
         ("Not checked", findings.not_checked(results), "default"),
     )
     for heading, groups, style in sections:
