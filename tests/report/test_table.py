@@ -87,6 +87,23 @@ def test_a_violated_limit_is_one_line_with_code_and_both_numbers(reverse_gear, g
     assert "h_min = 12.0 µm < 16.0 µm" in line
 
 
+def test_a_machine_shows_the_film_that_its_limits_are_held_against(reverse_gear, good):
+    """ISO 7902 with all the oil that the film wants, and marked that with what the supply delivers."""
+    assert "*" not in shown(replace(reverse_gear, results=(good, replace(good, name="other"))))
+    checks = (
+        Check("C101", "starved_minimum_film_thickness", 24.1e-6, 9e-6, Bound.AT_LEAST, "experience"),
+        Check("C104", "starved_outlet_temperature", 350.15, 373.15, Bound.AT_MOST, "experience"),
+    )
+    short = replace(good, name="Short of oil", checks=checks)
+    text = shown(replace(reverse_gear, results=(good, short)))
+    lines = text.splitlines()
+    full, lacking = (next(line for line in lines if line.startswith(name)) for name in (good.name, short.name))
+    assert "24.1* / 9.0" in lacking
+    assert "→ 77.0*" in lacking
+    assert "*" not in full
+    assert "* with the flow that the supply delivers: the limits are held against this film" in lines
+
+
 def test_eleven_equal_misses_do_not_flood(reverse_gear):
     hot = Check("C103", "outlet_temperature", 390.0, 383.15, Bound.AT_MOST, "experience")
     results = tuple(replace(result, checks=(*result.checks, hot)) for result in reverse_gear.results)
