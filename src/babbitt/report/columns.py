@@ -64,7 +64,7 @@ def reading_of(name: str) -> Reading:
 
 
 def reading_held(name: str) -> Reading:
-    """The number that the limits of a quantity are held against, marked where it is that of a film short of oil."""
+    """The number that limits of a quantity are held against, marked where it is that of a film short of oil."""
     value = reading_of(name)
 
     def reading(result: Result) -> str:
