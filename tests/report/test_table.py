@@ -126,9 +126,8 @@ def test_a_critical_mass_of_zero_says_that_no_rotor_is_stable(reverse_gear, good
     whirls = Check("C115", "critical_mass", 0.0, 300.0, Bound.AT_LEAST, source)
     values = {**good.values, "critical_mass": 0.0}
     text = shown(replace(reverse_gear, results=(replace(good, values=values, checks=(whirls,)),)))
-    assert (
-        text.count("rigid rotor whirls; 0: no rotor is stable") == 2
-    )  # among the results, and as a limit violated
+    # among the results, and as a limit violated
+    assert text.count("rigid rotor whirls; 0: no rotor is stable") == 2
     held = replace(whirls, value=500.0)
     kept = replace(good, values={**values, "critical_mass": 500.0}, checks=(held,))
     assert "no rotor is stable" not in shown(replace(reverse_gear, results=(kept,)))
