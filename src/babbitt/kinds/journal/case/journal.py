@@ -240,9 +240,7 @@ class JournalBearing(LoadAndSpeed, SharedInputs, FilmChoices, Iso7902Choices):
         why, hint = "their sum, which draws the oil in, is zero", ""
         if turns != 0.0:
             why = "their sum turns against the journal, in whose sense friction and places before the load count"
-            hint = (
-                f"speed: {bearing} with bearing_speed: {journal} has the same film, both exchanged"
-            )
+            hint = f"speed: {bearing} with bearing_speed: {journal} has the same film, both exchanged"
         says = f"the speeds build no film: journal {journal}, bearing {bearing}: {why}"
         yield Issue(("bearing_speed",), says, "a sum of both in the sense of the journal", hint)
 
