@@ -105,8 +105,21 @@ def test_the_design_check_does_not_depend_on_the_sense_of_rotation(given, opposi
 
 @pytest.mark.parametrize(("journal", "bearing"), [(3000, -3000), (-3000, 3000), (3000, -4000), (-3000, 4000)])
 def test_a_bearing_that_turns_back_the_film_is_refused(journal, bearing):
-    with pytest.raises(CaseError, match="the speeds build no film"):
+    why = "is zero" if journal + bearing == 0 else "in whose sense friction and places before the load count"
+    with pytest.raises(CaseError, match=f"the speeds build no film: .*{why}"):
         built(speed=f"{journal} rpm", bearing_speed=f"{bearing} rpm")
+
+
+def test_speeds_exchanged_make_the_same_film():
+    """What the refusal of a film that turns against the journal recommends: the film knows the sum alone."""
+    with pytest.raises(CaseError, match="speed: -5000 rpm with bearing_speed: 3000 rpm has the same film"):
+        built(speed="3000 rpm", bearing_speed="-5000 rpm")
+    exchanged, alone = (
+        check(built(speed=speed, bearing_speed=bearing, effective_temperature="60 degC"))
+        for speed, bearing in (("-5000 rpm", "3000 rpm"), ("-2000 rpm", "0 rpm"))
+    )
+    for name in ("hydrodynamic_speed", "eccentricity_ratio", "minimum_film_thickness", "side_flow"):
+        assert exchanged.values[name] == pytest.approx(alone.values[name], rel=1e-12)
 
 
 @pytest.mark.parametrize("speed", ["0 rpm", "-0.01 rpm", "-2e6 rpm"])

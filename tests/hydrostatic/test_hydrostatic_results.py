@@ -463,12 +463,9 @@ def test_pockets_on_one_pressure_let_the_shaft_roll():
 
 
 def test_restrictors_that_no_one_gave_are_told_as_assumed():
-    two = parse_case(template("jacking_pocket")).replace({"pockets": {"number": 2, "extent": "12 deg"}})
-    one, told, silent = (
-        case.design() for case in (
-            parse_case(template("jacking_pocket")), two, two.replace({"own_restrictors": True}),
-        )
-    )  # fmt: skip
+    single = template("jacking_pocket")
+    two = single.replace("pockets: {number: 1", "pockets: {number: 2")
+    one, told, silent = (parse_case(text).design() for text in (single, two, f"{two}\nown_restrictors: true\n"))
     assert [found.code for found in told.warnings] == ["W329"]
     assert told.warnings[0].effect is Effect.INFORMATION
     assert one.warnings == silent.warnings == ()

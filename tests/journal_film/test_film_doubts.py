@@ -26,6 +26,8 @@ def test_a_pressure_that_no_bearing_metal_bears_is_doubted_and_fails():
     metal = {"bearing_metal": "SnSb8Cu4", "bearing": "C10", "journal": "C45"}
     judged = answer(**QUICK, load="8 MN", materials=metal)
     assert "C116" not in {check.code for check in judged.checks}  # the metal has limits of its own
+    assert "SnSb8Cu4" in {one.code: one.message for one in judged.not_checked}["C116"]
+    assert "C116" not in {one.code for one in calm.not_checked}
     assert "W142" in said(judged)
 
 

@@ -87,6 +87,23 @@ def test_a_violated_limit_is_one_line_with_code_and_both_numbers(reverse_gear, g
     assert "h_min = 12.0 µm < 16.0 µm" in line
 
 
+def test_a_machine_shows_the_film_that_its_limits_are_held_against(reverse_gear, good):
+    """ISO 7902 with all the oil that the film wants, and marked that with what the supply delivers."""
+    assert "*" not in shown(replace(reverse_gear, results=(good, replace(good, name="other"))))
+    checks = (
+        Check("C101", "starved_minimum_film_thickness", 24.1e-6, 9e-6, Bound.AT_LEAST, "experience"),
+        Check("C104", "starved_outlet_temperature", 350.15, 373.15, Bound.AT_MOST, "experience"),
+    )
+    short = replace(good, name="Short of oil", checks=checks)
+    text = shown(replace(reverse_gear, results=(good, short)))
+    lines = text.splitlines()
+    full, lacking = (next(line for line in lines if line.startswith(name)) for name in (good.name, short.name))
+    assert "24.1* / 9.0" in lacking
+    assert "→ 77.0*" in lacking
+    assert "*" not in full
+    assert "* with the flow that the supply delivers: the limits are held against this film" in lines
+
+
 def test_eleven_equal_misses_do_not_flood(reverse_gear):
     hot = Check("C103", "outlet_temperature", 390.0, 383.15, Bound.AT_MOST, "experience")
     results = tuple(replace(result, checks=(*result.checks, hot)) for result in reverse_gear.results)
@@ -102,6 +119,18 @@ def test_a_missed_recommendation_is_listed_and_changes_no_verdict(reverse_gear, 
     text = shown(replace(reverse_gear, results=(advised, good)))
     assert "Recommendations and screening indicators missed" in text
     assert "Limits violated" not in text
+
+
+def test_a_critical_mass_of_zero_says_that_no_rotor_is_stable(reverse_gear, good):
+    source = "rotor_mass of the case"
+    whirls = Check("C115", "critical_mass", 0.0, 300.0, Bound.AT_LEAST, source)
+    values = {**good.values, "critical_mass": 0.0}
+    text = shown(replace(reverse_gear, results=(replace(good, values=values, checks=(whirls,)),)))
+    # among the results, and as a limit violated
+    assert text.count("rigid rotor whirls; 0: no rotor is stable") == 2
+    held = replace(whirls, value=500.0)
+    kept = replace(good, values={**values, "critical_mass": 500.0}, checks=(held,))
+    assert "no rotor is stable" not in shown(replace(reverse_gear, results=(kept,)))
 
 
 def test_one_bearing_is_written_in_full(reverse_gear, good):

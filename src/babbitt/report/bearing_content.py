@@ -20,6 +20,7 @@ from babbitt.report.inputs import inputs
 from babbitt.report.labels import label
 from babbitt.report.line import Line, Section
 from babbitt.report.machine_table import in_machine_table
+from babbitt.report.meanings import said_of_zero
 from babbitt.report.names import format_members
 from babbitt.report.symbols import symbol_node
 from babbitt.report.text import plain_text
@@ -150,9 +151,10 @@ def _key_results(chapter: Chapter) -> list[Data]:
         values = [r.values.get(name, math.nan) if r.outcome.solved else math.nan for r in chapter.results]
         if name in QUANTITIES and any(map(math.isfinite, values)):
             quantity = QUANTITIES[name].suited(*values)
+            zero = "".join({said_of_zero(name, value) for value in values})
             rows.append(
                 {
-                    "label": label(name, result.kind) + temperature_remark(name, result),
+                    "label": label(name, result.kind) + zero + temperature_remark(name, result),
                     "symbol": symbol_node(quantity.symbol),
                     "values": [quantity.format(value) if math.isfinite(value) else ABSENT for value in values],
                     "unit": quantity.display.label,

@@ -12,6 +12,9 @@ from babbitt.report.verdict import governing
 
 ABSENT = "–"
 
+MARK = "*"
+MARKED = f"{MARK} with the flow that the supply delivers: the limits are held against this film"
+
 Reading = Callable[[Result], str]
 """A number in the engineer's unit taken from a result, as text; `ABSENT` where it has none."""
 
@@ -58,6 +61,25 @@ def _number(name: str, value: float) -> str:
 def reading_of(name: str) -> Reading:
     """The number of a quantity."""
     return lambda result: _number(name, result.values.get(name, math.nan))
+
+
+def reading_held(name: str) -> Reading:
+    """The number that limits of a quantity are held against, marked where it is that of a film short of oil."""
+    value = reading_of(name)
+
+    def reading(result: Result) -> str:
+        check = governing(result, name)
+        if check is None or check.quantity == name:
+            return value(result)
+        return _number(name, check.value) + MARK
+
+    return reading
+
+
+def footnote(columns: Sequence[Column], results: Sequence[Result]) -> str:
+    """What marks in a table mean; empty for none."""
+    marked = any(MARK in cell for column in columns for cell in column.cells(results))
+    return MARKED if marked else ""
 
 
 def limit_of(name: str) -> Reading:

@@ -15,6 +15,7 @@ from babbitt.report import findings
 from babbitt.report.bearing_content import Data, bearing_content
 from babbitt.report.chapters import Chapter, chapters
 from babbitt.report.check_content import check_content
+from babbitt.report.columns import footnote
 from babbitt.report.findings import Group
 from babbitt.report.machine_table import columns_of, in_machine_table, overview_columns, overview_results
 from babbitt.report.names import counted_results
@@ -43,7 +44,7 @@ def content(machine: MachineResult) -> Data:
     """
     results = machine.results
     parts = chapters(machine.solutions)
-    summed = totals(results)
+    summed, marks = totals(results), footnote(columns_of(results), results)
     return {
         "name": plain_text(machine.name) or "Unnamed case",
         "version": machine.version,
@@ -54,6 +55,7 @@ def content(machine: MachineResult) -> Data:
         "columns": [{"heading": _heading(c.heading), "unit": c.unit} for c in columns_of(results)],
         "rows": _rows(parts, results),
         "incomplete": any(result.not_checked for result in results),
+        **({"footnote": marks} if marks else {}),
         "totals": _totals(summed) if summed else None,
         "worst": [_worst_case(results, code) for code in _codes(results)],
         "overview": _overview(results),

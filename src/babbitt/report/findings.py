@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from babbitt.core.notices import Effect, Notice, Subject, explanations
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Check, Result
+from babbitt.report.meanings import said_of_zero
 from babbitt.report.names import listed, shortened
 from babbitt.report.text import plain_text
 from babbitt.report.verdict import comparison
@@ -74,7 +75,7 @@ def _missed(results: Sequence[Result], concerned: Callable[[Check], bool]) -> tu
         groups.append(
             Group(
                 code,
-                known.meaning if known else quantity,
+                (known.meaning if known else quantity) + said_of_zero(quantity, check.value),
                 tuple(result.name for result, _ in misses),
                 _names(results),
                 comparison(check) if len(misses) == 1 else f"worst {comparison(check)}",
@@ -120,9 +121,9 @@ def lacking(results: Sequence[Result]) -> Iterator[Group]:
 
 
 def missing_values(results: Sequence[Result]) -> tuple[Group, ...]:
-    """Quantities that could not be found, gathered by their reason."""
+    """Quantities of solved bearings that could not be found, gathered by their reason."""
     found: dict[str, tuple[list[str], list[str]]] = {}
-    for result in results:
+    for result in (one for one in results if one.outcome.solved):
         for name, reason in result.missing.items():
             symbols, names = found.setdefault(reason, ([], []))
             symbols.append(QUANTITIES[name].symbol)

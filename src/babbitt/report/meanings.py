@@ -5,7 +5,7 @@ from __future__ import annotations
 from babbitt.core.kind import find_kind
 from babbitt.core.quantities import QUANTITIES
 
-__all__ = ["PUMPED", "meaning", "own_meaning"]
+__all__ = ["PUMPED", "meaning", "own_meaning", "said_of_zero"]
 
 PUMPED = {
     "total_flow": "Oil through all restrictors",
@@ -14,6 +14,21 @@ PUMPED = {
     "iterations": "Steps of the search",
 }
 """Of bearings that pumped oil carries: no film flow Q3 and supply flow Qp, no effective temperature."""
+
+OF_ZERO = {
+    "critical_mass": "no rotor is stable",
+    "critical_mass_elastic": "no rotor on this shaft is stable",
+}
+"""What a value of zero says that the quantity's meaning does not."""
+
+
+def said_of_zero(name: str, value: float) -> str:
+    """What follows the meaning of a quantity that is zero; empty for others.
+
+    >>> said_of_zero("critical_mass", 0.0), said_of_zero("critical_mass", 12.0)
+    ('; 0: no rotor is stable', '')
+    """
+    return f"; 0: {OF_ZERO[name]}" if value == 0.0 and name in OF_ZERO else ""
 
 
 def own_meaning(name: str, kind: str) -> str:

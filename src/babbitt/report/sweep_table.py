@@ -14,7 +14,7 @@ from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Result, Verdict
 from babbitt.export.unit_names import static_column
 from babbitt.report.bearing_table import STYLES, engineers_table
-from babbitt.report.columns import Column
+from babbitt.report.columns import Column, footnote
 from babbitt.report.findings import not_checked
 from babbitt.report.sweep_columns import sweep_columns
 from babbitt.report.table import console_for, fitting, measured
@@ -38,6 +38,8 @@ def print_sweep(sweep: CaseSweep, to: Console | None = None) -> None:
     to = to or console_for(_table(sweep, every))
     columns, hidden = fitting(every, results, to.width - measured(_table(sweep, ())).minimum)
     to.print(_table(sweep, columns))
+    if said := footnote(columns, results):
+        to.print(Text(said, style="dim"))
     if hidden:
         to.print(
             Text(f"Left out for want of width: {', '.join(column.heading for column in hidden)}", style="dim")

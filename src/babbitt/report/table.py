@@ -19,7 +19,7 @@ from babbitt.core.files.printing import nearest_letters
 from babbitt.core.result import Result
 from babbitt.report import findings
 from babbitt.report.bearing_table import STYLES, bearing_table, engineers_table
-from babbitt.report.columns import Column
+from babbitt.report.columns import Column, footnote
 from babbitt.report.machine_table import columns_of, in_machine_table
 from babbitt.report.names import counted_results
 from babbitt.report.text import plain_text
@@ -123,6 +123,8 @@ def _machine(name: str, results: Sequence[Result], width: int) -> RenderableType
     bare = _machine_table(name, results, ())
     shown, hidden = fitting(columns_of(results), results, width - measured(bare).minimum)
     parts: list[RenderableType] = [_machine_table(name, results, shown)]
+    if said := footnote(shown, results):
+        parts.append(Text(said, style="dim"))
     if hidden:
         names = ", ".join(column.heading for column in hidden)
         parts.append(Text(f"Left out for want of width: {names}", style="dim"))
@@ -197,7 +199,7 @@ def _remarks(results: Sequence[Result]) -> list[RenderableType]:
         ("Remarks", findings.remarks(results), "yellow"),
         ("Recommendations and screening indicators missed", findings.missed_advice(results), "default"),
         ("Information", findings.information(results), "default"),
-        ("Values not found", findings.missing_values(results) if several else (), "default"),
+        ("Values not found", findings.missing_values(results), "default"),
         ("Not checked", findings.not_checked(results), "default"),
     )
     for heading, groups, style in sections:

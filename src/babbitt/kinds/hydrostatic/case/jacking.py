@@ -54,8 +54,8 @@ class JackingPocketCase(FilmChoices, CaseFile):
     )
     own_restrictors: bool = Field(
         True,
-        description="Whether every pocket has a restrictor or its stage of a flow divider, as is assumed where it"
-        " is not given.",
+        description="Whether every pocket has a restrictor or its stage of a flow divider, as is assumed "
+        "where this is not given.",
     )
     assumptions: tuple[Prose, ...] = Field(
         (), max_length=100, description="Assumptions to be shown in the report."

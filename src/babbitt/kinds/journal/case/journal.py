@@ -229,10 +229,20 @@ class JournalBearing(LoadAndSpeed, SharedInputs, FilmChoices, Iso7902Choices):
             if (fast := abs(speed) * self.diameter / 2.0) > GREATEST_SURFACE_SPEED * 1.000001:
                 says = f"{written(speed, 'rpm')} is a surface speed of {fast:.4g} m/s"
                 yield Issue((*path, "speed"), says, f"up to {GREATEST_SURFACE_SPEED:g} m/s")
-            if (speed + self.bearing_speed) * speed <= 0.0:
-                both = f"journal {written(speed, 'rpm')}, bearing {written(self.bearing_speed, 'rpm')}"
-                says = f"the speeds build no film: {both}"
-                yield Issue(("bearing_speed",), says, "a sum of both in the sense of the journal")
+            yield from self._film_in_the_sense_of_the_journal(speed)
+
+    def _film_in_the_sense_of_the_journal(self, speed: float) -> Iterator[Issue]:
+        """Complain about a bearing that turns so fast against the journal that it stops or turns back the film."""
+        turns = speed + self.bearing_speed
+        if turns * speed > 0.0:
+            return
+        journal, bearing = written(speed, "rpm"), written(self.bearing_speed, "rpm")
+        why, hint = "their sum, which draws the oil in, is zero", ""
+        if turns != 0.0:
+            why = "their sum turns against the journal, in whose sense friction and places before the load count"
+            hint = f"speed: {bearing} with bearing_speed: {journal} has the same film, both exchanged"
+        says = f"the speeds build no film: journal {journal}, bearing {bearing}: {why}"
+        yield Issue(("bearing_speed",), says, "a sum of both in the sense of the journal", hint)
 
     @rule
     def _points_have_names_of_their_own(self) -> Iterator[Issue]:

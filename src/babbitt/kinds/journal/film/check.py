@@ -169,6 +169,7 @@ def film_solution(case: FilmCase, watch: ProgressCallback = no_progress) -> Solu
             checks = (*certain(limits, flattered), *whirl_checks(case, whirl), clearance_check(case, values))
             not_made = (
                 *checks_not_made(case, values),
+                *_pressure_not_checked(case),
                 *undecided(limits, flattered),
                 *slope_not_asked(frozen, slope),
                 *((no_mass,) if no_mass else ()),
@@ -265,6 +266,12 @@ def _limit_checks(case: FilmCase, values: dict[str, float]) -> Iterator[Check]:
         source = "yield strength of the hardest white metals, about (assumption); no bearing metal is given"
         pressure = values["maximum_pressure"]
         yield Check("C116", "maximum_pressure", pressure, PLAIN_BEARING_UP_TO, Bound.AT_MOST, source)
+
+
+def _pressure_not_checked(case: FilmCase) -> Iterator[Notice]:
+    """Say why the largest pressure of the film was not compared, where a bearing metal is given."""
+    if case.bearing.metal is not None:
+        yield Notice("C116", values={"metal": case.bearing.metal.name})
 
 
 def _warnings(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Result
-from babbitt.report.columns import ABSENT, Column, column_of, is_fed, limit_of, reading_of
+from babbitt.report.columns import ABSENT, Column, column_of, is_fed, limit_of, reading_held, reading_of
 
 __all__ = ["COLUMNS", "OVERVIEW_COLUMNS"]
 
@@ -18,11 +18,15 @@ COLUMNS = (
     column_of("specific_load", 2),
     column_of("surface_speed", 7),
     column_of("operating_relative_clearance", 8),
-    Column("T_en → T_ex", "°C", (reading_of("supply_temperature"), reading_of("outlet_temperature")), 1, " → "),
+    Column("T_en → T_ex", "°C", (reading_of("supply_temperature"), reading_held("outlet_temperature")), 1, " → "),
     column_of("bearing_temperature", 1),
     column_of("eccentricity_ratio", 3),
     Column(
-        "h_min / h_lim", "µm", (reading_of("minimum_film_thickness"), limit_of("minimum_film_thickness")), 0, " / "
+        "h_min / h_lim",
+        "µm",
+        (reading_held("minimum_film_thickness"), limit_of("minimum_film_thickness")),
+        0,
+        " / ",
     ),
     column_of("friction_power", 4),
     column_of("side_flow", 5),
