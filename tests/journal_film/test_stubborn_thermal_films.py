@@ -10,7 +10,7 @@ from babbitt.core.result import Outcome
 from babbitt.design.conditions import PrescribedLoad
 from babbitt.design.heat_balance import Equilibrium
 from babbitt.kinds.journal.film.isothermal import operating_film
-from babbitt.kinds.journal.film.model import FilmCase
+from babbitt.kinds.journal.film.model import Accuracy, FilmCase
 from babbitt.kinds.journal.film.thermal_failure import thermal_failure, what_gave_way
 from babbitt.kinds.journal.film.thermal_film import SAME_CLEARANCE, film_heat, thermal_operating_film
 from babbitt.properties.fits import operating_relative_clearance
@@ -197,6 +197,37 @@ def test_a_search_without_an_answer_tells_the_last_film_and_what_to_try():
     assert f"h_min = {1e6 * last.solution.minimum_film_thickness:.1f} µm" in said
     assert "Try: less load" in said
     assert math.isfinite(last.thermal.maximum_temperature)
+
+
+def test_less_load_is_no_remedy_where_the_film_carries_all_of_it():
+    last = thermal_operating_film(HOLE).film
+    said = thermal_failure(HOLE, Equilibrium(Outcome.NOT_CONVERGED, last, 25, last.temperature)).message
+    assert "less load" not in said
+    assert "Try: another `accuracy`" in said
+
+
+JUMPING = replace(
+    bearing(
+        "full", (120, 80), 1.4e-3,
+        "pockets: [{angle: 0 deg, extent: 30 deg, width: 56 mm}, {angle: 180 deg, extent: 30 deg, width: 56 mm}]",
+        46, (45, 0.2), 20e3 / (120 * 80), 3000,
+    ),
+    load_angle=math.radians(-45.0),
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("accuracy", [Accuracy.DRAFT, Accuracy.ENGINEERING])
+def test_a_clearance_at_which_the_film_jumps_is_found(accuracy):
+    """It ended as not converged, with the load carried; a degree to either side its film is found."""
+    case = replace(JUMPING, accuracy=accuracy)
+    thin = {}
+    for aside in (-1.0, 0.0, 1.0):
+        found = thermal_operating_film(replace(case, load_angle=math.radians(-45.0 + aside)))
+        assert found.outcome.solved
+        assert found.film.load == pytest.approx(20e3, rel=1e-4)
+        thin[aside] = found.film.solution.minimum_film_thickness
+    assert thin[-1.0] > thin[0.0] > thin[1.0]
+    assert thin[0.0] == pytest.approx(0.5 * (thin[-1.0] + thin[1.0]), rel=0.02)
 
 
 @pytest.mark.parametrize("speed", ["-820.89 rpm", "-85.96340 rad/s"])

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
-__all__ = ["bounded_viscosity", "highest_usable", "properties_at"]
+__all__ = ["bounded_viscosity", "highest_usable", "properties_at", "usable_viscosity"]
 
 COLDEST = 243.15
 """Temperature in K below which the oil is taken as at it: a search passes there, no answer lies there."""
@@ -50,6 +50,12 @@ def bounded_viscosity(oil: Lubricant) -> Callable[[Array], Array]:
         return np.asarray(oil.dynamic_viscosity(np.clip(temperature, COLDEST, highest)))
 
     return viscosity
+
+
+def usable_viscosity(oil: Lubricant) -> Callable[[float], float]:
+    """`bounded_viscosity` of single temperatures."""
+    highest = highest_usable(oil)
+    return lambda temperature: float(oil.dynamic_viscosity(min(max(temperature, COLDEST), highest)))
 
 
 def highest_usable(oil: Lubricant) -> float:

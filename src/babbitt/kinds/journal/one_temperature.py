@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 
 from babbitt.core.notices import Notice
 from babbitt.core.result import Check
@@ -24,6 +24,13 @@ RISE_OF_METAL = 6.2e-3
 
 Assumption by the same measurement, at 15 to 60 m/s and 1.5 to 5 MPa: of nineteen of twenty it is less."""
 
+RISE_OF_LOADED_FILM = 2.1e-3
+"""K over the root of Pa m/s: rise above the inlet of the oil that carries the load, over sqrt(p̄ U).
+
+Oil that the supply presses through the unloaded gap leaves without cooling it, yet one temperature mixes it in.
+Assumption by measurement of bearings with Q_p of 0.5 to 10 times Q₃ (docs/theory/procedure.md, set ``pressed``):
+their films with temperatures of their own are no thinner than by the viscosities of both temperatures."""
+
 TURBULENT_SOONER = 2.1
 """Reynolds number of films with temperatures of their own over that of one temperature.
 
@@ -37,7 +44,10 @@ with one temperature."""
 
 
 def warnings_about_margins(
-    checks: tuple[Check, ...], values: Mapping[str, float], of_metal: Collection[str]
+    checks: tuple[Check, ...],
+    values: Mapping[str, float],
+    of_metal: Collection[str],
+    viscosity: Callable[[float], float],
 ) -> Iterator[Notice]:
     """Whether a limit is kept by less than films with temperatures of their own usually differ.
 
@@ -48,18 +58,21 @@ def warnings_about_margins(
         Named results of the film with one temperature.
     of_metal : collection of str
         Codes of the checks that hold the metal to its limit; see `checks_of_metal`.
+    viscosity : callable
+        Dynamic viscosity of the oil, Pa s, over the temperature in K.
     """
     near = []
-    hottest = hottest_metal(values)
+    hottest = above_inlet(values, RISE_OF_METAL)
     for check in checks:
         if check.advisory or not check.ok:
             continue
-        if check.code in FILM_CHECKS and check.margin < THINNER:
-            near.append(Notice("W191", "film", {"margin": check.margin, "check": check.code}))
+        thinner = thinner_oil(check, values, viscosity)
+        if check.code in FILM_CHECKS and check.margin < max(THINNER, thinner - 1.0):
+            near.append(_about_film(check, values, thinner))
         if check.code in of_metal and check.limit < max(check.value + HOTTER, hottest):
             margin = check.limit - check.value
             near.append(Notice("W191", "temperature", {"margin": margin, "check": check.code}))
-        if check.code == "C110" and check.value * TURBULENT_SOONER > check.limit:
+        if check.code == "C110" and check.value * max(TURBULENT_SOONER, thinner) > check.limit:
             factor = check.limit / check.value
             near.append(Notice("W191", "reynolds_number", {"factor": factor, "check": check.code}))
         if check.code == "C115" and check.margin < LIGHTER:
@@ -68,18 +81,43 @@ def warnings_about_margins(
         yield Notice("W191", "kept", {"kept": tuple(near)})
 
 
+def _about_film(check: Check, values: Mapping[str, float], thinner: float) -> Notice:
+    if thinner - 1.0 <= THINNER:
+        return Notice("W191", "film", {"margin": check.margin, "check": check.code})
+    return Notice("W191", "loaded_film", {
+        "margin": check.margin, "check": check.code, "loaded": above_inlet(values, RISE_OF_LOADED_FILM),
+        "asked": thinner - 1.0,
+    })  # fmt: skip
+
+
+def thinner_oil(check: Check, values: Mapping[str, float], viscosity: Callable[[float], float]) -> float:
+    """Viscosity at the one temperature of a checked film over that where it carries the load, at least 1.
+
+    The film thickness goes at most with the viscosity, the Reynolds number with its inverse.
+
+    >>> from babbitt.core.result import Bound
+    >>> of_film = Check("C101", "minimum_film_thickness", 2e-5, 1e-5, Bound.AT_LEAST, "")
+    >>> warm = {"supply_temperature": 313.0, "specific_load": 4e6, "surface_speed": 25.0}
+    >>> thinner_oil(of_film, warm | {"effective_temperature": 320.0}, lambda kelvin: 1.0 / kelvin)  # 334 K there
+    1.04375
+    """
+    limited = check.quantity.startswith("starved_")
+    one = values.get("starved_effective_temperature" if limited else "effective_temperature", math.inf)
+    loaded = above_inlet(values, RISE_OF_LOADED_FILM)
+    return viscosity(one) / viscosity(loaded) if loaded > one else 1.0
+
+
 def checks_of_metal(limits: Limits) -> tuple[str, ...]:
     """Codes of the checks that hold the metal to its limit: that of the case is one of the metal, too."""
     return ("C108",) if limits.temperature is None else ("C104", "C108")
 
 
-def hottest_metal(values: Mapping[str, float]) -> float:
-    """Temperature in K that the bush of a fast and loaded bearing may reach, by `RISE_OF_METAL`; 0 without inlet.
+def above_inlet(values: Mapping[str, float], rise: float) -> float:
+    """Temperature in K that lies above the inlet by a rise, K over the root of Pa m/s; 0 without an inlet.
 
-    >>> hottest_metal({"supply_temperature": 313.15, "specific_load": 4e6, "surface_speed": 25.0})
+    >>> above_inlet({"supply_temperature": 313.15, "specific_load": 4e6, "surface_speed": 25.0}, RISE_OF_METAL)
     375.15
     """
     if "supply_temperature" not in values:
         return 0.0
-    rise = RISE_OF_METAL * math.sqrt(values["specific_load"] * abs(values["surface_speed"]))
-    return values["supply_temperature"] + rise
+    return values["supply_temperature"] + rise * math.sqrt(values["specific_load"] * abs(values["surface_speed"]))

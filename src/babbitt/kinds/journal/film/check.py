@@ -17,6 +17,7 @@ from babbitt.design.conditions import PrescribedLoad, contact_film
 from babbitt.design.failure import failure_of
 from babbitt.design.feeding import Arrival
 from babbitt.design.heat_balance import Equilibrium
+from babbitt.design.oil import usable_viscosity
 from babbitt.design.warnings import (
     PLAIN_BEARING_UP_TO,
     warnings_about_film,
@@ -302,7 +303,8 @@ def _warnings(
     if whirl is not None:
         yield from warnings_about_whirl(whirl)
     if case.heat is None:
-        yield from warnings_about_margins(checks, values, checks_of_metal(case.limits))
+        viscosity = usable_viscosity(case.lubricant)
+        yield from warnings_about_margins(checks, values, checks_of_metal(case.limits), viscosity)
     solved = {"W109"} if whirl is not None else set()  # the dynamics of the film are solved for
     yield from (warning for warning in warnings_about_running(case, values, checks) if warning.code not in solved)
 
