@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from babbitt.reynolds._compiling import compiled, inner
+from babbitt.reynolds._compiling import compiled, inlined, inner
 from babbitt.reynolds.lands._grids import film_coefficients
 from babbitt.reynolds.oil._turbulent_oil import stirred, thickened
 
@@ -109,13 +109,12 @@ def edge_column(axial, bearing, grid, k, film, x, y, law, pressure, void, totals
     totals[k, OUTFLOW] += weight * flux
 
 
-@inner
+@inlined
 def add_friction(bearing, grid, k, i, law, x, y, weight, flux, full, p_here, p_behind, void, totals):
     """Shear of one interval of one column: Couette part with the liquid fraction, and +- (h/2) dp/dtheta; the part
     of streamers apart from both torques, too.
 
-    In a full interval dp/dtheta = 12 (h/2 - q)/h^3 integrates exactly to 3 J_1 - 6 q J_2. In a turbulent one the
-    shear and dp/dtheta have factors of their own.
+    In a full interval dp/dtheta = 12 (h/2 - q)/h^3 integrates exactly to 3 J_1 - 6 q J_2.
     """
     half = 0.5 * grid.step[k, i]
     ha = grid.gap_a[k, i] - x * grid.cos_a[k, i] - y * grid.sin_a[k, i]
@@ -124,10 +123,7 @@ def add_friction(bearing, grid, k, i, law, x, y, weight, flux, full, p_here, p_b
     j2 = half * (1.0 / (ha * ha) + 1.0 / (hb * hb))
     sheared = j1
     if law.size > 0:
-        fa, _ = thickened(law, law[0] * ha, 0)
-        fb, _ = thickened(law, law[0] * hb, 0)
-        j1, j2 = half * (fa / ha + fb / hb), half * (fa / (ha * ha) + fb / (hb * hb))
-        sheared = half * (stirred(law, law[0] * ha) / ha + stirred(law, law[0] * hb) / hb)
+        j1, j2, sheared = turbulent_shear(law, half, ha, hb)
     couette = bearing.speed * sheared * (1.0 - void)
     if full and (p_here > 0.0 or p_behind > 0.0):
         slope = 3.0 * bearing.speed * j1 - 6.0 * flux * j2
@@ -137,3 +133,12 @@ def add_friction(bearing, grid, k, i, law, x, y, weight, flux, full, p_here, p_b
         totals[k, STREAMER_TORQUE] += weight * couette
     totals[k, JOURNAL_TORQUE] += weight * (couette + slope)
     totals[k, BEARING_TORQUE] += weight * (couette - slope)
+
+
+@inner
+def turbulent_shear(law, half, ha, hb):
+    """J_1 and J_2 of a turbulent film, weighted with its effective viscosity, and J_1 with its shear."""
+    fa, _ = thickened(law, law[0] * ha, 0)
+    fb, _ = thickened(law, law[0] * hb, 0)
+    sheared = half * (stirred(law, law[0] * ha) / ha + stirred(law, law[0] * hb) / hb)
+    return half * (fa / ha + fb / hb), half * (fa / (ha * ha) + fb / (hb * hb)), sheared
