@@ -83,7 +83,7 @@ class PadJournalLimits(Part):
     )
     probe_alarm: ProbeTemperature | None = Field(
         None,
-        description="Alarm of a probe in a pad (at probe_fraction of its arc), of films with their own temperatures.",
+        description="Alarm of a probe in a pad, at its probe_fraction, of films with their own temperatures.",
     )
     probe_trip: ProbeTemperature | None = Field(
         None, description="Temperature of such a probe at which the machine is shut down."
