@@ -256,6 +256,19 @@ NAMED_METALS = {
     "materials.journal.name": "X5CrNi18-10",
     "materials.housing.name": "X5CrNi18-10",
 }
+OF_PLATES = {
+    "pad_bending": "beam",
+    "pads.probe_fraction": 0.5,
+    "pads.each.0.probe_fraction": 0.5,
+    "materials.pads.conductivity": "20 W/(m K)",
+    "materials.pads.poisson_ratio": 0.45,
+    "pads.each.0.material": {"elastic_modulus": "100 GPa"},
+    "pads.each.0.material.name": "X5CrNi18-10",
+    "pads.each.0.material.elastic_modulus": "100 GPa",
+    "pads.each.0.material.thermal_expansion": "16e-6 1/K",
+    "pads.each.0.material.conductivity": "20 W/(m K)",
+    "pads.each.0.material.poisson_ratio": 0.45,
+}
 OF_EACH = {
     "extent": "70 deg",
     "width": "60 mm",
@@ -439,6 +452,11 @@ TESTED = {
     "heated pads of the catalogue": (
         HEATED | {"materials": {one: {"name": "C45"} for one in ("pads", "journal", "housing")}}, NAMED_METALS,
     ),
+    "plates": (
+        changed(HEATED | {"pad_bending": "plate"}, "pads.each",
+                [{"material": {"elastic_modulus": "150 GPa"}}, {}, {}, {}]), OF_PLATES,
+    ),
+    "pads of one temperature": (ALIKE, {"turbulence": "ng_pan"}),
     "pads alike": (ALIKE | {"materials": {"bearing_metal": "B83"}},
                    {"pads.number": 3, "materials.load_character": "shock"}),
     "pads by their clearances": (

@@ -173,7 +173,7 @@ class PadCase:
 
     Speed in rad/s, positive counter-clockwise; `load_angle` in rad from +x. With the thermal model `ISOTHERMAL`
     the films have the `effective_temperature` (K), else it is None and found from friction and fresh oil; `heat`
-    counts for films with their own temperatures, whose bores at 75 % of a pad `probe_alarm` and `probe_trip` (K)
+    counts for films with their own temperatures, whose bores at the probes `probe_alarm` and `probe_trip` (K)
     limit. Without `turbulence` films are laminar whatever their Reynolds number.
     `rotor_mass` (kg) is the part of a rotor that this bearing carries, `shaft_stiffness` (N/m) that of the shaft
     between that mass and the journal; None is rigid. `anticipated_cross_coupling` (N/m) drives the whole rotor, on

@@ -10,12 +10,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from babbitt.reynolds._compiling import compiled, inner
+from babbitt.reynolds._compiling import compiled, inlined, inner
 from babbitt.reynolds.lands._grids import film_coefficients
 from babbitt.reynolds.oil._turbulent_oil import stirred, thickened
 
 INFLOW, OUTFLOW, SIDE_FLOW, SIDE_INFLOW, IMBALANCE = range(5)
 JOURNAL_TORQUE, BEARING_TORQUE, STREAMER_TORQUE, TOTALS = range(5, 9)
+SHEARED, J_1, J_2, MEAN_GAP, SHEAR_COLUMNS = range(5)
 
 
 @compiled
@@ -36,6 +37,10 @@ def integrate_land(axial, bearing, grid, k, film, x, y, law, pressure, void, tot
     that of their turbulence or empty."""
     m = len(axial.size)
     n = film.conductance.size
+    shear = np.empty((n, SHEAR_COLUMNS))
+    laminar_shear(grid, k, x, y, shear)
+    if law.size > 0:
+        turbulent_shear(grid, k, x, y, law, shear)
     totals[k, :] = 0.0
     for i in range(n + 1):
         for j in range(m):
@@ -45,8 +50,8 @@ def integrate_land(axial, bearing, grid, k, film, x, y, law, pressure, void, tot
         pressure[k, i, m] = bearing.side_pressure
         void[k, i, m] = 0.0
     for j in range(m):
-        inner_column(axial, bearing, grid, k, j, film, x, y, law, pressure, void, totals)
-    edge_column(axial, bearing, grid, k, film, x, y, law, pressure, void, totals)
+        inner_column(axial, bearing, grid, k, j, film, shear, pressure, void, totals)
+    edge_column(axial, bearing, grid, k, film, shear, pressure, void, totals)
     stored = 0.0
     for i in range(1, n):
         for j in range(m):
@@ -56,7 +61,7 @@ def integrate_land(axial, bearing, grid, k, film, x, y, law, pressure, void, tot
 
 
 @inner
-def inner_column(axial, bearing, grid, k, j, film, x, y, law, pressure, void, totals):
+def inner_column(axial, bearing, grid, k, j, film, shear, pressure, void, totals):
     """Flux and friction along the column of an inner node; the void behind a Reynolds rupture by continuity."""
     n = film.conductance.size
     weight = axial.root_weights[j] ** 2
@@ -72,13 +77,13 @@ def inner_column(axial, bearing, grid, k, j, film, x, y, law, pressure, void, to
             flux += film.conductance[i] * (pressure[k, i, j] - pressure[k, i + 1, j])
         if i == 0:
             totals[k, INFLOW] += weight * flux
-        add_friction(bearing, grid, k, i, law, x, y, weight, flux, here, pressure[k, i, j], pressure[k, i + 1, j],
+        add_friction(bearing, k, i, shear, weight, flux, here, pressure[k, i, j], pressure[k, i + 1, j],
                      void[k, i, j], totals)  # fmt: skip
     totals[k, OUTFLOW] += weight * flux
 
 
 @inner
-def edge_column(axial, bearing, grid, k, film, x, y, law, pressure, void, totals):
+def edge_column(axial, bearing, grid, k, film, shear, pressure, void, totals):
     """Side flow: what the row of the edge node can neither pass on nor store.
 
     With the liquid fraction phi, w (Q_i + S_i) phi + side flow = w q_i-1 - kappa H_i (K p)_edge. Of what arrives,
@@ -105,35 +110,48 @@ def edge_column(axial, bearing, grid, k, film, x, y, law, pressure, void, totals
             flux = liquid * film.couette[i]
             totals[k, SIDE_FLOW] += arriving - liquid * room
             totals[k, SIDE_INFLOW] += max(liquid * room - arriving, 0.0)
-        add_friction(bearing, grid, k, i, law, x, y, weight, flux, i == 0, 0.0, 0.0, void[k, i, m], totals)
+        add_friction(bearing, k, i, shear, weight, flux, i == 0, 0.0, 0.0, void[k, i, m], totals)
     totals[k, OUTFLOW] += weight * flux
 
 
 @inner
-def add_friction(bearing, grid, k, i, law, x, y, weight, flux, full, p_here, p_behind, void, totals):
+def add_friction(bearing, k, i, shear, weight, flux, full, p_here, p_behind, void, totals):
     """Shear of one interval of one column: Couette part with the liquid fraction, and +- (h/2) dp/dtheta; the part
     of streamers apart from both torques, too.
 
-    In a full interval dp/dtheta = 12 (h/2 - q)/h^3 integrates exactly to 3 J_1 - 6 q J_2. In a turbulent one the
-    shear and dp/dtheta have factors of their own.
+    In a full interval dp/dtheta = 12 (h/2 - q)/h^3 integrates exactly to 3 J_1 - 6 q J_2.
     """
-    half = 0.5 * grid.step[k, i]
-    ha = grid.gap_a[k, i] - x * grid.cos_a[k, i] - y * grid.sin_a[k, i]
-    hb = grid.gap_b[k, i] - x * grid.cos_b[k, i] - y * grid.sin_b[k, i]
-    j1 = half * (1.0 / ha + 1.0 / hb)
-    j2 = half * (1.0 / (ha * ha) + 1.0 / (hb * hb))
-    sheared = j1
-    if law.size > 0:
-        fa, _ = thickened(law, law[0] * ha, 0)
-        fb, _ = thickened(law, law[0] * hb, 0)
-        j1, j2 = half * (fa / ha + fb / hb), half * (fa / (ha * ha) + fb / (hb * hb))
-        sheared = half * (stirred(law, law[0] * ha) / ha + stirred(law, law[0] * hb) / hb)
-    couette = bearing.speed * sheared * (1.0 - void)
+    couette = bearing.speed * shear[i, SHEARED] * (1.0 - void)
     if full and (p_here > 0.0 or p_behind > 0.0):
-        slope = 3.0 * bearing.speed * j1 - 6.0 * flux * j2
+        slope = 3.0 * bearing.speed * shear[i, J_1] - 6.0 * flux * shear[i, J_2]
     else:
-        slope = 0.25 * (ha + hb) * (p_behind - p_here)
+        slope = 0.5 * shear[i, MEAN_GAP] * (p_behind - p_here)
     if void > 0.0:
         totals[k, STREAMER_TORQUE] += weight * couette
     totals[k, JOURNAL_TORQUE] += weight * (couette + slope)
     totals[k, BEARING_TORQUE] += weight * (couette - slope)
+
+
+@inlined
+def laminar_shear(grid, k, x, y, shear):
+    """Integrals of every interval by its two Gauss points: J_1, J_2, that of the shear, and the mean gap."""
+    for i in range(shear.shape[0]):
+        half = 0.5 * grid.step[k, i]
+        ha = grid.gap_a[k, i] - x * grid.cos_a[k, i] - y * grid.sin_a[k, i]
+        hb = grid.gap_b[k, i] - x * grid.cos_b[k, i] - y * grid.sin_b[k, i]
+        shear[i, J_1] = shear[i, SHEARED] = half * (1.0 / ha + 1.0 / hb)
+        shear[i, J_2] = half * (1.0 / (ha * ha) + 1.0 / (hb * hb))
+        shear[i, MEAN_GAP] = 0.5 * (ha + hb)
+
+
+@inner
+def turbulent_shear(grid, k, x, y, law, shear):
+    """The same of a turbulent film: J_1 and J_2 with its effective viscosity, the shear with a law of its own."""
+    for i in range(shear.shape[0]):
+        half = 0.5 * grid.step[k, i]
+        ha = grid.gap_a[k, i] - x * grid.cos_a[k, i] - y * grid.sin_a[k, i]
+        hb = grid.gap_b[k, i] - x * grid.cos_b[k, i] - y * grid.sin_b[k, i]
+        fa, _ = thickened(law, law[0] * ha, 0)
+        fb, _ = thickened(law, law[0] * hb, 0)
+        shear[i, J_1], shear[i, J_2] = half * (fa / ha + fb / hb), half * (fa / (ha * ha) + fb / (hb * hb))
+        shear[i, SHEARED] = half * (stirred(law, law[0] * ha) / ha + stirred(law, law[0] * hb) / hb)

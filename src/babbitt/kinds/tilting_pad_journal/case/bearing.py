@@ -74,7 +74,8 @@ class PadJournalLimits(FilmLimitsInput):
         None, description="Least permissible log decrement of the rotor. 0.1 if not given."
     )
     probe_alarm: ProbeTemperature | None = Field(
-        None, description="Alarm of a probe in a pad at 75 % of its arc, of films with their own temperatures."
+        None,
+        description="Alarm of a probe in a pad, at its probe_fraction, of films with their own temperatures.",
     )
     probe_trip: ProbeTemperature | None = Field(
         None, description="Temperature of such a probe at which the machine is shut down."
