@@ -1,4 +1,4 @@
-"""The command line: solve, check, compare, sweep, study, export, upgrade, new, schema, validate, list, explain, cite."""
+"""The command line: solve, check, compare, sweep, study, export, upgrade, new, schema, validate, list, ...."""
 
 from __future__ import annotations
 
