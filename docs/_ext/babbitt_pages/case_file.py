@@ -229,6 +229,11 @@ def _type(described: Schema, known: dict[str, Section]) -> str:
         return _alternatives(branches, known)
     if core.get("type") == "array":
         return _list(core, known)
+    if core.get("type") == "object":
+        inner = core.get("additionalProperties")
+        return f"mapping from paths to {_type(inner, known) if isinstance(inner, dict) else 'values'}"
+    if "type" not in core:
+        return "any value of the field"
     return {"string": "text", "integer": "whole number", "number": "number", "boolean": "`true` or `false`"}[
         core["type"]
     ]
