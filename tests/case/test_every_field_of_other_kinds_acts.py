@@ -235,6 +235,7 @@ OF_HEATED_PADS = {
     "walls.journal.ambient_temperature": "20 degC",
     "walls": {"pads": {}},
     "deformation": ["growth"],
+    "assumption_sensitivity": True,
     "reference_temperature": "30 degC",
     "materials.pads": "C45",
     "materials.pads.name": "42CrMo4",

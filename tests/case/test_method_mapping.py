@@ -36,6 +36,8 @@ VALUES = {
     "speed_reduction": [0.5],
     "radial_temperature": ["resolved"],
     "deformation": [["bending"]],
+    "pad_bending": ["plate"],
+    "assumption_sensitivity": [True, False],
 }
 """By the name of a choice, values of it; the first is not what holds where none is given."""
 
@@ -62,6 +64,8 @@ OTHERS = {
     "speed_reduction": 0.1,
     "radial_temperature": "mean",
     "deformation": ["growth", "bending"],
+    "pad_bending": "beam",
+    "assumption_sensitivity": False,
 }
 """By the name of a choice, a value other than the first above."""
 
@@ -71,6 +75,8 @@ WITH = {
     "temperature_coefficients": {"thermal": "adiabatic"},
     "radial_temperature": {"thermal": "adiabatic"},
     "deformation": {"thermal": "full"},
+    "pad_bending": {"thermal": "full", "deformation": ["bending"]},
+    "assumption_sensitivity": {"thermal": "full"},
 }
 """By the name of a choice, another without which it says nothing."""
 

@@ -85,7 +85,7 @@ VALUES = {
     "nusselt": {"coefficient": 7.5, "exponent": 0}, "discretisation": "published_mean", "exchange_zone": "film",
     "friction_viscosity": "mixed", "face_outlet": "printed", "backflow_viscosity": "groove",
     "local_loss_coefficient": 1, "speed_reduction": 0.5, "radial_temperature": "mean",
-    "deformation": ["bending"],
+    "deformation": ["bending"], "pad_bending": "plate", "assumption_sensitivity": True,
 }  # fmt: skip
 
 
@@ -102,8 +102,10 @@ def test_every_choice_moves(kind, method, name, path, flow, tmp_path):
     given.pop("method", None)
     if name in ("axial_temperature", "carry_over", "temperature_coefficients", "radial_temperature"):
         given["thermal"] = "adiabatic"
-    if name == "deformation":
+    if name in ("deformation", "pad_bending", "assumption_sensitivity"):
         given |= {"thermal": "full", "walls": {"pads": {}}, "materials": {"pads": "C45"}}
+    if name == "pad_bending":
+        given["deformation"] = ["bending"]
     given = with_value({**given, "method": method}, path, VALUES[name])
     old = yaml.safe_dump(given, sort_keys=False, default_flow_style=flow)
     made = upgrade_of(old, tmp_path)

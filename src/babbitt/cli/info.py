@@ -95,15 +95,9 @@ def list_(
 
 
 @app.command()
-<<<<<<< HEAD:src/babbitt/cli/info.py
-def explain(code: Annotated[str, typer.Argument(metavar="CODE", help="Such as W101 or C104.")]) -> None:
-    """Explain a code of an error, warning or check, and what to do about it."""
-    from babbitt.api.catalogue import explain as explained
-=======
 def explain(codes: Annotated[list[str], typer.Argument(metavar="CODE...", help="Such as W101 or C104.")]) -> None:
     """Explain codes of errors, warnings or checks, and what to do about them."""
-    from babbitt.api.on_board import explain as explained
->>>>>>> h17b:src/babbitt/cli/telling.py
+    from babbitt.api.catalogue import explain as explained
 
     found = {code.strip().upper(): explained(code) for code in codes}
     said = (f"{code}  {one.title}\n\n{one.meaning}\n\nWhat to do: {one.remedy}" for code, one in found.items())
