@@ -35,6 +35,7 @@ from babbitt.core.result import Outcome
 from babbitt.core.units import KINDS as UNIT_KINDS
 from babbitt.kinds.hydrostatic.report.words import HYDROSTATIC_WORDS
 from babbitt.kinds.journal.iso7902.model import Curves, Friction
+from babbitt.kinds.shaft.report.words import SHAFT_WORDS
 from babbitt.properties.lubricants import catalogue
 from babbitt.properties.materials import bearing_metals, structural_materials
 from babbitt.report.export import to_json
@@ -118,6 +119,7 @@ ONE_SYMBOL = (
 
 LOCAL = {name: one for name, one in VOCABULARY.items() if name not in QUANTITIES}
 RECESSED = {one.name: one for one in HYDROSTATIC_WORDS}
+OF_SHAFTS = {one.name for one in SHAFT_WORDS}
 
 
 @pytest.mark.parametrize(
@@ -125,15 +127,16 @@ RECESSED = {one.name: one for one in HYDROSTATIC_WORDS}
     [
         QUANTITIES.values(),
         [*HYDROSTATICS, *RECESSED.values()],
-        [*JOURNAL, *(one for name, one in LOCAL.items() if name not in RECESSED and name not in OF_HEELS)],
+        [*JOURNAL, *(one for name, one in LOCAL.items() if name not in {*RECESSED, *OF_SHAFTS, *OF_HEELS})],
         [*FOOTSTEP, *(LOCAL[name] for name in OF_HEELS)],
+        SHAFT_WORDS,
     ],
-    ids=["results", "recessed bearings", "journals by the standard", "footsteps"],
+    ids=["results", "recessed bearings", "journals by the standard", "footsteps", "shafts"],
 )
 def test_no_symbol_has_two_meanings(shown: Iterable[Quantity]) -> None:
     names: dict[str, set[str]] = {}
     for one in shown:
-        names.setdefault(one.symbol, set()).add(one.name)
+        names.setdefault(one.symbol, set()).add(one.name.removeprefix("sensitivity_of_"))
     several = {symbol: same for symbol, same in names.items() if len(same) > 1}
     assert not {symbol: same for symbol, same in several.items() if same not in ONE_SYMBOL}
 

@@ -183,7 +183,9 @@ def test_a_pocket_that_presses_with_a_tenth_of_the_load_is_questioned():
 
 @pytest.mark.parametrize(("pressure", "code"), [(9.9, "W192"), (10.1, "W198")])
 def test_a_hole_at_six_times_the_specific_load_leaves_no_verdict(pressure, code):
-    hole = FAN.replace("{kind: pocket, width: 42 mm, place: both_sides}", "{kind: hole, diameter: 8 mm, place: side}")
+    hole = FAN.replace(
+        "{kind: pocket, width: 42 mm, place: both_sides}", "{kind: hole, diameter: 8 mm, place: side}"
+    )
     found = solved(hole.replace("0.2 MPa", f"{pressure} MPa"))
     assert [one.code for one in found.warnings if one.code in ("W192", "W198")] == [code]
 

@@ -29,7 +29,7 @@ def study(
     words: Annotated[
         list[str],
         typer.Argument(
-            metavar="FILE | show NAME.study",
+            metavar="FILE or show NAME.study",
             help="A case file with a study, or a file with study and case; show: a study that is stored.",
         ),
     ],

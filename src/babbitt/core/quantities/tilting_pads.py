@@ -133,7 +133,7 @@ TILTING_PADS: tuple[Quantity, ...] = (
         "Speed rad/s, log decrement without and with the anticipated cross-coupling, both by synchronously "
         "reduced coefficients",
     ),
-    quantity("assumed_carry_over", "λ", "1", "", 3, "Carry-over: less, as assumed, more"),
+    quantity("assumed_carry_over", "λ_a", "1", "", 3, "Carry-over: less, as assumed, more"),
     quantity(
         "assumed_back_coefficient", "h_b", "W/(m2 K)", "", 3, "Heat transfer on the backs: less, as assumed, more"
     ),
