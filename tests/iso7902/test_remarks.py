@@ -183,7 +183,9 @@ def test_a_pocket_that_presses_with_a_tenth_of_the_load_is_questioned():
 
 @pytest.mark.parametrize(("pressure", "code"), [(9.9, "W192"), (10.1, "W198")])
 def test_a_hole_at_six_times_the_specific_load_leaves_no_verdict(pressure, code):
-    hole = FAN.replace("{kind: pocket, width: 42 mm, place: both_sides}", "{kind: hole, diameter: 8 mm, place: side}")
+    hole = FAN.replace(
+        "{kind: pocket, width: 42 mm, place: both_sides}", "{kind: hole, diameter: 8 mm, place: side}"
+    )
     found = solved(hole.replace("0.2 MPa", f"{pressure} MPa"))
     assert [one.code for one in found.warnings if one.code in ("W192", "W198")] == [code]
 
@@ -239,7 +241,7 @@ def test_oil_pressed_through_the_unloaded_gap_is_not_counted_as_cooling(text):
 
 @pytest.mark.parametrize(("temperature", "thinner"), [(320.0, 2.0), (341.0, 1.0), (400.0, 1.0)])
 def test_thickness_and_reynolds_number_go_with_the_viscosity_of_the_loaded_film(temperature, thinner):
-    """The loaded film is at 313.15 K and 2.1 K times the root of 100 MPa m/s, or as warm as the one temperature."""
+    """The loaded film is at 313.15 K and 2.1 K times the root of 100 MPa m/s, or as warm as the one."""
 
     def viscosity(kelvin):
         return 0.02 if kelvin < 334.0 else 0.01

@@ -316,7 +316,7 @@ def _warnings_about_holes(case: FilmCase, state: FilmState) -> Iterator[Notice]:
 
 
 def _pressed(case: FilmCase, state: FilmState) -> bool:
-    """Whether oil is pressed through a supply, by pressure or as a flow, or the film is one that is fed nowhere."""
+    """Whether oil is pressed through a supply, by pressure or as a flow, or the film is fed nowhere."""
     supply, feed = case.oil_supply, state.feed
     fed = [hollow for hollow in case.bearing.hollows if not hollow.is_closed]
     if not fed or supply is None or supply.flow is not None or feed is None or feed.limit is not None:
