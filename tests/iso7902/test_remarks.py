@@ -241,7 +241,7 @@ def test_oil_pressed_through_the_unloaded_gap_is_not_counted_as_cooling(text):
 
 @pytest.mark.parametrize(("temperature", "thinner"), [(320.0, 2.0), (341.0, 1.0), (400.0, 1.0)])
 def test_thickness_and_reynolds_number_go_with_the_viscosity_of_the_loaded_film(temperature, thinner):
-    """The loaded film is at 313.15 K and 2.1 K times the root of 100 MPa m/s, or as warm as the one temperature."""
+    """The loaded film is at 313.15 K and 2.1 K times the root of 100 MPa m/s, or as warm as the one."""
 
     def viscosity(kelvin):
         return 0.02 if kelvin < 334.0 else 0.01

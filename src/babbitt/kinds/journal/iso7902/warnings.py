@@ -55,9 +55,9 @@ opposite the load are 5 % thinner at half the specific load, with one of 60 deg 
 OVERRIDING_PRESSURE, OVERRIDING_FORCE = 6.0, 0.5
 """The same two shares from which the supply leaves no verdict (W198; assumptions).
 
-What the standard leaves out is there a quarter of the film thickness: with films of one temperature a hole opposite
-the load takes 17 to 33 % at 4 to 8 times the specific load, a pocket of 60 deg 26 to 35 % at 0.46 to 0.7 of the load
-(docs/theory/supply.md). Margins that other remarks ask for do not cover that as well."""
+What the standard leaves out is there a quarter of the film thickness: in films of one temperature a hole opposite
+the load takes 17 to 33 % at 4 to 8 times the specific load, a pocket of 60 deg 26 to 35 % at 0.46 to 0.7 of the
+load (docs/theory/supply.md). Margins that other remarks ask for do not cover that as well."""
 
 REPORTED_HEATING = 1.0
 """K by which throttling warms the oil, from which it is reported."""
