@@ -464,7 +464,7 @@ def test_pockets_on_one_pressure_let_the_shaft_roll():
 
 def test_restrictors_that_no_one_gave_are_told_as_assumed():
     single = template("jacking_pocket")
-    two = single.replace("pockets: {number: 1", "pockets: {number: 2")
+    two = single.replace("{number: 1, extent: 16 deg}", "{number: 2, extent: 12 deg, angles: [-110 deg, -70 deg]}")
     one, told, silent = (parse_case(text).design() for text in (single, two, f"{two}\nown_restrictors: true\n"))
     assert [found.code for found in told.warnings] == ["W329"]
     assert told.warnings[0].effect is Effect.INFORMATION
