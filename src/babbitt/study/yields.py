@@ -250,7 +250,7 @@ def _worst(columns: Columns) -> dict[str, Any] | None:
 def _tornados(
     own: Columns, inputs: Sequence[dict[str, Any]], outputs: Sequence[str]
 ) -> dict[str, dict[str, float]]:
-    """By output and input squared rank correlations with the sign of the correlation; NaN where one is constant."""
+    """By output and input squared rank correlations with their sign; NaN where one of both is constant."""
     paths = [one["path"] for one in inputs if "values" not in one]
     whole = {path: _ranks(own[path]) for path in paths}
     made = {}
