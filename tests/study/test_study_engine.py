@@ -174,13 +174,13 @@ def test_a_disk_that_is_full_leaves_what_was_stored(single_sliders, tmp_path, mo
     from babbitt.core.files import writing
 
     made = with_chunks(tolerance(), 16)
-    beside, calls = writing._write_beside, []
+    write, calls = writing._write_beside, []
 
     def full(target, named, content):
         calls.append(target)
         if len(calls) == 4:  # the description, two chunks, then nothing more
             raise writing._cannot_write(named, OSError(28, "No space left on device"))
-        return beside(target, named, content)
+        return write(target, named, content)
 
     monkeypatch.setattr(writing, "_write_beside", full)
     with pytest.raises(InputError, match="No space left on device; the finished chunks are kept") as told:

@@ -443,15 +443,6 @@ class OverhungCoupling(Case, OverhungCouplingCase):
         source: str | None = ...,
     ) -> None: ...
 
-class OfAnotherPackage(Case):
-    model: ClassVar[type[CaseFile]]
-    default_name: ClassVar[str]
-    def __init__(
-        self,
-        *,
-        babbitt: Literal[1] | Enum | None = ...,
-    ) -> None: ...
-
 PUBLIC: Mapping[type[CaseFile], type[Case]]
 
 def public_case(case: CaseFile) -> CaseFile: ...

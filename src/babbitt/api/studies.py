@@ -21,6 +21,7 @@ from babbitt.core.optional_package import how_to_install, optional_package
 from babbitt.core.result import Verdict
 from babbitt.core.units import AS_WRITTEN, KINDS, SiField
 from babbitt.study import study as engine
+from babbitt.study.engine import InterruptedStudyError
 from babbitt.study.indices import Indices, indices_of
 from babbitt.study.inputs import path_in
 from babbitt.study.optimum import Optimum, optimum_of
@@ -175,7 +176,10 @@ def studied(
     block = _block(complete, kind, vary, outputs, samples, options)
     made = engine.plan(complete, block)
     folder = None if out is None else Path(out)
-    found = engine.run_study(made, workers=_workers(workers), folder=folder)
+    try:
+        found = engine.run_study(made, workers=_workers(workers), folder=folder)
+    except InterruptedStudyError as error:
+        raise KeyboardInterrupt(str(error)) from None
     engine.write_designs(found)
     return Study(found, type(case).of)
 

@@ -73,7 +73,7 @@ def load_case_or_study(path: str | FilePath, reach: Reach = Reach.FOLDER) -> Stu
 
 
 def _mapping_in(path: FilePath) -> dict[str, object]:
-    """What stands in a file; nothing where it holds no mapping, which is told where it is read as a case."""
+    """What stands in a file; nothing where it holds no mapping, which is reported where it is read as a case."""
     given = read_tree(text_of(path), printable(path)).plain()
     return given if isinstance(given, dict) else {}
 

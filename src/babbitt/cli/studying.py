@@ -93,16 +93,20 @@ def _computed(
     require_study_outputs(dict.fromkeys(read.files, "an input of the run"), *outputs)
     made = plan(case, block)
     count = workers or os.cpu_count() or 1
-    work = made.rows * made.seconds_a_row / count
-    if out is None and work > LONG:
-        said = f"about {work / 60.0:.0f} minutes of work; with --out NAME.study what is finished is kept"
+    if out is None and made.work / count > LONG:
+        said = (
+            f"about {made.work / count / 60.0:.0f} minutes of work; with --out NAME.study what is finished is kept"
+        )
         print(f"{printable(file)}: {said}", file=sys.stderr)
     try:
         with raised_interrupts(), StudyProgress(f"{case.name}: {block.kind}") as watch:
-            found = run_study(made, workers=_hands(scheduler) or count, folder=out, watch=watch)
+            found = run_study(made, workers=_hands(scheduler) or made.hands(count), folder=out, watch=watch)
     except InterruptedStudyError as error:
         kept = f"kept in {printable(out)}; the same command goes on" if out is not None else "lost, without --out"
         print(f"interrupted: {error}, {kept}", file=sys.stderr)
+        raise typer.Exit(INTERRUPTED) from None
+    except KeyboardInterrupt:  # between two chunks
+        print("interrupted", file=sys.stderr)
         raise typer.Exit(INTERRUPTED) from None
     write_designs(found)
     return found

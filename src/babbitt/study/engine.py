@@ -1,4 +1,4 @@
-"""From rows to answers: chunks, workers, the store, and what is told meanwhile."""
+"""From rows to answers: chunks, workers, the store, progress."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ LISTENING = 0.2
 
 
 class Watch(Protocol):
-    """What is told while a study is computed."""
+    """What follows the progress of a study."""
 
     def begins(self, rows: int) -> None:
         """So many more rows are to be computed."""
@@ -213,9 +213,8 @@ def _require_same(rows: Columns, found: Columns, task: RowTask) -> None:
         raise InputError("E007", f"{says}; choose another --out, or delete the folder")
 
 
-def timed(task: RowTask, rows: Columns) -> tuple[Columns, float]:
-    """Answer one row twice, and give the seconds of the second time, when everything is compiled."""
-    found = solved_rows(task, rows)
+def timed(task: RowTask, rows: Columns) -> float:
+    """Seconds of a row, which was answered before, so that everything is compiled."""
     begin = time.perf_counter()
     solved_rows(task, rows)
-    return found, time.perf_counter() - begin
+    return time.perf_counter() - begin

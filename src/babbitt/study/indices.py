@@ -69,7 +69,7 @@ def _problem(inputs: Sequence[Input]) -> dict[str, Any]:
 
 @dataclass(frozen=True)
 class Indices:
-    """Sobol indices of one output of one bearing, by input; half widths of 95 % intervals beside them.
+    """Sobol indices of one output of one bearing, by input, with half widths of 95 % intervals.
 
     Attributes
     ----------
@@ -94,7 +94,7 @@ class Indices:
 def indices_of(study: Study) -> tuple[Indices, ...]:
     """First and total Sobol indices of all outputs (Saltelli 2010, Jansen 1999, by SALib).
 
-    Base samples of which one row has no solution are left out, which is told by `Indices.used`.
+    Base samples of which one row has no solution are left out; `Indices.used` counts the others.
     """
     analyse = _salib("SALib.analyze.sobol").analyze
     paths = tuple(one["path"] for one in study.inputs)

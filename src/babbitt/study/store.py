@@ -1,8 +1,8 @@
 """The folder of a study: what was asked, and the chunks that are finished, each whole or not there.
 
 ``name.study/study.json`` tells the case and the plan; ``name.study/chunks/part-000123.parquet`` holds the rows of
-a chunk. A chunk is written beside its place, brought to disk, and renamed. Whoever writes holds a lock that the
-system drops with the process.
+a chunk. A chunk is written under a temporary name, brought to disk, and renamed. Whoever writes holds a lock that
+the system drops with the process.
 """
 
 from __future__ import annotations

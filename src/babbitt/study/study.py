@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -76,6 +75,15 @@ class Plan:
     rows: int
     seconds_a_row: float
     checks: tuple[dict[str, Any], ...]
+
+    @property
+    def work(self) -> float:
+        """Seconds that one process would take, about."""
+        return self.rows * self.seconds_a_row
+
+    def hands(self, count: int) -> Workers:
+        """So many processes, or this one where starting them takes as long as the work."""
+        return Alone() if self.work < SHORT else Processes(min(count, self.rows))
 
     @property
     def description(self) -> dict[str, Any]:
@@ -182,7 +190,7 @@ def plan(case: CaseFile, block: StudyBlock) -> Plan:
     )
     task = RowTask(task.kind, task.given, task.file, task.reach, inputs, outputs, tuple(checks))
     values, groups = grids.nominal(inputs)
-    _, seconds = timed(task, {"row": np.array([0]), "group": groups, **values})
+    seconds = timed(task, {"row": np.array([0]), "group": groups, **values})
     return Plan(case, block, task, rows, seconds, told)
 
 
@@ -260,7 +268,7 @@ def run_study(
     folder : Path, optional
         Where finished chunks are kept; what stands there of the same study is not computed again.
     watch : Watch, optional
-        What is told meanwhile.
+        Follows the progress.
 
     Raises
     ------
@@ -347,8 +355,7 @@ def _workers(workers: int | Workers, made: Plan) -> Workers:
         return workers
     if workers < 1:
         raise InputError("E005", f"workers is {workers}; give 1 or more")
-    work = made.rows * made.seconds_a_row
-    return Alone() if workers == 1 or work < SHORT else Processes(min(workers, os.cpu_count() or 1, made.rows))
+    return Alone() if workers == 1 else made.hands(workers)
 
 
 def _grid(made: Plan, engine: Engine) -> Columns:

@@ -150,8 +150,8 @@ def tolerance_summary(study: Study) -> ToleranceSummary:
         own = {name: column[sample["bearing"] == bearing] for name, column in sample.items()}
         spreads += [_spread(own, bearing, output) for output in study.outputs]
         capabilities += _capabilities(own, bearing)
-        for output in (*study.outputs, "margin"):
-            tornado[bearing, output] = _tornado(own, study.inputs, output)
+        for output, shares in _tornados(own, study.inputs, (*study.outputs, "margin")).items():
+            tornado[bearing, output] = shares
     capabilities.sort(key=lambda one: (-one.failures, one.cpk if math.isfinite(one.cpk) else math.inf))
     return ToleranceSummary(
         tuple(yields),
@@ -247,16 +247,31 @@ def _worst(columns: Columns) -> dict[str, Any] | None:
     return {name: column[place] for name, column in columns.items()}
 
 
-def _tornado(own: Columns, inputs: Sequence[dict[str, Any]], output: str) -> dict[str, float]:
-    """Squared rank correlations with the sign of the correlation; NaN of what does not vary."""
-    values = own[output]
-    known = np.isfinite(values)
+def _tornados(
+    own: Columns, inputs: Sequence[dict[str, Any]], outputs: Sequence[str]
+) -> dict[str, dict[str, float]]:
+    """By output and input squared rank correlations with their sign; NaN where one of both is constant."""
+    paths = [one["path"] for one in inputs if "values" not in one]
+    whole = {path: _ranks(own[path]) for path in paths}
     made = {}
-    for one in inputs:
-        if "values" in one:
-            continue
-        given = own[one["path"]][known]
-        varies = given.size > 2 and np.ptp(given) > 0.0 and np.ptp(values[known]) > 0.0
-        rho = float(stats.spearmanr(given, values[known]).statistic) if varies else math.nan
-        made[one["path"]] = math.copysign(rho * rho, rho)
+    for output in outputs:
+        known = np.isfinite(own[output])
+        ranks = _ranks(own[output][known])
+        given = whole if known.all() else {path: _ranks(own[path][known]) for path in paths}
+        made[output] = {path: _signed_square(given[path], ranks) for path in paths}
     return made
+
+
+def _ranks(values: Array) -> Array:
+    """Ranks about their mean, ties sharing theirs, as a vector of length one; zeros of what does not vary."""
+    ranks = stats.rankdata(values) - 0.5 * (values.size + 1)
+    length = float(np.linalg.norm(ranks))
+    return np.asarray(ranks / length if length > 0.0 else ranks)
+
+
+def _signed_square(one: Array, other: Array) -> float:
+    """Square of the correlation of two vectors of length one, with its sign (Spearman 1904)."""
+    if not one.any() or not other.any():
+        return math.nan
+    rho = float(one @ other)
+    return math.copysign(rho * rho, rho)
