@@ -133,13 +133,20 @@ TILTING_PADS: tuple[Quantity, ...] = (
         "Speed rad/s, log decrement without and with the anticipated cross-coupling, both by synchronously "
         "reduced coefficients",
     ),
-    quantity("assumed_carry_over", "λ_a", "1", "", 3, "Carry-over: less, as assumed, more"),
+    quantity("assumed_carry_over", "λ_c", "1", "", 3, "Carry-over: less, as assumed, more"),
     quantity(
         "assumed_back_coefficient", "h_b", "W/(m2 K)", "", 3, "Heat transfer on the backs: less, as assumed, more"
     ),
     quantity("assumed_housing_temperature", "T_h", "K", "degC", 4, "Housing: colder, as assumed, warmer"),
     *(
-        quantity(f"sensitivity_of_{name}", symbol, unit, shown, 4, f"{what} with less and more of what is assumed")
+        quantity(
+            f"sensitivity_of_{name}",
+            f"{symbol}(a)",
+            unit,
+            shown,
+            4,
+            f"{what} with less and more of what is assumed",
+        )
         for name, symbol, unit, shown, what in (
             ("maximum_temperature", "T_max", "K", "degC", "Highest temperature of films and bores"),
             ("effective_temperature", "T_eff", "K", "degC", "Mean temperature of the films"),
