@@ -10,7 +10,7 @@ from babbitt.core.result import Outcome
 from babbitt.design.heat_balance import NoFilmError
 from babbitt.kinds.journal.grooved_long_bearing.model import AngleOrigin
 from babbitt.kinds.journal.grooved_long_bearing.solve import film_at_eccentricity, film_under_load
-from babbitt.kinds.journal.grooved_long_bearing.ungrooved_reference import beside
+from babbitt.kinds.journal.grooved_long_bearing.ungrooved_reference import ungrooved_films
 from babbitt.validation.published.grooved_segments import film
 
 LOAD = 6.5e6 * 0.1 * 0.07
@@ -51,7 +51,7 @@ def test_published_angle_lies_behind_the_load_line_at_the_published_load():
 
 def test_ungrooved_films_under_load_are_cut_at_the_place_in_the_bush():
     asked = in_bush("through", -20.0)
-    found = beside(asked, film_under_load(asked, LOAD))
+    found = ungrooved_films(asked, film_under_load(asked, LOAD))
     assert math.degrees(found.cut_same_load.groove_angle_from_load) == pytest.approx(-20.0, abs=1e-4)
     assert found.cut_same_gap.film.groove.angle == film_under_load(asked, LOAD).film.groove.angle
 

@@ -13,7 +13,7 @@ from babbitt.design.heat_balance import NoFilmError
 from babbitt.kinds.journal.grooved_long_bearing.model import Groove, GrooveKind
 from babbitt.kinds.journal.grooved_long_bearing.pressure import Gap, Grid
 from babbitt.kinds.journal.grooved_long_bearing.solve import film_at_eccentricity, film_under_load
-from babbitt.kinds.journal.grooved_long_bearing.ungrooved_reference import beside
+from babbitt.kinds.journal.grooved_long_bearing.ungrooved_reference import ungrooved_films
 from babbitt.validation.published.grooved_segments import film, loaded, oil, solved
 
 ZERO = 273.15
@@ -132,7 +132,7 @@ def test_under_equal_load_the_groove_heats(angle, eccentricity, outlet):
 
 
 def test_both_comparisons_are_made():
-    found = beside(film("through", 150), loaded("through", 150))
+    found = ungrooved_films(film("through", 150), loaded("through", 150))
     assert found.same_gap.eccentricity_ratio == loaded("through", 150).eccentricity_ratio
     assert found.same_load.load == pytest.approx(LOAD, rel=1e-4)
     assert found.cut_same_load.outlet_temperature < found.same_load.outlet_temperature

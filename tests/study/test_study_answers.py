@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 import pytest
-from journal_cases import block, journal
+from studied_cases import block, journal
 from scipy import stats
 from slider_cases import slider
 

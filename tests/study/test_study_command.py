@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import yaml
-from journal_cases import JOURNAL
+from studied_cases import JOURNAL
 
 import babbitt
 

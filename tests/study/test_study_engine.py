@@ -8,7 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from journal_cases import block, journal
+from studied_cases import block, journal
 from slider_cases import many_sliders, slider
 
 from babbitt.core.notices import InputError

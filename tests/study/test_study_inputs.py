@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from journal_cases import JOURNAL, block, journal
+from studied_cases import JOURNAL, block, journal
 
 from babbitt import load_case, parse_case
 from babbitt.case.loading import case_from_dict

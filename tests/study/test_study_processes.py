@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import yaml
-from journal_cases import JOURNAL, block, journal
+from studied_cases import JOURNAL, block, journal
 from test_study_engine import same, with_chunks
 
 from babbitt.study.study import open_study, plan, run_study
