@@ -122,7 +122,8 @@ class PadBatch:
         if not len(known):
             none = np.full(values.shape[1:], math.nan)
             return Band(none, none, none, 0)
-        return Band(known.mean(axis=0), *np.quantile(known, (low, high), axis=0), len(known))
+        below, above = np.quantile(known, (low, high), axis=0)
+        return Band(known.mean(axis=0), below, above, len(known))
 
     def __repr__(self) -> str:
         shapes = ", ".join(f"{name} {getattr(self, name).shape}" for name in NUMBERS)
