@@ -6,9 +6,9 @@ import math
 
 import numpy as np
 import pytest
-from studied_cases import block, journal
 from scipy import stats
 from slider_cases import slider
+from studied_cases import block, journal
 
 from babbitt.study.indices import indices_of, slopes_of
 from babbitt.study.inputs import inputs_of

@@ -8,8 +8,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from studied_cases import block, journal
 from slider_cases import many_sliders, slider
+from studied_cases import block, journal
 
 from babbitt.core.notices import InputError
 from babbitt.study.engine import Engine, InterruptedStudyError, NoWatch

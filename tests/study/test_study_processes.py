@@ -6,8 +6,8 @@ import os
 import signal
 import subprocess
 import sys
-import time
 from pathlib import Path
+from threading import Event
 
 import numpy as np
 import pytest
@@ -91,7 +91,7 @@ def _chunks(folder: Path) -> list[Path]:
 
 def _wait_for_chunks(folder: Path, count: int, process: subprocess.Popen) -> None:
     while len(_chunks(folder)) < count and process.poll() is None:
-        time.sleep(0.01)
+        Event().wait(0.01)
 
 
 def test_a_study_that_is_killed_goes_on_to_the_table_of_an_undisturbed_one(tmp_path):

@@ -120,7 +120,7 @@ def test_temperatures_are_drawn_and_tabulated(model):
     (drawn,) = (one for one in view.figures(found, "svg") if one.name == "pad-temperatures")
     assert drawn.image.startswith(b"<?xml")
     (table,) = (one for one in view.tables(found.result) if one["title"] == "Temperatures of the pads")
-    assert len(table["columns"]) == (5 if model == "A" else 9)
+    assert len(table["columns"]) == (5 if model == "A" else 10)
     assert [row[0] for row in table["rows"]] == ["1", "2", "3", "4"]
 
 

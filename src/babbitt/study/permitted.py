@@ -171,7 +171,8 @@ def _end(
             met.append(appraise(value))
             return met[-1].signed
 
-        find_root(margin, *sorted((inside.value, outside.value)), relative=TOLERANCE)
+        low, high = sorted((inside.value, outside.value))
+        find_root(margin, low, high, relative=TOLERANCE)
         # Of several changes between the two the search finds one; the first is sought.
         outside = min((one for one in met if not one.permitted), key=lambda one: way * one.value)
         within = [one for one in met if one.permitted and way * one.value < way * outside.value]

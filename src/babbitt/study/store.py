@@ -11,6 +11,7 @@ import json
 import os
 from collections.abc import Mapping
 from contextlib import suppress
+from importlib import import_module
 from pathlib import Path
 from typing import IO, Any
 
@@ -236,14 +237,12 @@ def _lock(file: IO[bytes]) -> None:
         Where another process holds the lock.
     """
     if os.name == "nt":
-        import msvcrt
-
+        locks = import_module("msvcrt")
         file.seek(0)
-        msvcrt.locking(file.fileno(), msvcrt.LK_NBLCK, 1)  # type: ignore[attr-defined,unused-ignore]
+        locks.locking(file.fileno(), locks.LK_NBLCK, 1)
     else:
-        import fcntl
-
-        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        locks = import_module("fcntl")
+        locks.flock(file, locks.LOCK_EX | locks.LOCK_NB)
 
 
 INSTALL = how_to_install("pyarrow", "studies")

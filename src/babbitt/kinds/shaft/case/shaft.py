@@ -123,6 +123,8 @@ class ShaftCase(SharedInputs, JournalFile):
 
     @rule
     def _thrust_is_carried(self) -> Iterator[Issue]:
+        if not all(gear.diameter for gear in self.gears):
+            return  # a gear without diameter is refused for itself
         shaft = self.loaded_shaft()
         axial = thrust(shaft)
         largest = max((abs(one) for load in shaft.loads for one in load.force), default=0.0)
