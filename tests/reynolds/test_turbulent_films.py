@@ -11,9 +11,9 @@ from babbitt.core.notices import InputError
 from babbitt.reynolds.equilibrium.position import film_at_position
 from babbitt.reynolds.equilibrium.solve import solve_journal
 from babbitt.reynolds.model import Cavitation, FilmStart, JournalFilm, Land, Pocket, Resolution, grooved_bore
+from babbitt.reynolds.oil._turbulent_oil import thickened
 from babbitt.reynolds.oil.turbulence import CONSTANTINESCU, NG_PAN, FilmTurbulence, TurbulenceLaw
 from babbitt.reynolds.scales import Scales
-from babbitt.reynolds.surface._surface_film import thickening
 from babbitt.reynolds.surface.surface_equilibrium import ring_at
 from babbitt.reynolds.surface.surface_solution import friction
 
@@ -77,7 +77,8 @@ def test_long_slot_and_short_slot_have_the_published_factors(law, along, across)
     slot = 2.0 * (2.0 * math.pi * 0.05) * CLEARANCE**3 / (across * VISCOSITY) * 1e5 / 0.02
     assert out == pytest.approx(slot, rel=1e-9)
     surface = ring_at(film, Scales.of(film, SPEED).pressure, np.zeros(2), np.zeros(2), FINE).sample.ring.surface
-    assert thickening.py_func(surface, 1.0, 1.0, 1.0, 0)[0] == pytest.approx(along / 12.0, rel=1e-12)
+    row = surface.turbulence
+    assert thickened.py_func(row, row[0], 0)[0] == pytest.approx(along / 12.0, rel=1e-12)
 
 
 def test_long_turbulent_film_obeys_its_one_dimensional_equation():

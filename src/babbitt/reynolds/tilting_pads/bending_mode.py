@@ -3,7 +3,7 @@
 A curved beam held at its pivot (``pad_bending``) has under an even pressure, with b the angle from the pivot to
 the edge on either side and rho = R_p + t/2 its neutral radius,
 
-    psi = 1 - cos|phi| - [sin b sin|phi| - |phi| sin(b - |phi|)]/2,
+    psi = 1 - cos f - [sin b sin f - f sin(b - f)]/2, f the size of the angle from the pivot,
     k_q = (E I/rho^3) sum over both sides [3 b/2 - 2 sin b + sin(2 b)/4],   I = L t^3/12,
 
 so that a deflection q psi stores k_q q^2/2. Under the pressure of a film the mode has 92 to 98 % of the compliance

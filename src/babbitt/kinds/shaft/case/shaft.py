@@ -143,7 +143,8 @@ class ShaftCase(SharedInputs, JournalFile):
 
     @rule
     def _loaded_bearings_are_usable(self) -> Iterator[Issue]:
-        if any(True for _ in holding_issues(self.bearings, bool(self.shaft))):
+        unsound = any(True for _ in holding_issues(self.bearings, bool(self.shaft)))
+        if unsound or not all(gear.diameter for gear in self.gears):
             return
         answer = self.answer
         for index, bearing in enumerate(self.bearings):
@@ -167,7 +168,7 @@ class ShaftCase(SharedInputs, JournalFile):
                 yield Issue(
                     ("bearings", index, "speed"), says, f"{written(abs(self.speed), 'rpm')}, with either sign"
                 )
-            if thrust(self.loaded_shaft()) == 0.0:
+            if all(gear.diameter for gear in self.gears) and thrust(self.loaded_shaft()) == 0.0:
                 yield Issue(
                     ("bearings", index, "kind"), "the shaft has no thrust", "gears with a helix, or a force z"
                 )
