@@ -58,7 +58,7 @@ SIDES = {
     "C204": ("thrust_line", {}, {"seating": {"stiffness": "0.3 GN/m"}, "speed": "160 rpm"}),
     "C205": ("thrust_line", {"limits": {"axial_amplitude": "500 um"}}, {"limits": {"axial_amplitude": "10 um"}}),
     "C501": ("shaft", {"limits": {"slope": "10 mrad"}}, {"limits": {"slope": "0.001 mrad"}}),
-    "C502": ("shaft", {"limits": {"deflection": "1 mm"}}, {"limits": {"deflection": "0.1 um"}}),
+    "C502": ("shaft", {"limits": {"deflection": "1 mm"}}, {"limits": {"deflection": "1 um"}}),
     "C301": ("hydrostatic_pad", {}, {"limits": {"minimum_film_thickness": "60 um"}}),
     "C302": ("hydrostatic_pad", {}, {"limits": {"minimum_film_thickness": "60 um"}}),
     "C303": ("hydrostatic_pad", {"supply": {"pump_flow": "0.4 L/min", "highest_pressure": "20 MPa"}},

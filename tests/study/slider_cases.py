@@ -46,4 +46,4 @@ def many_sliders(task, rows):
     margin = (one["outlet_film"] - one["least_film"]) / one["least_film"]
     verdicts = np.where(margin < -1e-9, "fail", np.where(ratio > 5.0, "remarks", "pass")).astype(object)
     values = {"film_ratio": ratio, "load": load, "minimum_film_thickness": one["outlet_film"]}
-    return answers_of_arrays(task, rows, "Slider", values, {"C101": margin}, verdicts)
+    return answers_of_arrays(task, rows, "Slider", values, {"X102": margin}, verdicts)

@@ -173,7 +173,7 @@ def test_a_spectrum_weighs_with_time(sliders):
     assert found.means["minimum_film_thickness"] == pytest.approx(0.25 * 30e-6 + 0.75 * 24e-6)
     assert found.governing_case == "fast"
     assert found.margin == pytest.approx(0.2)
-    assert found.worst_margins == pytest.approx({"C101": 0.2})
+    assert found.worst_margins == pytest.approx({"X102": 0.2})
 
 
 def test_a_grid_is_the_product_of_its_values(sliders):
