@@ -197,6 +197,15 @@ def _spread(values: list[float]) -> float:
     return max(values) - min(values)
 
 
+def claims_table() -> str:
+    """The claims as lines of text: claim, number claimed, both states, verdict."""
+    lines = [f"{'claim':<72} {'where':<24} {'claimed':>9} {'hot':>9} {'cold':>9}  verdict"]
+    for claim in claims():
+        numbers = " ".join(f"{value:9.4g}" for value in (claim.claimed, claim.hot, claim.cold))
+        lines.append(f"{claim.says:<72} {claim.place:<24} {numbers}  {claim.verdict}")
+    return "\n".join(lines)
+
+
 def run() -> tuple[Comparison, ...]:
     """The hot state, which the study computes, is judged where a claim can hold; the cold one is shown."""
     rows = []
