@@ -20,7 +20,7 @@ from babbitt.report.inputs import inputs
 from babbitt.report.labels import label
 from babbitt.report.line import Line, Section
 from babbitt.report.machine_table import in_machine_table
-from babbitt.report.meanings import said_of_zero
+from babbitt.report.meanings import remark_on_zero
 from babbitt.report.names import format_members
 from babbitt.report.symbols import symbol_node
 from babbitt.report.text import plain_text
@@ -151,7 +151,7 @@ def _key_results(chapter: Chapter) -> list[Data]:
         values = [r.values.get(name, math.nan) if r.outcome.solved else math.nan for r in chapter.results]
         if name in QUANTITIES and any(map(math.isfinite, values)):
             quantity = QUANTITIES[name].suited(*values)
-            zero = "".join({said_of_zero(name, value) for value in values})
+            zero = "".join({remark_on_zero(name, value) for value in values})
             rows.append(
                 {
                     "label": label(name, result.kind) + zero + temperature_remark(name, result),

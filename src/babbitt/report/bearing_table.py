@@ -16,7 +16,7 @@ from babbitt.core.quantities import QUANTITIES, Quantity
 from babbitt.core.result import Check, Result, Verdict
 from babbitt.report import verdict as verdicts
 from babbitt.report.coefficient_temperatures import temperature_remark
-from babbitt.report.meanings import meaning, said_of_zero
+from babbitt.report.meanings import meaning, remark_on_zero
 from babbitt.report.text import plain_text
 from babbitt.report.verdict import CheckWord
 
@@ -59,7 +59,7 @@ def bearing_table(result: Result) -> RenderableType:
     for name, value in result.values.items():
         quantity = QUANTITIES.get(name)
         if quantity is not None and math.isfinite(value) and name != "wall_time":
-            said = meaning(name, result.kind) + said_of_zero(name, value) + temperature_remark(name, result)
+            said = meaning(name, result.kind) + remark_on_zero(name, value) + temperature_remark(name, result)
             shown = quantity.suited(value)
             table.add_row(said, shown.symbol, shown.format(value), shown.display.label)
     for name in result.missing:  # the reasons stand below, together

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from babbitt.core.notices import Effect, Notice, Subject, explanations
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Check, Result
-from babbitt.report.meanings import said_of_zero
+from babbitt.report.meanings import remark_on_zero
 from babbitt.report.names import listed, shortened
 from babbitt.report.text import plain_text
 from babbitt.report.verdict import comparison
@@ -75,7 +75,7 @@ def _missed(results: Sequence[Result], concerned: Callable[[Check], bool]) -> tu
         groups.append(
             Group(
                 code,
-                (known.meaning if known else quantity) + said_of_zero(quantity, check.value),
+                (known.meaning if known else quantity) + remark_on_zero(quantity, check.value),
                 tuple(result.name for result, _ in misses),
                 _names(results),
                 comparison(check) if len(misses) == 1 else f"worst {comparison(check)}",

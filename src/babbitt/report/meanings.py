@@ -5,7 +5,7 @@ from __future__ import annotations
 from babbitt.core.kind import find_kind
 from babbitt.core.quantities import QUANTITIES
 
-__all__ = ["PUMPED", "meaning", "own_meaning", "said_of_zero"]
+__all__ = ["PUMPED", "meaning", "own_meaning", "remark_on_zero"]
 
 PUMPED = {
     "total_flow": "Oil through all restrictors",
@@ -22,10 +22,10 @@ OF_ZERO = {
 """What a value of zero says that the quantity's meaning does not."""
 
 
-def said_of_zero(name: str, value: float) -> str:
+def remark_on_zero(name: str, value: float) -> str:
     """What follows the meaning of a quantity that is zero; empty for others.
 
-    >>> said_of_zero("critical_mass", 0.0), said_of_zero("critical_mass", 12.0)
+    >>> remark_on_zero("critical_mass", 0.0), remark_on_zero("critical_mass", 12.0)
     ('; 0: no rotor is stable', '')
     """
     return f"; 0: {OF_ZERO[name]}" if value == 0.0 and name in OF_ZERO else ""

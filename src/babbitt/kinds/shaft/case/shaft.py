@@ -123,7 +123,7 @@ class ShaftCase(SharedInputs, JournalFile):
 
     @rule
     def _thrust_is_carried(self) -> Iterator[Issue]:
-        if not all(gear.diameter for gear in self.gears):
+        if not self._gears_have_diameters:
             return  # a gear without diameter is refused for itself
         shaft = self.loaded_shaft()
         axial = thrust(shaft)
@@ -144,7 +144,7 @@ class ShaftCase(SharedInputs, JournalFile):
     @rule
     def _loaded_bearings_are_usable(self) -> Iterator[Issue]:
         unsound = any(True for _ in holding_issues(self.bearings, bool(self.shaft)))
-        if unsound or not all(gear.diameter for gear in self.gears):
+        if unsound or not self._gears_have_diameters:
             return
         answer = self.answer
         for index, bearing in enumerate(self.bearings):
@@ -168,10 +168,15 @@ class ShaftCase(SharedInputs, JournalFile):
                 yield Issue(
                     ("bearings", index, "speed"), says, f"{written(abs(self.speed), 'rpm')}, with either sign"
                 )
-            if all(gear.diameter for gear in self.gears) and thrust(self.loaded_shaft()) == 0.0:
+            if self._gears_have_diameters and thrust(self.loaded_shaft()) == 0.0:
                 yield Issue(
                     ("bearings", index, "kind"), "the shaft has no thrust", "gears with a helix, or a force z"
                 )
+
+    @property
+    def _gears_have_diameters(self) -> bool:
+        """Whether every gear has one: a gear without is refused for itself, and carries no force that is known."""
+        return all(gear.diameter for gear in self.gears)
 
     @property
     def answer(self) -> ShaftAnswer:
