@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Literal, Self
 
 from pydantic import PrivateAttr
 
+from babbitt.api.case_tables import SolvesTables
 from babbitt.api.given import as_given, content_of
 from babbitt.api.reading import read_case, refuse_incomplete
 from babbitt.api.shown import shown_call
@@ -33,7 +34,7 @@ if TYPE_CHECKING:
 __all__ = ["Case"]
 
 
-class Case(CaseFile):
+class Case(SolvesTables, CaseFile):
     """A case that a program makes and changes; the bearings of `babbitt` are of it.
 
     Its fields are those of the case language. A quantity is text with a unit, a number in SI, or a pint quantity.

@@ -26,6 +26,7 @@ from babbitt.study.indices import Indices, indices_of
 from babbitt.study.inputs import path_in
 from babbitt.study.optimum import Optimum, optimum_of
 from babbitt.study.spectrum import SpectrumSummary, spectrum_summary
+from babbitt.study.table_cells import read_table, table_of_columns
 from babbitt.study.workers import Cluster, Given, Workers
 from babbitt.study.yields import ToleranceSummary, tolerance_summary
 
@@ -35,7 +36,7 @@ if TYPE_CHECKING:
 
     from babbitt.api.case import Case
 
-__all__ = ["Study", "studied"]
+__all__ = ["Study", "solved_table", "studied"]
 
 EXECUTOR_CHUNKS = 8
 """Chunks that an executor, which does not tell how many workers it has, gets at once."""
@@ -59,7 +60,7 @@ class Study:
 
     @property
     def kind(self) -> str:
-        """What was asked: ``sweep``, ``tolerance``, ``map``, ``sensitivity``, ``spectrum`` or ``optimise``."""
+        """``sweep``, ``tolerance``, ``map``, ``sensitivity``, ``spectrum``, ``optimise`` or ``table``."""
         return self._study.kind
 
     @property
@@ -174,7 +175,22 @@ def studied(
     """Study a case; arguments are those of `babbitt.api.case.Case.study`."""
     complete = case.complete()
     block = _block(complete, kind, vary, outputs, samples, options)
-    made = engine.plan(complete, block)
+    return _run(case, engine.plan(complete, block), out, workers)
+
+
+def solved_table(
+    case: Case,
+    table: str | Path | Mapping[str, Any],
+    outputs: Sequence[str],
+    out: str | Path | None,
+    workers: int | Executor | str,
+) -> Study:
+    """Solve the rows of a table; arguments are those of `babbitt.api.case.Case.solve_table`."""
+    rows = read_table(Path(table)) if isinstance(table, str | Path) else table_of_columns(table)
+    return _run(case, engine.plan_table(case.complete(), rows, outputs), out, workers)
+
+
+def _run(case: Case, made: engine.Plan, out: str | Path | None, workers: int | Executor | str) -> Study:
     folder = None if out is None else Path(out)
     try:
         found = engine.run_study(made, workers=_workers(workers), folder=folder)

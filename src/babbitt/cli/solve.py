@@ -30,10 +30,37 @@ def solve(
     fields: Annotated[
         Path | None, typer.Option(metavar="OUT", help="Write the fields of the films as NetCDF: OUT.nc.")
     ] = None,
+    table: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="ROWS",
+            help="Solve the bearings in the rows of a CSV file or workbook: columns such as 'diameter [mm]' take "
+            "the place of fields of FILE.",
+        ),
+    ] = None,
+    csv: Annotated[
+        str | None,
+        typer.Option(metavar="OUT", help="With --table: write inputs and results; - is standard output."),
+    ] = None,
+    xlsx: Annotated[
+        Path | None,
+        typer.Option(metavar="OUT", help="With --table: write inputs, results and summary: OUT.xlsx."),
+    ] = None,
+    workers: Annotated[
+        int | None,
+        typer.Option(metavar="N", help="With --table: processes. By default one a core.", min=1),
+    ] = None,
     strict: Annotated[bool, typer.Option("--strict", help="Exit with 1 on fail or no verdict.")] = False,
     allow_outside: AllowOutside = False,
 ) -> None:
-    """Solve the bearings of case files and print a table."""
+    """Solve the bearings of case files, or those in the rows of a table, and print a table."""
+    if table is not None or csv is not None or xlsx is not None or workers is not None:
+        from babbitt.cli.solving_table import require_table, solve_rows
+
+        unread = {"--json": json, "--plots": plots, "--fields": fields}
+        rows = require_table(table, files, unread)
+        solve_rows(files[0], rows, (csv, xlsx, report), workers, strict, reach(allow_outside))
+        return
     from babbitt.case import CaseError, Problem, load_cases, located
     from babbitt.core.notices import InputError
     from babbitt.report import outputs, print_machine

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from babbitt.core.result import Verdict
 from babbitt.report.study_values import (
@@ -73,6 +74,8 @@ def overview(study: Study) -> str:
     drawn = ""
     if block.kind == "tolerance":
         drawn = f", {SAMPLING[block.sampling]} of {sum(study.description['batches'])} samples, seed {block.seed}"
+    if block.kind == "table":
+        drawn = f" of {plain_text(str(block.rows))}"
     if block.kind in ("sensitivity", "optimise"):
         drawn = f", seed {block.seed}"
     refused = int(np.unique(study.columns["row"][study.columns["status"] == "refused"]).size)
@@ -87,6 +90,8 @@ def _without_solution(columns: Columns) -> int:
 def study_tables(study: Study) -> tuple[StudyTable, ...]:
     """The tables of a study, what matters most first."""
     made = list(_OF_KIND[study.kind](study))
+    if study.kind == "table":
+        return tuple(made)
     made.append(_input_table(study))
     if (lost := _reasons(study)) is not None:
         made.append(lost)
@@ -164,6 +169,48 @@ def line_table(
 
 def _sweep(study: Study) -> Iterator[StudyTable]:
     yield line_table(study, study.columns, "Results")
+
+
+def _table(study: Study) -> Iterator[StudyTable]:
+    """The bearings of a table by their names, with their results; what was given stands in the table itself."""
+    columns = study.columns | {"bearing": _names(study.columns)}
+    found = line_table(study, columns, "Bearings", "bearing")
+    left_out = len(study.inputs) + (1 if _several(study) else 0)
+    kept = [place for place in range(len(found.columns)) if not 1 <= place <= left_out]
+    verdicts = [WORDS[str(one)] for one in columns["verdict"]]
+    said = ", ".join(f"{verdicts.count(word)} {word}" for word in WORDS.values() if word in verdicts)
+    yield StudyTable(
+        found.title,
+        tuple(found.columns[place] for place in kept),
+        tuple(tuple(plain_text(row[place]) for place in kept) for row in found.rows),
+        1,
+        (*found.notes, f"{said}."),
+    )
+    yield from _refused(study)
+
+
+def _refused(study: Study) -> Iterator[StudyTable]:
+    """Rows without an answer, each with its reason."""
+    columns = study.columns
+    without = np.flatnonzero(columns["message"] != "")[:MOST_ROWS]
+    names = _names(columns)
+    rows = tuple(
+        (
+            *(plain_text(names[place]), str(columns["row"][place]), str(columns["status"][place])),
+            plain_text(str(columns["message"][place])),
+        )
+        for place in without
+    )
+    if rows:
+        heads = (("bearing", ""), ("row", ""), ("status", ""), ("reason", ""))
+        yield StudyTable("Rows without an answer", heads, rows, 4, ("Rows count from 0, below the headings.",))
+
+
+def _names(columns: Columns) -> NDArray[np.object_]:
+    """The bearing of each line: that of its result, else its name in the table, else the number of its row."""
+    given = columns.get("name", np.full(columns["row"].size, "", object))
+    lines = zip(columns["bearing"], given, columns["row"], strict=True)
+    return np.array([str(one) or str(name) or f"row {row}" for one, name, row in lines], object)
 
 
 def _tolerance(study: Study) -> Iterator[StudyTable]:
@@ -377,4 +424,5 @@ _OF_KIND: Mapping[str, Callable[[Study], Iterator[StudyTable]]] = {
     "sensitivity": _sensitivity,
     "spectrum": _spectrum,
     "optimise": _optimise,
+    "table": _table,
 }

@@ -6,12 +6,14 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from babbitt.core.files.printing import printable
-from babbitt.core.files.spreadsheet import openpyxl_library
+from babbitt.core.files.spreadsheet import openpyxl_library, rows_text
 from babbitt.core.files.writing import require_distinct, require_writable, write_file
 from babbitt.core.notices import InputError
+from babbitt.report.outputs import STANDARD_OUTPUT
+from babbitt.report.study_workbook import study_rows, study_workbook
 from babbitt.study.study import Study
 
-__all__ = ["require_study_outputs", "write_study"]
+__all__ = ["STANDARD_OUTPUT", "require_csv", "require_study_outputs", "write_study", "write_study_csv"]
 
 
 def require_study_outputs(
@@ -44,6 +46,38 @@ def require_study_outputs(
         require_extra("matplotlib", "plots")
 
 
+def require_csv(inputs: Mapping[Path, str], csv: str | None) -> None:
+    """Find out before any work is done whether the rows of a study can be written as CSV.
+
+    Raises
+    ------
+    InputError
+        E007 as `require_study_outputs`.
+    """
+    if csv is None or csv == STANDARD_OUTPUT:
+        return
+    path = Path(csv)
+    if path.suffix.lower() != ".csv":
+        raise InputError("E007", f"cannot write {printable(path)}: a table of values ends in .csv")
+    require_distinct([path], inputs)
+    require_writable(path)
+
+
+def write_study_csv(study: Study, csv: str) -> None:
+    """Write the rows of a study with their results as comma-separated values, to a file or standard output.
+
+    Raises
+    ------
+    InputError
+        E007 when the file cannot be written.
+    """
+    text = rows_text(study_rows(study))
+    if csv == STANDARD_OUTPUT:
+        print(text, end="")
+    else:
+        write_file(Path(csv), text.encode())
+
+
 def write_study(study: Study, xlsx: Path | None, report: Path | None, plots: Path | None) -> None:
     """Write a study as a workbook, a report and figures, as far as asked for.
 
@@ -53,8 +87,6 @@ def write_study(study: Study, xlsx: Path | None, report: Path | None, plots: Pat
         E007 when a file cannot be written.
     """
     if xlsx is not None:
-        from babbitt.report.study_workbook import study_workbook
-
         write_file(xlsx, study_workbook(study, printable(xlsx)))
     if report is not None:
         from babbitt.report.study_document import write_study_report

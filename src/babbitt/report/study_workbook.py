@@ -15,7 +15,7 @@ from babbitt.report.study_values import Scale, input_scale, output_scale
 from babbitt.report.text import plain_text
 from babbitt.study.study import Study
 
-__all__ = ["study_workbook"]
+__all__ = ["study_rows", "study_workbook"]
 
 MOST_LINES = 1_000_000
 """Of a sheet; more than a million lines belong into the folder of the study."""
@@ -31,7 +31,7 @@ def study_workbook(study: Study, where: object) -> bytes:
     InputError
         E007 when openpyxl is not installed; `where` is named in it.
     """
-    sheets = {"Inputs": _inputs(study), "Results": _results(study), "Summary": _summary(study)}
+    sheets = {"Inputs": _inputs(study), "Results": study_rows(study), "Summary": _summary(study)}
     return workbook(sheets, where)
 
 
@@ -50,7 +50,8 @@ def _inputs(study: Study) -> list[list[Cell]]:
     return rows
 
 
-def _results(study: Study) -> list[list[Cell]]:
+def study_rows(study: Study) -> list[list[Cell]]:
+    """A line for each row and bearing under a heading, in engineers' units."""
     columns = study.columns
     scales = {one["path"]: input_scale(one) for one in study.inputs}
     scales |= {name: output_scale(name) for name in study.outputs}

@@ -28,7 +28,7 @@ from babbitt.properties.fits import tolerance_limits
 from babbitt.properties.lubricants import Lubricant, viscosity_index
 from babbitt.study.laws import CUT, Choices, Difference, HalfNormal, Law, Listed, Normal, Triangular, Uniform
 
-__all__ = ["Input", "inputs_of", "path_in"]
+__all__ = ["Input", "inputs_of", "meaning_of", "model_of", "numeric_field", "path_in", "unknown_field"]
 
 VG_SCATTER = 0.1
 """Share by which nu40 may differ from that of its viscosity grade (ISO 3448)."""
@@ -149,24 +149,33 @@ def path_in(case: CaseFile, path: str) -> str:
 
 def _input(case: CaseFile, path: str, given: Vary) -> Input:
     field = path_in(case, path)
-    annotations = field_annotations(_model(case), field.split("."))
+    annotations = field_annotations(model_of(case), field.split("."))
     if not annotations:
-        raise _refused(path, _unknown(case, field))
-    about = attributes_of_field(_model(case), field.split("."))
-    meaning = about.get("long_name", path)
+        raise _refused(path, unknown_field(case, field))
+    meaning = meaning_of(case, path, field)
     if given.fit is not None:
         return _fit(case, path, field, given, meaning)
     if given.scatter is not None:
         return _oil(case, path, field)
-    quantity = next((one for one in map(quantity_in, annotations) if isinstance(one, SiField)), None)
-    whole = any(isinstance(one, WholeNumber) for annotation in annotations for one in _metadata(annotation))
-    if quantity is None and not whole:
+    form, quantity = numeric_field(annotations)
+    if not form:
         return _choices(path, field, given, meaning)
     unit = quantity.unit if quantity is not None else "1"
     law, reason = _law(case, path, given, unit)
-    form = "quantity" if quantity is not None else "whole"
     shown = "" if unit == "1" else KINDS[unit].unit
     return Input(path, field, law, shown, meaning, reason, given.table or "", form)
+
+
+def numeric_field(annotations: Sequence[Any]) -> tuple[str, SiField | None]:
+    """Whether a field takes a ``quantity`` or ``whole`` numbers, or neither (empty), and which quantity."""
+    quantity = next((one for one in map(quantity_in, annotations) if isinstance(one, SiField)), None)
+    whole = any(isinstance(one, WholeNumber) for annotation in annotations for one in _metadata(annotation))
+    return ("quantity" if quantity is not None else "whole" if whole else ""), quantity
+
+
+def meaning_of(case: CaseFile, path: str, field: str) -> str:
+    """What a field means, in words."""
+    return attributes_of_field(model_of(case), field.split(".")).get("long_name", path)
 
 
 def _law(case: CaseFile, path: str, given: Vary, unit: str) -> tuple[Law, str]:
@@ -356,13 +365,13 @@ def _require_order(path: str, law: str, given: Sequence[Any], holds: bool, allow
         raise _refused(path, f"{law} [{', '.join(map(str, given))}] is not possible; allowed: {allowed}")
 
 
-def _unknown(case: CaseFile, field: str) -> str:
+def unknown_field(case: CaseFile, field: str) -> str:
     """Say how far a path leads, and what is near."""
     steps = field.split(".")
     if not all(steps):
         return "names no field; write it as load, or clearance.mean"
     known = 0
-    while known < len(steps) and field_annotations(_model(case), steps[: known + 1]):
+    while known < len(steps) and field_annotations(model_of(case), steps[: known + 1]):
         known += 1
     name = steps[known]
     names = _names_at(case, steps[:known])
@@ -380,8 +389,8 @@ def _unknown(case: CaseFile, field: str) -> str:
 
 def _names_at(case: CaseFile, steps: Sequence[str]) -> list[str]:
     if not steps:
-        return list(_model(case).model_fields)
-    parts = [part for one in field_annotations(_model(case), steps) for part in parts_in(one)]
+        return list(model_of(case).model_fields)
+    parts = [part for one in field_annotations(model_of(case), steps) for part in parts_in(one)]
     return list(dict.fromkeys(name for part in parts for name in part.model_fields))
 
 
@@ -391,7 +400,7 @@ def _metadata(annotation: Any) -> Iterable[Any]:
         yield from _metadata(one)
 
 
-def _model(case: CaseFile) -> type[Part]:
+def model_of(case: CaseFile) -> type[Part]:
     """The case model: that of the language, of a case of the Python front door, too."""
     model: type[Part] = getattr(case, "model", type(case))
     return model

@@ -87,7 +87,7 @@ class RowTask:
         return frozenset(WORDS) | {one.path for one in self.inputs if one.is_choice}
 
     def case(self, values: Mapping[str, Any]) -> CaseFile:
-        """The case with values of a row in its fields.
+        """The case with values of a row in its fields; NaN or an empty word leaves what it says.
 
         Raises
         ------
@@ -96,6 +96,8 @@ class RowTask:
         """
         given = dict(self.given)
         for one in self.inputs:
+            if is_empty(values[one.path]):
+                continue
             variation = CaseVariation(self.file, given, one.field, reach=self.reach)
             given = variation.given_with(one.in_case(values[one.path]))
         return build_case(given, self.file.name, NamedFiles(self.file.parent, self.reach))
@@ -106,6 +108,15 @@ class SolvesMany(Protocol):
 
     def __call__(self, task: RowTask, rows: Columns) -> Columns | None:
         """Answer rows as `solved_rows` does, equal to it; None for a case or fields that it does not know."""
+
+
+def is_empty(value: Any) -> bool:
+    """Whether a cell of a table holds nothing.
+
+    >>> is_empty(math.nan), is_empty(""), is_empty(0.0)
+    (True, True, False)
+    """
+    return value == "" or value != value
 
 
 def margin_name(code: str) -> str:

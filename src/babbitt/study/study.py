@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from babbitt import __version__
 from babbitt.case.case_file import CaseFile
@@ -25,14 +26,17 @@ from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Result
 from babbitt.study import grids, indices, optimum, spectrum
 from babbitt.study.engine import Engine, NoWatch, Watch, chunk_size, timed
+from babbitt.study.examples import Example, first_solved, nominal_example
 from babbitt.study.inputs import Input, inputs_of
 from babbitt.study.maps import default_axes
 from babbitt.study.rows import Columns, RowTask
 from babbitt.study.sampling import batch_sizes
 from babbitt.study.store import FORMAT, Store
+from babbitt.study.table_cells import BearingTable
+from babbitt.study.table_rows import inputs_as_told, inputs_of_table, table_in
 from babbitt.study.workers import Alone, Processes, Workers
 
-__all__ = ["Study", "open_study", "plan", "require_possible", "run_study", "write_designs"]
+__all__ = ["Study", "open_study", "plan", "plan_table", "require_possible", "run_study", "write_designs"]
 
 KEY_RESULTS = (
     "minimum_film_thickness",
@@ -67,6 +71,8 @@ class Plan:
         Measured on the nominal case.
     checks : tuple of dict
         Code, quantity, limit and bound of the checks of the nominal case.
+    given : mapping
+        By the path of each input of a table its values; of other studies nothing.
     """
 
     case: CaseFile
@@ -75,6 +81,7 @@ class Plan:
     rows: int
     seconds_a_row: float
     checks: tuple[dict[str, Any], ...]
+    given: Mapping[str, NDArray[Any]] = field(default_factory=dict)
 
     @property
     def work(self) -> float:
@@ -178,19 +185,38 @@ def plan(case: CaseFile, block: StudyBlock) -> Plan:
     InputError
         For all that makes the study impossible.
     """
+    if block.kind == "table":
+        return _plan_of_table(case, block, table_in(case, str(block.rows)))
     block = default_axes(case, block)
     inputs, rows = require_possible(case, block)
     task = _task(case, inputs)
-    results = _results_of_nominal(case, task)
+    return _planned(case, block, task, rows, nominal_example(case, task))
+
+
+def plan_table(case: CaseFile, table: BearingTable, outputs: Sequence[str] = ()) -> Plan:
+    """Plan the bearings in the rows of a table as `plan` does, `outputs` those of `StudyBlock`."""
+    block = StudyBlock(kind="table", rows=table.name, outputs=tuple(outputs))
+    return _plan_of_table(case, block, table)
+
+
+def _plan_of_table(case: CaseFile, block: StudyBlock, table: BearingTable) -> Plan:
+    inputs, values = inputs_of_table(case, table)
+    grids.require_bearable(table.count, 12 + len(inputs) + len(block.outputs))
+    task = _task(case, inputs)
+    return replace(_planned(case, block, task, table.count, first_solved(case, task, values)), given=values)
+
+
+def _planned(case: CaseFile, block: StudyBlock, task: RowTask, rows: int, example: Example) -> Plan:
+    """The plan of rows of which an example was solved."""
+    results = example.results
     outputs = _outputs(block, results)
     checks = {check.code: check for result in results for check in result.limits}
     told = tuple(
         {"code": one.code, "quantity": one.quantity, "limit": one.limit, "bound": one.bound.value}
         for one in checks.values()
     )
-    task = RowTask(task.kind, task.given, task.file, task.reach, inputs, outputs, tuple(checks))
-    values, groups = grids.nominal(inputs)
-    seconds = timed(task, {"row": np.array([0]), "group": groups, **values})
+    task = replace(task, outputs=outputs, codes=tuple(checks))
+    seconds = timed(task, {"row": np.array([0]), "group": np.array([grids.NOMINAL], object), **example.values})
     return Plan(case, block, task, rows, seconds, told)
 
 
@@ -202,6 +228,9 @@ def require_possible(case: CaseFile, block: StudyBlock) -> tuple[tuple[Input, ..
     InputError
         For all that makes the study impossible, but for outputs that the results lack.
     """
+    if block.kind == "table":
+        table = table_in(case, str(block.rows))
+        return inputs_of_table(case, table)[0], table.count
     block = default_axes(case, block)
     inputs = _inputs(case, block)
     indices.require_numeric(block, inputs)
@@ -223,16 +252,6 @@ def _task(case: CaseFile, inputs: tuple[Input, ...]) -> RowTask:
     model = KINDS[case.kind]
     given = model.with_named_files(dict(origin.given), NamedFiles(origin.file.parent, origin.reach))
     return RowTask(case.kind, given, origin.file, origin.reach, inputs)
-
-
-def _results_of_nominal(case: CaseFile, task: RowTask) -> tuple[Result, ...]:
-    """The answers at the medians; where the case does not take these, those of the case as it stands."""
-    values, _ = grids.nominal(task.inputs)
-    try:
-        made = task.case(grids.first_of(values))
-        return tuple(one.solve()[0].result for one in made.calculations())
-    except InputError:
-        return tuple(one.solve()[0].result for one in case.calculations())
 
 
 def _outputs(block: StudyBlock, results: Sequence[Result]) -> tuple[str, ...]:
@@ -317,7 +336,8 @@ def case_of(study: Study, row: int) -> CaseFile:
         raise InputError("E005", f"the study has no row {row}; there are 0 to {study.rows - 1}")
     given = dict(study.description["case"])
     case = case_from_dict(given, study.description["name"])
-    inputs = _inputs(case, study.block)
+    told = study.description["inputs"]
+    inputs = inputs_as_told(told) if study.kind == "table" else _inputs(case, study.block)
     task = _task(case, inputs)
     made = task.case({one.path: study.columns[one.path][places[0]] for one in inputs})
     assert made.origin is not None, "it was read just now"
@@ -362,6 +382,10 @@ def _grid(made: Plan, engine: Engine) -> Columns:
     return engine.answers(*grids.product(made.task.inputs))
 
 
+def _table(made: Plan, engine: Engine) -> Columns:
+    return engine.answers(made.given, GIVEN)
+
+
 def _tolerance(made: Plan, engine: Engine) -> Columns:
     inputs = made.task.inputs
     blocks = [grids.nominal(inputs), grids.joint_sample(inputs, made.block), grids.corners(inputs)]
@@ -382,6 +406,9 @@ def _optimise(made: Plan, engine: Engine) -> Columns:
     return optimum.optimised(made.task, made.block, engine)
 
 
+GIVEN = "given"
+"""What rows of a table are for."""
+
 _ASKED: Mapping[str, Callable[[Plan, Engine], Columns]] = {
     "sweep": _grid,
     "map": _grid,
@@ -389,4 +416,5 @@ _ASKED: Mapping[str, Callable[[Plan, Engine], Columns]] = {
     "sensitivity": _sensitivity,
     "spectrum": _spectrum,
     "optimise": _optimise,
+    "table": _table,
 }

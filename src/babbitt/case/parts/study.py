@@ -18,7 +18,7 @@ from babbitt.core.units import si
 
 __all__ = ["LoadCase", "StudyBlock", "StudyKind", "Vary", "VaryInput"]
 
-StudyKind = Literal["sweep", "tolerance", "map", "sensitivity", "optimise", "spectrum"]
+StudyKind = Literal["sweep", "tolerance", "map", "sensitivity", "optimise", "spectrum", "table"]
 
 LAWS = (
     "values",
@@ -139,6 +139,11 @@ class StudyBlock(Part):
     generations: Annotated[int, WholeNumber(1, 10_000)] = Field(
         20, description="Of an optimisation: generations that are computed."
     )
+    rows: Name | None = Field(
+        None,
+        description="Of a table: CSV file or workbook with a bearing in each row, its columns headed by paths of "
+        "fields with their units, such as 'diameter [mm]'.",
+    )
     load_cases: tuple[LoadCase, ...] = Field(
         (), description="Of a spectrum: load cases with their shares of time."
     )
@@ -148,12 +153,23 @@ class StudyBlock(Part):
 
     @rule
     def _has_something_to_vary(self) -> Iterator[Issue]:
-        if self.kind not in ("map", "spectrum") and not self.vary:
+        if self.kind not in ("map", "spectrum", "table") and not self.vary:
             says = f"names no field, and a study of kind {self.kind} varies at least one"
             yield Issue(("vary",), says, "paths of fields with their values", code="E003")
         if self.kind == "map" and self.vary and len(self.vary) != 2:
             says = f"names {len(self.vary)} field{'s' * (len(self.vary) != 1)}, and a map has two axes"
             yield Issue(("vary",), says, "two fields, or none for speed and load")
+
+    @rule
+    def _rows_of_table(self) -> Iterator[Issue]:
+        if self.kind != "table":
+            if is_given(self, "rows"):
+                yield Issue(("rows",), f"is not read by a study of kind {self.kind}", "kind: table", "remove it")
+            return
+        if self.rows is None:
+            yield Issue(("rows",), "is missing", "a CSV file or workbook with a bearing in each row", code="E003")
+        if self.vary:
+            yield Issue(("vary",), "is not read by a study of kind table", "columns of the table", "remove it")
 
     @rule
     def _objectives(self) -> Iterator[Issue]:

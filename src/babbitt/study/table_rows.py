@@ -1,0 +1,152 @@
+"""Bearings in the rows of a table: columns are fields of a case, which has everything else."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from babbitt.case.case_file import CaseFile
+from babbitt.case.field_types import field_annotations
+from babbitt.case.named_files import NamedFiles, TableError
+from babbitt.case.with_units import quantity_text
+from babbitt.core.notices import InputError
+from babbitt.core.units import KINDS, QuantityError, SiField, SiNumber, read
+from babbitt.study.inputs import Input, meaning_of, model_of, numeric_field, path_in, unknown_field
+from babbitt.study.laws import Choices, Listed
+from babbitt.study.table_cells import LARGEST_TABLE, BearingTable, Cell, table_of_content
+
+__all__ = ["inputs_as_told", "inputs_of_table", "table_in"]
+
+_HEADING = re.compile(r"(.+?)\s*(?:\[(.*)\])?", re.DOTALL)
+
+WORDS_OF_LOGIC = {"true": True, "false": False}
+
+
+def table_in(case: CaseFile, name: str) -> BearingTable:
+    """The table that the study of a case names, sought from its folder.
+
+    Raises
+    ------
+    InputError
+        E003 for a file that cannot be used.
+    """
+    origin = case.origin
+    assert origin is not None, "only a case that was read is varied"
+    at, example = ("study", "rows"), "a CSV file or workbook with columns such as 'diameter [mm]'"
+    try:
+        content = NamedFiles(origin.file.parent, origin.reach).content(name, at, LARGEST_TABLE, example)
+    except TableError as error:
+        raise InputError("E003", f"study.rows: {error}; allowed: {error.allowed}") from None
+    return table_of_content(name, name[name.rfind(".") :].lower(), content)
+
+
+def inputs_of_table(case: CaseFile, table: BearingTable) -> tuple[tuple[Input, ...], dict[str, NDArray[Any]]]:
+    """The fields that vary, and the values of each, shape (rows,).
+
+    A column whose cells all are numbers of its field holds SI numbers. Any other holds words as they are written,
+    which the case takes or refuses row by row. An empty cell leaves what the case says: NaN, or an empty word.
+
+    Raises
+    ------
+    InputError
+        E003 for headings that name no field or unit, or a field twice, and for numbers that may be misread.
+    """
+    fields = [_field(case, table, heading) for heading in table.headings]
+    paths = [path for path, *_ in fields]
+    for path in paths:
+        if paths.count(path) > 1:
+            raise table.refused(f"two columns are headed '{path}'")
+    numeric = [place for place, (_, form, _, _) in enumerate(fields) if form]
+    cells = table.with_points(numeric)
+    inputs, values = [], {}
+    for place, (path, form, quantity, unit) in enumerate(fields):
+        column = cells.get(place, table.columns[place])
+        one, values[path] = _column(case, table, path, form, quantity, unit, column)
+        inputs.append(one)
+    return tuple(inputs), values
+
+
+def _field(case: CaseFile, table: BearingTable, heading: str) -> tuple[str, str, SiField | None, str]:
+    """Path, form, quantity and unit of a column, by its heading."""
+    found = _HEADING.fullmatch(heading)
+    assert found is not None, "headings are not empty"
+    path, unit = found.group(1), (found.group(2) or "").strip()
+    annotations = field_annotations(model_of(case), path_in(case, path).split("."))
+    if not annotations:
+        raise table.refused(f"column '{heading}': {unknown_field(case, path_in(case, path))}")
+    form, quantity = numeric_field(annotations)
+    if unit:
+        if quantity is None:
+            raise table.refused(f"column '{heading}': takes no quantity; write '{path}' without a unit")
+        try:
+            read(f"1 {unit}", quantity.unit)
+        except QuantityError as error:
+            raise table.refused(f"column '{heading}': {error}") from None
+    return path, form, quantity, unit
+
+
+def _column(
+    case: CaseFile,
+    table: BearingTable,
+    path: str,
+    form: str,
+    quantity: SiField | None,
+    unit: str,
+    cells: Sequence[Cell],
+) -> tuple[Input, NDArray[Any]]:
+    """One field that varies, with its values."""
+    field, reason = path_in(case, path), f"column of {table.name}"
+    meaning = meaning_of(case, path, field)
+    written = [_written(cell, unit, quantity) for cell in cells]
+    try:
+        numbers = [_si(text, quantity) if text else math.nan for text in written] if form else []
+    except QuantityError:
+        numbers = []  # the case refuses the row with its reason
+    if numbers:
+        si = "" if quantity is None or quantity.unit == "1" else KINDS[quantity.unit].unit
+        law = Listed(tuple(one for one in numbers if one == one) or (math.nan,), "column of a table")
+        return Input(path, field, law, si, meaning, reason, table.name, form), np.array(numbers, float)
+    known = {text: WORDS_OF_LOGIC.get(text, text) for text in dict.fromkeys(written) if text}
+    words = Choices(tuple(known), "column of a table")
+    return Input(path, field, words, "", meaning, reason, table.name, "choice", known), np.array(written, object)
+
+
+def _written(cell: Cell, unit: str, quantity: SiField | None) -> str:
+    """A cell as it would stand in a case file."""
+    if isinstance(cell, SiNumber) and quantity is not None and not unit:
+        return quantity_text(float(cell), quantity.kind)
+    if isinstance(cell, str):
+        text = cell.strip()
+        return f"{text} {unit}".strip() if text and unit else text
+    number = repr(cell).removesuffix(".0")
+    return f"{number} {unit}".strip()
+
+
+def _si(text: str, quantity: SiField | None) -> float:
+    if quantity is not None:
+        return quantity.as_written(text)
+    try:
+        whole = float(text)
+    except ValueError:
+        whole = math.nan
+    if not whole.is_integer():
+        raise QuantityError(f"'{text}' is no whole number")
+    return whole
+
+
+def inputs_as_told(told: Sequence[Mapping[str, Any]]) -> tuple[Input, ...]:
+    """The fields of a table that was stored, by what ``study.json`` says of them."""
+    made = []
+    for one in told:
+        choices = one["form"] == "choice"
+        words = one.get("values", ())
+        law = Choices(tuple(words), one["law"]) if choices else Listed(tuple(one["support"]), one["law"])
+        known = {text: WORDS_OF_LOGIC.get(text, text) for text in words} if choices else None
+        about = (one["unit"], one["meaning"], one["reason"], "", one["form"])
+        made.append(Input(one["path"], one["field"], law, *about, known))
+    return tuple(made)
