@@ -21,6 +21,7 @@ from babbitt.core.picklable_error import PicklableError
 from babbitt.core.result import Outcome
 from babbitt.design.conditions import CheckedProblem
 from babbitt.numerics.roots import find_root
+from babbitt.numerics.scalar_or_array import larger
 
 CEILING = 573.15
 """Temperature in K (300 °C) beyond which no lubricating oil is followed; an equilibrium above is a runaway."""
@@ -130,7 +131,7 @@ def outlet_temperature(effective_temperature: float, case: CheckedProblem) -> fl
     """
     if case.oil_supply is None:
         return None
-    return max(2.0 * effective_temperature - case.oil_supply.temperature, coolest_temperature(case))
+    return larger(2.0 * effective_temperature - case.oil_supply.temperature, coolest_temperature(case))
 
 
 def heat_paths(film: FilmAtTemperature, case: CheckedProblem) -> tuple[float, float]:
@@ -144,6 +145,11 @@ def heat_paths(film: FilmAtTemperature, case: CheckedProblem) -> tuple[float, fl
         conductance = cooling.heat_transfer_coefficient * cooling.surface
         to_surroundings = conductance * (film.temperature - cooling.ambient_temperature)
     return to_oil, to_surroundings
+
+
+def heat_surplus(film: FilmAtTemperature, case: CheckedProblem) -> float:
+    """Heat in W that a film makes and that nothing carries away."""
+    return film.friction_power - sum(heat_paths(film, case))
 
 
 def coolest_temperature(case: CheckedProblem) -> float:
@@ -170,7 +176,7 @@ def find_equilibrium(
     """
 
     def surplus(_: float, film: FilmAtTemperatureT) -> float:
-        return film.friction_power - sum(heat_paths(film, case))
+        return heat_surplus(film, case)
 
     return coolest_equilibrium(film_at, surplus, coolest_temperature(case), policy)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import math
+from babbitt.numerics.scalar_or_array import functions_for
 
 
 def minimum_film_thickness(eccentricity_ratio: float, relative_clearance: float, diameter: float) -> float:
@@ -23,4 +23,4 @@ def critical_reynolds_number(relative_clearance: float) -> float:
     >>> round(critical_reynolds_number(1.4705e-3))
     1077
     """
-    return 41.3 / math.sqrt(relative_clearance)
+    return 41.3 / functions_for(relative_clearance).sqrt(relative_clearance)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from babbitt.core.notices import InputError
 from babbitt.core.result import Outcome
 from babbitt.design.heat_balance import CEILING, NoFilmError
+from babbitt.numerics.scalar_or_array import clipped
 from babbitt.properties.lubricants import Lubricant
 
 if TYPE_CHECKING:
@@ -55,7 +56,7 @@ def bounded_viscosity(oil: Lubricant) -> Callable[[Array], Array]:
 def usable_viscosity(oil: Lubricant) -> Callable[[float], float]:
     """`bounded_viscosity` of single temperatures."""
     highest = highest_usable(oil)
-    return lambda temperature: float(oil.dynamic_viscosity(min(max(temperature, COLDEST), highest)))
+    return lambda temperature: oil.dynamic_viscosity(clipped(temperature, COLDEST, highest))
 
 
 def highest_usable(oil: Lubricant) -> float:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import math
+from babbitt.numerics.scalar_or_array import functions_for
 
 ROTORDYNAMIC_CHECK_ABOVE = 20.0
 """Surface speed in m/s above which a rotordynamic check is recommended."""
@@ -14,4 +14,4 @@ def recommended_relative_clearance(surface_speed: float) -> float:
     >>> round(1e3 * recommended_relative_clearance(45.0), 1)
     2.1
     """
-    return 0.8e-3 * math.pow(surface_speed, 0.25)
+    return 0.8e-3 * functions_for(surface_speed).pow(surface_speed, 0.25)

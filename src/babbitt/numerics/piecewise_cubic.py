@@ -54,7 +54,7 @@ class PiecewiseCubic:
         for power in (c2, c1, c0):
             result *= distance
             result += power[index]
-        return result
+        return result.view(type(places))
 
     @property
     def first_slope(self) -> float:
@@ -90,19 +90,36 @@ class PiecewiseCubic:
         """`place_of` for many values, any shape."""
         node_levels = np.asarray(self._levels)
         index = interval_of(node_levels, levels)
-        c0, c1, c2, c3 = self.coefficients[:, index]
-        low, high = np.zeros_like(levels), np.diff(self.nodes)[index]
-        distance = high * (levels - c0) / (node_levels[index + 1] - c0)
-        for _ in range(_MOST_STEPS):
-            excess = c0 + distance * (c1 + distance * (c2 + distance * c3)) - levels
-            low, high = np.where(excess > 0.0, low, distance), np.where(excess > 0.0, distance, high)
-            following = distance - excess / (c1 + distance * (2.0 * c2 + distance * 3.0 * c3))
-            following = np.where((low <= following) & (following <= high), following, 0.5 * (low + high))
-            step = float(np.abs(following - distance).max(initial=0.0))
-            distance = following
-            if step < _STEP_TOLERANCE:
-                break
-        return np.asarray(self.nodes[index] + distance)
+        cubics = self.coefficients[:, index]
+        distance = distances_of(cubics, np.diff(self.nodes)[index], node_levels[index + 1], levels)
+        return np.asarray(self.nodes[index] + distance).view(type(levels))
+
+
+def distances_of(cubics: Array, widths: Array, ends: Array, levels: Array) -> Array:
+    """Distances from the left ends of intervals at which increasing cubics take values between those at their ends.
+
+    Parameters
+    ----------
+    cubics : ndarray, shape (4, ...)
+        Powers of the distance, constant first.
+    widths, ends : ndarray
+        Of the intervals, and the values at their right ends.
+    levels : ndarray
+        The values.
+    """
+    c0, c1, c2, c3 = cubics
+    low, high = np.zeros_like(levels), widths
+    distance = high * (levels - c0) / (ends - c0)
+    for _ in range(_MOST_STEPS):
+        excess = c0 + distance * (c1 + distance * (c2 + distance * c3)) - levels
+        low, high = np.where(excess > 0.0, low, distance), np.where(excess > 0.0, distance, high)
+        following = distance - excess / (c1 + distance * (2.0 * c2 + distance * 3.0 * c3))
+        following = np.where((low <= following) & (following <= high), following, 0.5 * (low + high))
+        step = float(np.abs(following - distance).max(initial=0.0))
+        distance = following
+        if step < _STEP_TOLERANCE:
+            break
+    return distance
 
 
 def interval_of(nodes: Array, values: Array) -> NDArray[np.intp]:

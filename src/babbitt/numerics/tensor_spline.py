@@ -39,7 +39,7 @@ class TensorSpline:
         """One of the functions at scattered points; `first` and `second` broadcast."""
         row, column = interval_of(self.first_nodes, first), interval_of(self.second_nodes, second)
         along, across = first - self.first_nodes[row], second - self.second_nodes[column]
-        coefficients = self._coefficients[function]
+        coefficients = self.coefficients[function]
         result: Array = np.zeros(np.broadcast_shapes(first.shape, second.shape))
         for power in (3, 2, 1, 0):
             strip = coefficients[power, 3][row, column]
@@ -57,7 +57,7 @@ class TensorSpline:
         return spline_coefficients(self.second_nodes)
 
     @cached_property
-    def _coefficients(self) -> Array:
+    def coefficients(self) -> Array:
         """Bicubic coefficients, shape (k, 4, 4, n - 1, m - 1); made only when scattered points are asked for."""
         along = np.tensordot(self._first_matrix, self.values, axes=(2, 1))  # power, interval, k, m
         both = np.tensordot(along, self._second_matrix, axes=(3, 2))  # power, interval, k, power, interval

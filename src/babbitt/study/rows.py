@@ -29,6 +29,7 @@ __all__ = [
     "empty_answers",
     "joined",
     "margin_name",
+    "solved_one_by_one",
     "solved_rows",
 ]
 
@@ -144,6 +145,11 @@ def solved_rows(task: RowTask, rows: Columns) -> Columns:
         many: SolvesMany = imported(kind.solve_many)
         if (found := many(task, rows)) is not None:
             return found
+    return solved_one_by_one(task, rows)
+
+
+def solved_one_by_one(task: RowTask, rows: Columns) -> Columns:
+    """Solve rows case by case; parameters and columns as of `solved_rows`."""
     lines = [line for place in range(rows["row"].size) for line in _lines(task, _at(rows, place))]
     return _columns(task, lines)
 

@@ -19,6 +19,7 @@ KINDS = (
         views=VIEWS,
         comparison=f"{HERE}.compare.comparison:compare",
         vocabulary=f"{HERE}.report.words:JOURNAL_WORDS",
+        solve_many=f"{HERE}.study.many_rows:solve_many",
     ),
     Kind(
         name="machine",
@@ -27,5 +28,6 @@ KINDS = (
         template=f"{HERE}:machine.yaml",
         views=VIEWS,
         comparison=f"{HERE}.compare.comparison:compare",
+        solve_many=f"{HERE}.study.many_rows:solve_many",
     ),
 )

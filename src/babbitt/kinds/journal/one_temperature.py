@@ -9,6 +9,7 @@ from babbitt.core.notices import Notice
 from babbitt.core.result import Check
 from babbitt.design.bounds import FILM_CHECKS
 from babbitt.design.conditions import Limits
+from babbitt.numerics.scalar_or_array import functions_for
 
 __all__ = ["checks_of_metal", "warnings_about_margins"]
 
@@ -120,4 +121,5 @@ def above_inlet(values: Mapping[str, float], rise: float) -> float:
     """
     if "supply_temperature" not in values:
         return 0.0
-    return values["supply_temperature"] + rise * math.sqrt(values["specific_load"] * abs(values["surface_speed"]))
+    power = values["specific_load"] * abs(values["surface_speed"])
+    return values["supply_temperature"] + rise * functions_for(power).sqrt(power)

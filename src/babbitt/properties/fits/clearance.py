@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass
 
 from babbitt.core.notices import InputError
+from babbitt.numerics.scalar_or_array import functions_for
 from babbitt.properties.fits.iso286 import tolerance_limits
 from babbitt.properties.fits.sizes import Deviations, SizeLimits
 
@@ -39,7 +40,7 @@ class Clearance:
 
     def __post_init__(self) -> None:
         for value in (self.minimum, self.mean, self.maximum):
-            if not math.isfinite(value):
+            if not functions_for(value).isfinite(value):
                 raise InputError("E003", f"a clearance must be a finite number, given {value!r}")
         if self.minimum < 0.0:
             raise InputError(
@@ -201,7 +202,7 @@ class Clearance:
 
 def _require_sensible(clearance: float, diameter: float) -> None:
     """Refuse a clearance that can only be a slip of unit."""
-    if not (math.isfinite(diameter) and diameter > 0.0):
+    if not (functions_for(diameter).isfinite(diameter) and diameter > 0.0):
         raise InputError("E003", f"the diameter is {diameter!r} m; it must be a positive number")
     if clearance >= diameter:
         raise InputError(

@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass
 
 from babbitt.core.notices import InputError
+from babbitt.numerics.scalar_or_array import functions_for
 
 
 @dataclass(frozen=True)
@@ -23,7 +24,7 @@ class SizeLimits:
 
     def __post_init__(self) -> None:
         for name, size in (("minimum", self.minimum), ("maximum", self.maximum)):
-            if not (math.isfinite(size) and size > 0.0):
+            if not (functions_for(size).isfinite(size) and size > 0.0):
                 raise InputError("E003", f"the {name} limit of size is {size!r} m; it must be a positive number")
         if self.maximum < self.minimum:
             raise InputError(

@@ -57,7 +57,7 @@ def evaluate(formula: Callable[[Any, Any], Any], temperature: Value, *, above: f
         except OverflowError:
             raise _outside(law, temperature, above) from None
         return result
-    temperatures = np.asarray(temperature, dtype=np.float64)
+    temperatures = np.asanyarray(temperature, dtype=np.float64)
     usable = (temperatures > above) & (temperatures < math.inf)
     if not usable.all():
         raise _outside(law, float(temperatures[~usable].flat[0]), above)

@@ -4,16 +4,19 @@ from __future__ import annotations
 
 import math
 import tomllib
-from bisect import bisect_left
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
 from importlib.resources import files
 from typing import Any
 
+import numpy as np
+
 from babbitt.core.files.bounded_text import loads_toml
 from babbitt.core.notices import InputError
 from babbitt.core.units import ZERO_CELSIUS
+from babbitt.numerics.lanes import lanes_of
+from babbitt.numerics.scalar_or_array import place_among
 from babbitt.properties.materials.bearing_metal import AlloyFamily
 from babbitt.properties.materials.sourced import SourcedValue
 
@@ -65,8 +68,11 @@ class FilmThicknessTable:
         diameter = round(diameter, 9)  # arithmetic may leave 0.4 m a hair above its bound
         if not self.diameters[0] < diameter <= self.diameters[-1]:
             return None
-        row = self.films[bisect_left(self.diameters, diameter) - 1]
-        return row[bisect_left(self.surface_speeds, round(abs(surface_speed), 9))]
+        row = place_among(self.diameters, diameter) - 1
+        column = place_among(self.surface_speeds, round(abs(surface_speed), 9))
+        if isinstance(row, np.ndarray) or isinstance(column, np.ndarray):
+            return lanes_of(np.array(self.films)[row, column])
+        return self.films[row][column]
 
 
 @dataclass(frozen=True)

@@ -13,6 +13,7 @@ from babbitt.kinds.journal.case.operating_point import OperatingPoint, stating
 from babbitt.kinds.journal.case.supply_element import PocketElement, SlotElement
 from babbitt.kinds.journal.iso7902.model import FreeArc
 from babbitt.kinds.journal.iso7902.supply import Arrangement
+from babbitt.numerics.scalar_or_array import functions_for, sense_of
 
 ALL_AROUND = math.radians(359.0)
 """Extent in rad from which a pocket is a groove around the bore, which ends no arc."""
@@ -49,7 +50,7 @@ def _of_element(bearing: JournalBearing, point: OperatingPoint | None) -> Iterat
 
 def _of_feeds(bearing: JournalBearing, point: OperatingPoint | None) -> Iterator[FreeArc]:
     speed = stating(SPEEDS, bearing, point)
-    sense = math.copysign(1.0, speed.speed or speed.surface_speed or 1.0)
+    sense = sense_of(speed.speed or speed.surface_speed or 1.0)
     before, behind = [], []
     for path, given in bearing.feeds():
         feed = given.feed(bearing.diameter)
@@ -71,4 +72,4 @@ def _of_feeds(bearing: JournalBearing, point: OperatingPoint | None) -> Iterator
 
 
 def _degrees(angle: float) -> str:
-    return f"{math.degrees(angle):.3g}°"
+    return f"{functions_for(angle).degrees(angle):.3g}°"

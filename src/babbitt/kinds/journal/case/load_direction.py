@@ -11,6 +11,7 @@ from babbitt.case.parts.load_and_speed import SPEEDS
 from babbitt.core.units import written
 from babbitt.kinds.journal.case.operating_point import stating
 from babbitt.kinds.journal.case.supply_element import UnevenPockets
+from babbitt.numerics.scalar_or_array import sense_of
 
 if TYPE_CHECKING:
     from babbitt.kinds.journal.case.journal import JournalBearing
@@ -35,7 +36,7 @@ def load_points_between_its_pockets(bearing: JournalBearing) -> Iterator[Issue]:
         element, speed = bearing.element_at(point), stating(SPEEDS, bearing, point)
         if not isinstance(element, UnevenPockets):
             continue
-        sense = math.copysign(1.0, speed.speed or speed.surface_speed or 1.0)
+        sense = sense_of(speed.speed or speed.surface_speed or 1.0)
         entry, leaving = (
             angle - sense * element.entry_angle,
             angle + sense * element.exit_angle,

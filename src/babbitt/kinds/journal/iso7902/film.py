@@ -28,6 +28,7 @@ from babbitt.kinds.journal.iso7902.supply import (
     share_at_place,
 )
 from babbitt.kinds.journal.iso7902.supply_pressure import Feed, feed
+from babbitt.numerics.scalar_or_array import larger, smaller
 from babbitt.properties.fits import operating_relative_clearance
 
 
@@ -151,7 +152,7 @@ def sheared_flow(
     )
     if isinstance(element, Pockets):
         gap -= returned_gap(case, eccentricity_ratio, attitude_angle, relative_clearance, side_flow)
-    return half_surface_speed(case) * max(gap, 0.0) * element.axial_width(bearing.width)
+    return half_surface_speed(case) * larger(gap, 0.0) * element.axial_width(bearing.width)
 
 
 def half_surface_speed(case: DesignCase) -> float:
@@ -167,7 +168,7 @@ def start_of_film(span: float, attitude_angle: float) -> float:
     >>> round(math.degrees(start_of_film(math.radians(360.0), math.radians(50.0))))
     130
     """
-    return min(0.5 * span, math.pi - attitude_angle)
+    return smaller(math.pi - attitude_angle, 0.5 * span)
 
 
 def part_of_supply_flow(case: DesignCase, eccentricity_ratio: float, attitude_angle: float) -> float:
@@ -193,7 +194,7 @@ def returned_gap(
     bearing = case.bearing
     start = start_of_film(math.radians(bearing.span), attitude_angle)
     entering = relative_clearance * bearing.diameter / 2.0 * gap_factor(eccentricity_ratio, attitude_angle, start)
-    return max(entering - side_flow / (half_surface_speed(case) * bearing.width), 0.0)
+    return larger(entering - side_flow / (half_surface_speed(case) * bearing.width), 0.0)
 
 
 def _film(temperature: float, case: DesignCase, shape: BearingCurves, limited: bool = False) -> Film:
@@ -226,7 +227,7 @@ def _film(temperature: float, case: DesignCase, shape: BearingCurves, limited: b
     attitude = shape.attitude_angle(eccentricity)
     sheared = sheared_flow(case, eccentricity, attitude, psi, side_flow)
     if limited and sheared is not None:
-        side_flow = min(side_flow, sheared)
+        side_flow = smaller(side_flow, sheared)
     fed_with = partial(feed, case, eccentricity, psi, viscosity)
     share = part_of_supply_flow(case, eccentricity, attitude)
     at_place = fed_with(side_flow, share)

@@ -62,7 +62,7 @@ def check(case: DesignCase) -> Result:
         return check_at_temperature(case, case.effective_temperature)
     start = perf_counter()
     found = find_equilibrium(case, partial(film_at, case=case, shape=curves_of(case)))
-    return _result(case, found, start)
+    return result_of(case, found, _starved(case, found), start)
 
 
 def check_at_temperature(case: DesignCase, effective_temperature: float) -> Result:
@@ -88,11 +88,27 @@ def check_at_temperature(case: DesignCase, effective_temperature: float) -> Resu
         case, effective_temperature=effective_temperature, assumptions=(*case.assumptions, stated)
     )
     film_of = partial(film_at, case=case, shape=curves_of(case))
-    return _result(prescribed, at_prescribed_temperature(effective_temperature, film_of), start)
+    return result_of(prescribed, at_prescribed_temperature(effective_temperature, film_of), None, start)
 
 
-def _result(case: DesignCase, found: Equilibrium[Film], start: float) -> Result:
-    """Values, verdicts and warnings of the film found, or how far an unsolved case came."""
+def _starved(case: DesignCase, found: Equilibrium[Film]) -> Equilibrium[Film] | None:
+    """The heat balance with what the supply delivers, where a film found wants more."""
+    return starved_equilibrium(case, found.film) if found.film is not None and found.outcome.solved else None
+
+
+def result_of(
+    case: DesignCase, found: Equilibrium[Film], starved: Equilibrium[Film] | None, start: float
+) -> Result:
+    """Values, verdicts and warnings of the film found, or how far an unsolved case came.
+
+    Parameters
+    ----------
+    case : DesignCase
+    found, starved : Equilibrium
+        With all the oil that the film wants, and with what the supply delivers where that is less.
+    start : float
+        When the calculation began.
+    """
     if found.film is None:
         return Result(
             case.name,
@@ -108,7 +124,6 @@ def _result(case: DesignCase, found: Equilibrium[Film], start: float) -> Result:
     change = _transition(case, found.film)
     values = _values(case, found.film, change)
     checks = checks_of(case, values)
-    starved = starved_equilibrium(case, found.film) if found.outcome.solved else None
     hotter: dict[str, float] = {}
     if starved is not None and starved.film is not None and starved.outcome.solved:
         hotter = _values(case, starved.film, _transition(case, starved.film))

@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass
 
 from babbitt.kinds.journal.iso7902.characteristics import BearingCurves
+from babbitt.numerics.scalar_or_array import functions_for, smaller
 
 
 def orlov_relative_clearance(
@@ -21,7 +22,7 @@ def orlov_relative_clearance(
     2.69
     """
     regime_number = 1e6 * viscosity * hydrodynamic_speed / (2.0 * math.pi * specific_load)
-    return 3.5e-3 * math.sqrt(regime_number * width_ratio)
+    return 3.5e-3 * functions_for(regime_number).sqrt(regime_number * width_ratio)
 
 
 @dataclass(frozen=True)
@@ -57,7 +58,7 @@ def transition(
     eccentricity = 1.0 - 2.0 * film_thickness / (relative_clearance * diameter)
     if eccentricity <= 0.0:
         return None
-    reachable = min(eccentricity, curves.largest_eccentricity_ratio)
+    reachable = smaller(eccentricity, curves.largest_eccentricity_ratio)
     load_number = curves.sommerfeld_number(reachable)
     speed = specific_load * relative_clearance**2 / (viscosity * load_number)
     return Transition(eccentricity, speed, eccentricity > reachable)

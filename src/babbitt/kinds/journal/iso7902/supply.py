@@ -14,6 +14,8 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import Protocol
 
+from babbitt.numerics.scalar_or_array import clipped, functions_for, smaller
+
 FIT_RANGE = (0.05, 0.7)
 """Range of relative width in which the fits ``q_H`` and ``q_P`` are defined."""
 
@@ -60,7 +62,8 @@ def gap_factor(eccentricity_ratio: float, attitude_angle: float, before_load: fl
     >>> round(gap_factor(0.6, math.radians(50.0), math.radians(130.0)), 6)
     1.6
     """
-    return 1.0 - eccentricity_ratio * math.cos(before_load + attitude_angle)
+    angle = before_load + attitude_angle
+    return 1.0 - eccentricity_ratio * functions_for(angle).cos(angle)
 
 
 def share_at_place(eccentricity_ratio: float, attitude_angle: float, before: float, behind: float) -> float:
@@ -87,7 +90,7 @@ def share_at_place(eccentricity_ratio: float, attitude_angle: float, before: flo
     """
     entry = gap_factor(eccentricity_ratio, attitude_angle, before)
     leaving = gap_factor(eccentricity_ratio, attitude_angle, -behind)
-    return min(0.5 * (entry**3 + leaving**3), 1.0)
+    return smaller(0.5 * (entry**3 + leaving**3), 1.0)
 
 
 class SupplyElement(Protocol):
@@ -108,7 +111,7 @@ def fitted_width(relative_width: float) -> float:
     >>> fitted_width(0.73), fitted_width(0.01), fitted_width(0.3)
     (0.7, 0.05, 0.3)
     """
-    return min(max(relative_width, FIT_RANGE[0]), FIT_RANGE[1])
+    return clipped(relative_width, *FIT_RANGE)
 
 
 def logarithm_width(relative_width: float) -> float:
@@ -117,7 +120,7 @@ def logarithm_width(relative_width: float) -> float:
     >>> logarithm_width(0.82), logarithm_width(0.01), logarithm_width(0.95)
     (0.82, 0.01, 0.9)
     """
-    return min(relative_width, LOGARITHM_UP_TO)
+    return smaller(relative_width, LOGARITHM_UP_TO)
 
 
 def hole_fit(s: float) -> float:
@@ -157,7 +160,7 @@ def equivalent_holes(length: float, width: float) -> tuple[float, float]:
 
 
 def _local_flow(fit: Callable[[float], float], s: float) -> float:
-    return math.pi / 48.0 / (math.log(1.0 / logarithm_width(s)) * fit(fitted_width(s)))
+    return math.pi / 48.0 / (functions_for(s).log(1.0 / logarithm_width(s)) * fit(fitted_width(s)))
 
 
 @dataclass(frozen=True)
@@ -188,7 +191,7 @@ class Holes:
 
     def axial_width(self, bearing_width: float) -> float:
         """Width in m over which the holes of one place give oil to the film: side by side along the shaft."""
-        return min(self.number * self.diameter, bearing_width)
+        return smaller(bearing_width, self.number * self.diameter)
 
     def supply_flow_number(self, eccentricity_ratio: float, bearing_width: float, width_ratio: float) -> float:
         """Supply-flow number Qp*."""
@@ -230,7 +233,7 @@ class Pockets:
 
     def axial_width(self, bearing_width: float) -> float:
         """Width in m over which a pocket gives oil to the film."""
-        return min(self.width, bearing_width)
+        return smaller(bearing_width, self.width)
 
     def supply_flow_number(self, eccentricity_ratio: float, bearing_width: float, width_ratio: float) -> float:
         """Supply-flow number Qp*."""
@@ -270,7 +273,7 @@ class HalfCircumferentialGroove:
 
     def axial_width(self, bearing_width: float) -> float:
         """Width in m over which the groove gives oil to the film."""
-        return min(self.width, bearing_width)
+        return smaller(bearing_width, self.width)
 
     def relative_width(self, bearing_width: float) -> float:
         """Groove width over bearing width."""

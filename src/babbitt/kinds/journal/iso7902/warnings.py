@@ -32,6 +32,7 @@ from babbitt.kinds.journal.iso7902.supply import (
     fitted_width,
 )
 from babbitt.kinds.journal.one_temperature import checks_of_metal, warnings_about_margins
+from babbitt.numerics.scalar_or_array import functions_for, larger
 
 STANDARD_WIDTH_RATIOS = (0.125, 1.0)
 """Range of B/D in the tables of the standard."""
@@ -135,7 +136,7 @@ def warnings_about_feed_pressure(case: DesignCase, values: Mapping[str, float]) 
 def _of_free_arcs(case: DesignCase, values: Mapping[str, float]) -> Iterator[Notice]:
     """Whether pockets and grooves leave less arc about the load than the span, and what film that has."""
     for arc in case.free_arcs:
-        degrees = math.degrees(arc.extent)
+        degrees = functions_for(arc.extent).degrees(arc.extent)
         if case.bearing.span <= degrees + 1e-6:
             continue
         if degrees < TABULATED_SPANS[-1] - 1e-6 and arc.certain:
@@ -145,7 +146,8 @@ def _of_free_arcs(case: DesignCase, values: Mapping[str, float]) -> Iterator[Not
             continue
         thin, full = _film_on_arc(case, values, degrees), values["minimum_film_thickness"]
         if thin < (1.0 - NOTABLE_SHARE) * full or degrees < TABULATED_SPANS[-1] - 1e-6:
-            taken = math.radians(max(degrees, float(TABULATED_SPANS[-1])))
+            wide = larger(degrees, float(TABULATED_SPANS[-1]))
+            taken = functions_for(wide).radians(wide)
             where = Notice("W189", "arc", {"left_by": arc.left_by, "arc": arc.extent, "span": case.bearing.span})
             if thin > 0.0:
                 yield Notice("W189", "film", {"where": where, "taken": taken, "thin": thin, "full": full})
@@ -193,7 +195,7 @@ def _of_supply(case: DesignCase, film: Film) -> Iterator[Notice]:
                 "share": s, "least": least, "most": most, "taken": fitted_width(s),
             })  # fmt: skip
             if s > LOGARITHM_UP_TO:
-                times = math.log(LOGARITHM_UP_TO) / math.log(s)
+                times = math.log(LOGARITHM_UP_TO) / functions_for(s).log(s)
                 yield Notice("W103", "logarithm", {"lies": lies, "logarithm": LOGARITHM_UP_TO, "times": times})
             elif s > most:
                 yield Notice("W196", values={"lies": lies})

@@ -9,7 +9,8 @@ from typing import Protocol
 import numpy as np
 
 from babbitt.numerics.piecewise_cubic import PiecewiseCubic
-from babbitt.numerics.scalar_or_array import Array, Value, outside
+from babbitt.numerics.spline_cuts import SplineCuts
+from babbitt.numerics.scalar_or_array import Array, Value, functions_for, outside
 
 _ROUND_OFF = 1e-13
 
@@ -74,10 +75,10 @@ class CharacteristicCurves:
 
     span_degrees: int
     width_ratio: float
-    log_load: PiecewiseCubic
-    attitude: PiecewiseCubic
-    log_flow: PiecewiseCubic
-    log_pressure: PiecewiseCubic
+    log_load: PiecewiseCubic | SplineCuts
+    attitude: PiecewiseCubic | SplineCuts
+    log_flow: PiecewiseCubic | SplineCuts
+    log_pressure: PiecewiseCubic | SplineCuts
     smallest_eccentricity_ratio: float
     largest_eccentricity_ratio: float
     smallest_tabulated_sommerfeld_number: float = field(init=False)
@@ -95,9 +96,8 @@ class CharacteristicCurves:
     def sommerfeld_number(self, eccentricity_ratio: Value) -> Value:
         """So = F psi^2/(B D eta omega); strictly increasing in eps, 0 at eps = 0."""
         inside, place = self._place(eccentricity_ratio)
-        if isinstance(place, np.ndarray):
-            return np.exp(self.log_load.at_many(place)) * (eccentricity_ratio / inside)
-        return math.exp(self.log_load.at(place)) * (eccentricity_ratio / inside)
+        level = self.log_load.at_many(place) if isinstance(place, np.ndarray) else self.log_load.at(place)
+        return functions_for(level).exp(level) * (eccentricity_ratio / inside)
 
     def attitude_angle(self, eccentricity_ratio: Value) -> Value:
         """Angle beta from the load line to the narrowest gap, positive with rotation [rad]."""
@@ -110,16 +110,14 @@ class CharacteristicCurves:
     def side_flow_number(self, eccentricity_ratio: Value) -> Value:
         """Q3* = Q3/(D^3 psi omega), both rims together."""
         inside, place = self._place(eccentricity_ratio)
-        if isinstance(place, np.ndarray):
-            return np.exp(self.log_flow.at_many(place)) * (eccentricity_ratio / inside)
-        return math.exp(self.log_flow.at(place)) * (eccentricity_ratio / inside)
+        level = self.log_flow.at_many(place) if isinstance(place, np.ndarray) else self.log_flow.at(place)
+        return functions_for(level).exp(level) * (eccentricity_ratio / inside)
 
     def pressure_ratio(self, eccentricity_ratio: Value) -> Value:
         """Largest film pressure over the specific load, p_max/p."""
         _, place = self._place(eccentricity_ratio)
-        if isinstance(place, np.ndarray):
-            return np.exp(self.log_pressure.at_many(place))
-        return math.exp(self.log_pressure.at(place))
+        level = self.log_pressure.at_many(place) if isinstance(place, np.ndarray) else self.log_pressure.at(place)
+        return functions_for(level).exp(level)
 
     def eccentricity_ratio(self, sommerfeld_number: Value) -> Value:
         """The eccentricity ratio that carries a load; ``sommerfeld_number`` gives it back to round-off.
@@ -135,7 +133,8 @@ class CharacteristicCurves:
         if isinstance(sommerfeld_number, np.ndarray):
             place = self.log_load.places_of(np.log(np.maximum(sommerfeld_number, least)))
             curved = np.minimum(1.0 / (1.0 + np.exp(-place)), self.largest_eccentricity_ratio)
-            return np.where(sommerfeld_number <= least, sommerfeld_number * linear, curved)
+            found = np.where(sommerfeld_number <= least, sommerfeld_number * linear, curved)
+            return found.view(type(sommerfeld_number))
         if sommerfeld_number <= least:
             return sommerfeld_number * linear
         place = self.log_load.place_of(math.log(sommerfeld_number))

@@ -18,7 +18,10 @@ from numpy.typing import ArrayLike
 
 from babbitt.core.notices import InputError
 from babbitt.kinds.journal.iso7902.characteristics.curves import CharacteristicCurves
-from babbitt.numerics.scalar_or_array import Array, outside
+from babbitt.numerics.lanes import Lanes
+from babbitt.numerics.piecewise_cubic import PiecewiseCubic
+from babbitt.numerics.scalar_or_array import Array, Value, outside
+from babbitt.numerics.spline_cuts import SplineCuts, cuts_of
 from babbitt.numerics.tensor_spline import TensorSpline
 
 TABLE_FILE = "tables.npz"
@@ -109,21 +112,20 @@ def _stored() -> dict[str, Array]:
         return {name: stored[name] for name in stored.files}
 
 
-@lru_cache(maxsize=4096)
-def curves(span_degrees: int, width_ratio: float) -> CharacteristicCurves:
-    """Characteristics over eccentricity for one span and one B/D.
+def curves(span_degrees: int, width_ratio: Value) -> CharacteristicCurves:
+    """Characteristics over eccentricity for one span and one B/D, or for one B/D in each of many lanes.
 
     Parameters
     ----------
     span_degrees : int
         360, 180, 150, 120 or 90.
-    width_ratio : float
+    width_ratio : float or Lanes
         B/D, 0.1 to 1.5.
 
     Returns
     -------
     CharacteristicCurves
-        The same object for the same arguments.
+        The same object for the same arguments, where they are numbers.
 
     Raises
     ------
@@ -138,9 +140,24 @@ def curves(span_degrees: int, width_ratio: float) -> CharacteristicCurves:
     >>> round(full.eccentricity_ratio(0.891), 3)
     0.5
     """
+    if isinstance(width_ratio, Lanes):
+        _check_width_ratio(width_ratio, table(span_degrees))
+        return _curves(span_degrees, width_ratio, cuts_of(table(span_degrees).spline, np.log(width_ratio)))
+    return _curves_of_one(span_degrees, width_ratio)
+
+
+@lru_cache(maxsize=4096)
+def _curves_of_one(span_degrees: int, width_ratio: float) -> CharacteristicCurves:
     nodes = table(span_degrees)
     _check_width_ratio(width_ratio, nodes)
-    log_load, attitude, log_flow, log_pressure = nodes.spline.cut(math.log(width_ratio))
+    return _curves(span_degrees, width_ratio, nodes.spline.cut(math.log(width_ratio)))
+
+
+def _curves(
+    span_degrees: int, width_ratio: Value, functions: tuple[PiecewiseCubic, ...] | tuple[SplineCuts, ...]
+) -> CharacteristicCurves:
+    log_load, attitude, log_flow, log_pressure = functions
+    nodes = table(span_degrees)
     return CharacteristicCurves(
         span_degrees=span_degrees,
         width_ratio=width_ratio,

@@ -1,0 +1,229 @@
+"""Rows of a study of journal bearings by ISO 7902, solved as arrays.
+
+The case is read once for each combination of words. Its numbers that vary become `Lanes`, are held against the ranges
+of their fields as arrays, and pass the rules of the case, its design cases and the procedure as a single number would.
+Rows that this does not know are solved one by one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from babbitt.case.case_file import CaseFile
+from babbitt.case.error_messages import metadata_of
+from babbitt.case.part import Part, broken_rules
+from babbitt.core.notices import InputError
+from babbitt.core.result import Result, Verdict
+from babbitt.core.units import SiField
+from babbitt.kinds.journal.iso7902.many import check_many
+from babbitt.kinds.journal.iso7902.model import DesignCase
+from babbitt.numerics.lanes import Lanes, in_branches, lanes_of
+from babbitt.study.inputs import Input
+from babbitt.study.rows import Columns, RowTask, answers_of_arrays, is_empty, joined, solved_one_by_one
+
+__all__ = ["solve_many"]
+
+Index = NDArray[np.intp]
+Steps = tuple[str, ...]
+
+FEWEST = 16
+"""Rows from which arrays are faster."""
+
+MOST_TRIED = 8
+"""Rows of a group of which one must be a case."""
+
+OF_THE_SEARCH = ("iterations", "wall_time")
+"""Results that tell how one bearing was found."""
+
+ENDS: Mapping[str, Steps] = {"quantity": (), "clearance": ("mean",)}
+"""By the form of an input, where below its field its number stands in a case that was read."""
+
+
+def solve_many(task: RowTask, rows: Columns) -> Columns | None:
+    """Solve rows as arrays, equal to one by one (`babbitt.study.rows.SolvesMany`)."""
+    count = rows["row"].size
+    if count < FEWEST or set(task.outputs) & set(OF_THE_SEARCH):
+        return None
+    parts: list[_Part] = []
+    for index in _groups(task, rows, count):
+        parts += _solved(task, rows, index)
+    done = np.concatenate([part.places for part in parts]) if parts else np.empty(0, np.intp)
+    left = np.flatnonzero(~np.isin(np.arange(count), done))
+    if left.size == count:
+        return None
+    if left.size:
+        parts.append(_one_by_one(task, {name: column[left] for name, column in rows.items()}, left))
+    table = joined([part.columns for part in parts])
+    order = np.lexsort((
+        np.concatenate([part.orders for part in parts]), np.concatenate([part.places for part in parts])
+    ))  # fmt: skip
+    return {name: column[order] for name, column in table.items()}
+
+
+@dataclass(frozen=True, eq=False)
+class _Part:
+    """Lines of a table, with the place of their row and their order within it."""
+
+    places: Index
+    orders: Index
+    columns: Columns
+
+
+def _one_by_one(task: RowTask, rows: Columns, places: Index) -> _Part:
+    columns = solved_one_by_one(task, rows)
+    of_row = {number: place for number, place in zip(rows["row"].tolist(), places.tolist(), strict=True)}
+    lines = np.array([of_row[number] for number in columns["row"].tolist()])
+    return _Part(lines, np.arange(lines.size), columns)
+
+
+def _groups(task: RowTask, rows: Columns, count: int) -> list[Index]:
+    """Rows that differ in numbers alone: by their words, their whole numbers, and what their table leaves empty."""
+    keys = []
+    for one in task.inputs:
+        column = rows[one.path]
+        if one.is_choice or one.form not in ENDS:
+            keys.append([str(value) for value in column])
+        elif np.isnan(column).any():
+            keys.append([str(is_empty(value)) for value in column])
+    if not keys:
+        return [np.arange(count)]
+    _, of = np.unique(np.array(["\0".join(key) for key in zip(*keys, strict=True)]), return_inverse=True)
+    return [np.flatnonzero(of == number) for number in range(int(of.max()) + 1)]
+
+
+def _solved(task: RowTask, rows: Columns, index: Index) -> list[_Part]:
+    """The rows of a group, as far as they are known as arrays."""
+    own = {name: column[index] for name, column in rows.items()}
+    case = _read(task, own) if index.size >= FEWEST else None
+    if case is None:
+        return []
+    read, values = case
+    calculations = read.calculations()
+    if any(not isinstance(one.problem, DesignCase) or _has_ducts(one.problem) for one in calculations):
+        return []
+    varied = _varied(task, own, read, values)
+    if varied is None:
+        return []
+    names = [str(one.problem.name) for one in calculations]
+    parts: list[_Part] = []
+    for lanes, cases in in_branches(lambda chosen: _design_cases(read, varied, chosen), np.arange(index.size)):
+        if not cases or [str(one.name) for one in cases] != names:
+            continue
+        found = [_answers(task, own, lanes, one) for one in cases]
+        known = np.logical_and.reduce([np.isin(lanes, _lanes_in(answers)) for answers in found])
+        keep = lanes[known]  # a row of which one bearing is left is left as a whole
+        for order, answers in enumerate(found):
+            for places, columns in answers:
+                chosen = np.isin(places, keep)
+                kept = {name: column[chosen] for name, column in columns.items()}
+                parts.append(_Part(index[places[chosen]], np.full(int(chosen.sum()), order), kept))
+    return parts
+
+
+def _read(task: RowTask, rows: Columns) -> tuple[CaseFile, dict[str, Any]] | None:
+    """The case of one of the rows, with its values; None where the first ones are no cases."""
+    for place in range(min(MOST_TRIED, rows["row"].size)):
+        values = {name: column[place] for name, column in rows.items()}
+        try:
+            return task.case(values), values
+        except InputError:
+            continue
+    return None
+
+
+def _has_ducts(case: DesignCase) -> bool:
+    """Whether oil comes through tubes or holes whose losses are balanced by a search of their own."""
+    supply = case.oil_supply
+    return supply is not None and bool(supply.tubes or supply.holes)
+
+
+def _varied(
+    task: RowTask, rows: Columns, case: CaseFile, values: Mapping[str, Any]
+) -> dict[Steps, NDArray[np.float64]] | None:
+    """Columns by the way to their numbers in the case that was read; None where one is not found there."""
+    made = {}
+    for one in task.inputs:
+        if one.is_choice or one.form not in ENDS or is_empty(values[one.path]):
+            continue
+        steps = (*one.field.split("."), *ENDS[one.form])
+        if _at(case, steps) != values[one.path]:
+            return None
+        made[steps] = rows[one.path]
+    return made
+
+
+def _at(case: Any, steps: Steps) -> Any:
+    for step in steps:
+        case = case[int(step)] if isinstance(case, tuple) else getattr(case, step, None)
+    return case
+
+
+def _design_cases(
+    case: CaseFile, varied: Mapping[Steps, NDArray[np.float64]], chosen: Index
+) -> Sequence[DesignCase]:
+    """Design cases of some rows, their numbers in lanes; none for rows that the case does not take."""
+    for steps, column in varied.items():
+        values = lanes_of(column[chosen])
+        if not _in_range(type(_at(case, steps[:-1])), steps[-1], values):
+            return ()
+        case = _with(case, steps, values)
+    above = dict.fromkeys(steps[:depth] for steps in varied for depth in range(len(steps)))
+    parts = [part for steps in above if isinstance(part := _at(case, steps), Part)]
+    if any(True for part in parts for _ in broken_rules(part)):
+        return ()
+    return [one.problem for one in case.calculations()]
+
+
+def _in_range(part: type[Part], name: str, values: Lanes) -> bool:
+    """Whether values lie in the range of their field."""
+    fields = list(metadata_of(part, name, SiField))
+    return all(
+        bool((one.ranged(values) >= one.bounds[0]) & (one.ranged(values) <= one.bounds[1]))
+        for one in fields
+        if one.bounds is not None
+    )
+
+
+def _with(case: Any, steps: Steps, value: Any) -> Any:
+    """A case with a value in one place."""
+    if not steps:
+        return value
+    first, rest = steps[0], steps[1:]
+    if isinstance(case, tuple):
+        place = int(first)
+        return (*case[:place], _with(case[place], rest, value), *case[place + 1 :])
+    return case.model_copy(update={first: _with(getattr(case, first), rest, value)})
+
+
+def _answers(task: RowTask, rows: Columns, lanes: Index, case: DesignCase) -> list[tuple[Index, Columns]]:
+    """Places of rows with their columns, of one bearing."""
+    made = []
+    for index, answer in check_many(case, lanes.size):
+        if answer is not None:
+            places = lanes[index]
+            own = {name: column[places] for name, column in rows.items()}
+            made.append((places, _columns(task, own, str(case.name), *answer)))
+    return made
+
+
+def _columns(task: RowTask, rows: Columns, name: str, result: Result, verdict: Verdict) -> Columns:
+    count = rows["row"].size
+
+    def column(value: Any) -> NDArray[np.float64]:
+        return np.broadcast_to(np.asarray(value, float), (count,))
+
+    margins: dict[str, NDArray[np.float64]] = {}
+    for check in result.limits:
+        margin = column(check.margin)
+        margins[check.code] = np.minimum(margin, margins.get(check.code, margin))
+    values = {one: column(result.values.get(one, np.nan)) for one in task.outputs}
+    return answers_of_arrays(task, rows, name, values, margins, np.full(count, verdict.key, object))
+
+
+def _lanes_in(answers: Sequence[tuple[Index, Columns]]) -> Index:
+    return np.concatenate([places for places, _ in answers]) if answers else np.empty(0, np.intp)

@@ -1,0 +1,175 @@
+"""Many values at once through formulas with branches that were written for one.
+
+Values of many bearings stand in an array of the class `Lanes`. Arithmetic goes lane by lane as in any array. Where a
+formula asks whether something holds (``if eccentricity > limit``) and the lanes agree, it goes on; where they differ,
+`in_branches` runs it again for those for which it holds and for the others. Every formula thus stands in one place,
+for one bearing and for thousands, and all lanes of a run take the same branches.
+"""
+
+from __future__ import annotations
+
+import copy
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import fields, is_dataclass
+from typing import Any, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+__all__ = ["DividedLanesError", "Lanes", "in_branches", "lanes_at", "lanes_of", "stacked"]
+
+Index = NDArray[np.intp]
+Answer = TypeVar("Answer")
+
+MOST_FAILURES = 200
+"""Runs that may break off before the lanes that are left are given up."""
+
+
+class DividedLanesError(Exception):
+    """A question that the lanes answer differently.
+
+    Attributes
+    ----------
+    holds : ndarray of bool, shape (n,)
+        The answer of each.
+    """
+
+    def __init__(self, holds: NDArray[np.bool_]) -> None:
+        super().__init__(f"{int(holds.sum())} of {holds.size} lanes")
+        self.holds = holds
+
+
+class Lanes(np.ndarray[Any, Any]):
+    """A value for each of many bearings, shape (n,), that takes the place of one number in a formula."""
+
+    def __bool__(self) -> bool:
+        """Whether something holds, where all lanes agree."""
+        holds = np.asarray(self, bool)
+        if holds.all():
+            return True
+        if not holds.any():
+            return False
+        raise DividedLanesError(holds)
+
+    def __hash__(self) -> int:  # type: ignore[override]
+        """By identity, as of any object: remarks with values are told apart."""
+        return id(self)
+
+    def __format__(self, form: str) -> str:
+        """No number that could be taken for the one of a bearing."""
+        return f"{self.size} values"
+
+    def __round__(self, digits: int = 0) -> Lanes:
+        """Lane by lane."""
+        return self.round(digits)
+
+
+def lanes_of(values: NDArray[np.float64]) -> Lanes:
+    """An array as lanes."""
+    return np.asarray(values, float).view(Lanes)
+
+
+def lanes_at(value: Answer, index: Index) -> Answer:
+    """The same for some of the lanes, in their order.
+
+    Parameters
+    ----------
+    value : object
+        Lanes, or what holds some: dataclasses, tuples, lists and dictionaries. What holds none stays.
+    index : ndarray of int
+    """
+    return _mapped(value, lambda lanes: lanes[index])
+
+
+def _mapped(value: Any, change: Callable[[Lanes], Any]) -> Any:
+    """The same with every lanes in it changed; itself where there are none."""
+    if isinstance(value, Lanes):
+        return change(value)
+    if isinstance(value, tuple | list):
+        parts = [_mapped(one, change) for one in value]
+        changed = any(new is not old for new, old in zip(parts, value, strict=True))
+        return type(value)(parts) if changed else value
+    if isinstance(value, dict):
+        made = {key: _mapped(one, change) for key, one in value.items()}
+        return made if any(made[key] is not one for key, one in value.items()) else value
+    if not is_dataclass(value) or isinstance(value, type):
+        return value
+    changes = {}
+    for one in fields(value):
+        old = getattr(value, one.name)
+        if (new := _mapped(old, change)) is not old:
+            changes[one.name] = new
+    return _with(value, changes) if changes else value
+
+
+def _with(value: Any, changes: dict[str, Any]) -> Any:
+    """A copy of a frozen dataclass with other fields, which were found valid before."""
+    made = copy.copy(value)
+    for name, new in changes.items():
+        object.__setattr__(made, name, new)
+    return made
+
+
+def stacked(values: Sequence[Any]) -> Any:
+    """One dataclass of many of one form: their numbers, where they differ, as lanes.
+
+    Raises
+    ------
+    ValueError
+        Where they differ in more than numbers.
+    """
+    first = values[0]
+    if isinstance(first, float) and all(isinstance(one, float) for one in values):
+        return first if all(one == first for one in values) else lanes_of(np.array(values))
+    if any(type(one) is not type(first) for one in values):
+        raise ValueError("they differ in more than numbers")
+    if isinstance(first, tuple):
+        if any(len(one) != len(first) for one in values):
+            raise ValueError("they differ in length")
+        return tuple(stacked(column) for column in zip(*values, strict=True))
+    if is_dataclass(first):
+        columns = {one.name: stacked([getattr(value, one.name) for value in values]) for one in fields(first)}
+        return _with(first, columns)
+    if any(one is not first and one != first for one in values):
+        raise ValueError("they differ in more than numbers")
+    return first
+
+
+def in_branches(
+    formula: Callable[[Index], Answer], lanes: Index
+) -> Iterator[tuple[Index, Answer | None]]:
+    """Run a formula for groups of lanes that take the same branches.
+
+    Parameters
+    ----------
+    formula : callable
+        From the numbers of some lanes to their answer; asked again for fewer of them where they differ.
+    lanes : ndarray of int
+        Numbers of all lanes.
+
+    Yields
+    ------
+    index : ndarray of int
+        Lanes that went the same way.
+    answer : object or None
+        None for lanes with which the formula breaks off: what it raises for one of them, it says for that one
+        when it is asked for it alone.
+    """
+    waiting = [lanes] if lanes.size else []
+    failures = 0
+    while waiting:
+        index = waiting.pop()
+        try:
+            answer = formula(index)
+        except DividedLanesError as divided:
+            waiting += [index[~divided.holds], index[divided.holds]]
+            continue
+        except Exception:  # whatever these lanes break off with; each of them says so when it is asked for alone
+            failures += 1
+            if index.size == 1 or failures > MOST_FAILURES:
+                yield index, None
+            else:  # one of them is to blame, and the others are not
+                half = index.size // 2
+                waiting += [index[half:], index[:half]]
+            continue
+        yield index, answer
