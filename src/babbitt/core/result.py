@@ -130,9 +130,14 @@ class Check:
     @property
     def ok(self) -> bool:
         """Whether the value keeps its limit, to the round-off of its computation."""
+        return bool(self.kept)
+
+    @property
+    def kept(self) -> Any:
+        """`ok`, element by element where value or limit is an array."""
         slack = ROUND_OFF * abs(self.limit)
         most = self.bound is Bound.AT_MOST
-        return bool(self.value <= self.limit + slack if most else self.value >= self.limit - slack)
+        return self.value <= self.limit + slack if most else self.value >= self.limit - slack
 
     @property
     def margin(self) -> float:

@@ -16,7 +16,7 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["DividedLanesError", "Lanes", "in_branches", "lanes_at", "lanes_of", "stacked"]
+__all__ = ["DividedLanesError", "Lanes", "chooser", "in_branches", "lanes_at", "lanes_of", "stacked"]
 
 Index = NDArray[np.intp]
 Answer = TypeVar("Answer")
@@ -70,36 +70,44 @@ def lanes_of(values: NDArray[np.float64]) -> Lanes:
 
 
 def lanes_at(value: Answer, index: Index) -> Answer:
-    """The same for some of the lanes, in their order.
+    """The same for some of the lanes, in their order; as `chooser`, for one choice."""
+    return chooser(value)(index)
+
+
+def chooser(value: Answer) -> Callable[[Index], Answer]:
+    """What gives the same for some of the lanes, in their order.
 
     Parameters
     ----------
     value : object
         Lanes, or what holds some: dataclasses, tuples, lists and dictionaries. What holds none stays.
-    index : ndarray of int
     """
-    return _mapped(value, lambda lanes: lanes[index])
+    found = _chooser(value)
+    return found if found is not None else lambda index: value
 
 
-def _mapped(value: Any, change: Callable[[Lanes], Any]) -> Any:
-    """The same with every lanes in it changed; itself where there are none."""
+def _chooser(value: Any) -> Callable[[Index], Any] | None:
+    """What chooses lanes of a value; None where it holds none."""
     if isinstance(value, Lanes):
-        return change(value)
+        return lambda index: value[index]
     if isinstance(value, tuple | list):
-        parts = [_mapped(one, change) for one in value]
-        changed = any(new is not old for new, old in zip(parts, value, strict=True))
-        return type(value)(parts) if changed else value
+        return _chooser_of(dict(enumerate(value)), lambda made: type(value)(made.values()))
     if isinstance(value, dict):
-        made = {key: _mapped(one, change) for key, one in value.items()}
-        return made if any(made[key] is not one for key, one in value.items()) else value
+        return _chooser_of(value, lambda made: made)
     if not is_dataclass(value) or isinstance(value, type):
-        return value
-    changes = {}
-    for one in fields(value):
-        old = getattr(value, one.name)
-        if (new := _mapped(old, change)) is not old:
-            changes[one.name] = new
-    return _with(value, changes) if changes else value
+        return None
+    held = {one.name: getattr(value, one.name) for one in fields(value)}
+    choosers = {name: choose for name, old in held.items() if (choose := _chooser(old)) is not None}
+    if not choosers:
+        return None
+    return lambda index: _with(value, {name: choose(index) for name, choose in choosers.items()})
+
+
+def _chooser_of(held: dict[Any, Any], make: Callable[[dict[Any, Any]], Any]) -> Callable[[Index], Any] | None:
+    choosers = {key: choose for key, old in held.items() if (choose := _chooser(old)) is not None}
+    if not choosers:
+        return None
+    return lambda index: make(held | {key: choose(index) for key, choose in choosers.items()})
 
 
 def _with(value: Any, changes: dict[str, Any]) -> Any:

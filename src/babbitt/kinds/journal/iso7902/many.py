@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,9 +13,9 @@ from babbitt.design.heat_balance import Equilibrium, NoFilmError, coolest_temper
 from babbitt.design.heat_balance_lanes import coolest_temperatures
 from babbitt.kinds.journal.iso7902.film import Film, curves_of, film_at, starved_film_at
 from babbitt.kinds.journal.iso7902.model import DesignCase
-from babbitt.kinds.journal.iso7902.procedure import result_of
+from babbitt.kinds.journal.iso7902.procedure import METHOD, Design, design_of, result_of
 from babbitt.kinds.journal.iso7902.supply_capacity import gets_less
-from babbitt.numerics.lanes import in_branches, lanes_at, lanes_of
+from babbitt.numerics.lanes import chooser, in_branches, lanes_at, lanes_of
 from babbitt.numerics.scalar_or_array import Array
 
 __all__ = ["check_many"]
@@ -23,7 +24,17 @@ Index = NDArray[np.intp]
 FilmAt = Callable[..., Film]
 
 
-def check_many(case: DesignCase, count: int) -> Iterator[tuple[Index, tuple[Result, Verdict] | None]]:
+@dataclass(frozen=True)
+class _Found:
+    """A film with all the oil that it wants, one with less where it gets less, and what both come to."""
+
+    case: DesignCase
+    film: Film
+    starved: Equilibrium[Film] | None
+    design: Design
+
+
+def check_many(case: DesignCase, count: int) -> Iterator[tuple[Index, Result, Verdict]]:
     """Run the ISO 7902 procedure for many bearings.
 
     Parameters
@@ -36,49 +47,75 @@ def check_many(case: DesignCase, count: int) -> Iterator[tuple[Index, tuple[Resu
     Yields
     ------
     index : ndarray of int
-        Bearings whose checks and remarks are the same, each numbered once.
-    answer : (Result, Verdict) or None
-        Results in lanes. None for bearings that are to be checked one by one: what has no solution, or a heat
-        balance whose way is not plain.
+        Bearings whose checks are the same, and their verdict. Those that are left out are to be checked one by one:
+        what has no solution, and a heat balance whose way is not plain.
+    result : Result
+        Its numbers in lanes; remarks only as far as the verdict depends on them.
+    verdict : Verdict
     """
     full = _temperatures(case, count, film_at)
     starved = np.full(count, np.nan)
     short = _getting_less(case, full)
     if short.size:
         starved[short] = _temperatures(lanes_at(case, short), short.size, starved_film_at)
-    solved = np.isfinite(full)
-    solved[short] &= np.isfinite(starved[short])
-    if not solved.all():
-        yield np.flatnonzero(~solved), None
     is_short = np.zeros(count, bool)
     is_short[short] = True
-    for kind in (solved & ~is_short, solved & is_short):
-        yield from in_branches(lambda index: _answer(case, full, starved, index), np.flatnonzero(kind))
+    own = chooser(case)
+    for kind in (np.isfinite(full) & ~is_short, np.isfinite(full) & is_short & np.isfinite(starved)):
+        for index, found in in_branches(lambda lanes: _found(own(lanes), full, starved, lanes), np.flatnonzero(kind)):
+            if found is not None:
+                for lanes, result, verdict in _judged(found, index.size):
+                    yield index[lanes], result, verdict
 
 
-def _answer(case: DesignCase, full: Array, starved: Array, index: Index) -> tuple[Result, Verdict]:
-    own = lanes_at(case, index)
-    shape = curves_of(own)
-    found = Equilibrium(Outcome.CONVERGED, film_at(lanes_of(full[index]), own, shape), 0, 0.0)
+def _found(case: DesignCase, full: Array, starved: Array, index: Index) -> _Found:
+    shape = curves_of(case)
+    film = film_at(lanes_of(full[index]), case, shape)
     limited = None
     if np.isfinite(starved[index]).all():
-        film = starved_film_at(lanes_of(starved[index]), own, shape)
-        limited = Equilibrium(Outcome.CONVERGED, film, 0, 0.0)
-    result = result_of(own, found, limited, 0.0)
-    return result, result.verdict
+        limited = _equilibrium(starved_film_at(lanes_of(starved[index]), case, shape))
+    return _Found(case, film, limited, design_of(case, film, limited))
+
+
+def _equilibrium(film: Film) -> Equilibrium[Film]:
+    return Equilibrium(Outcome.CONVERGED, film, 0, 0.0)
+
+
+def _judged(found: _Found, count: int) -> Iterator[tuple[Index, Result, Verdict]]:
+    """Bearings by their verdict. One that misses a limit fails, whatever is to be remarked."""
+    choose = chooser(found)
+    design = found.design
+    fails = np.zeros(count, bool)
+    for check in design.checks:
+        if not check.advisory:
+            fails |= ~np.broadcast_to(np.asarray(check.kept, bool), (count,))
+    failing = np.flatnonzero(fails)
+    if failing.size:
+        own = choose(failing)
+        of_checks = Result(own.case.name, own.case.kind, METHOD, Outcome.CONVERGED, own.design.values, own.design.checks)
+        yield failing, of_checks, Verdict.FAIL
+
+    def judged(index: Index) -> tuple[Result, Verdict]:
+        own = choose(index)
+        result = result_of(own.case, _equilibrium(own.film), own.starved, own.design, 0.0)
+        return result, result.verdict
+
+    for index, answer in in_branches(judged, np.flatnonzero(~fails)):
+        if answer is not None:
+            yield index, *answer
 
 
 def _temperatures(case: DesignCase, count: int, film_of: FilmAt) -> Array:
     """Effective temperatures in K; NaN where they are to be found one by one."""
     if case.effective_temperature is not None:
         return np.broadcast_to(np.asarray(case.effective_temperature, float), (count,)).copy()
-    shape = curves_of(case)
+    choose = chooser((case, curves_of(case)))
 
     def surplus(lanes: Index, temperatures: Array) -> Array:
         def of(index: Index) -> object:
-            own = lanes_at(case, lanes[index])
+            own, shape = choose(lanes[index])
             try:
-                film = film_of(lanes_of(temperatures[index]), own, lanes_at(shape, lanes[index]))
+                film = film_of(lanes_of(temperatures[index]), own, shape)
             except NoFilmError as failure:
                 if failure.outcome is Outcome.NO_LUBRICANT_DATA and index.size > 1:
                     raise  # some of them may have

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from functools import partial
 from time import perf_counter
 
-from babbitt.core.result import Result
+from babbitt.core.notices import Notice
+from babbitt.core.result import Check, Result
 from babbitt.core.units import ZERO_CELSIUS
 from babbitt.design.conditions import contact_film
 from babbitt.design.failure import failure_of
@@ -62,7 +64,7 @@ def check(case: DesignCase) -> Result:
         return check_at_temperature(case, case.effective_temperature)
     start = perf_counter()
     found = find_equilibrium(case, partial(film_at, case=case, shape=curves_of(case)))
-    return result_of(case, found, _starved(case, found), start)
+    return _result(case, found, _starved(case, found), start)
 
 
 def check_at_temperature(case: DesignCase, effective_temperature: float) -> Result:
@@ -88,7 +90,7 @@ def check_at_temperature(case: DesignCase, effective_temperature: float) -> Resu
         case, effective_temperature=effective_temperature, assumptions=(*case.assumptions, stated)
     )
     film_of = partial(film_at, case=case, shape=curves_of(case))
-    return result_of(prescribed, at_prescribed_temperature(effective_temperature, film_of), None, start)
+    return _result(prescribed, at_prescribed_temperature(effective_temperature, film_of), None, start)
 
 
 def _starved(case: DesignCase, found: Equilibrium[Film]) -> Equilibrium[Film] | None:
@@ -96,19 +98,46 @@ def _starved(case: DesignCase, found: Equilibrium[Film]) -> Equilibrium[Film] | 
     return starved_equilibrium(case, found.film) if found.film is not None and found.outcome.solved else None
 
 
-def result_of(
+@dataclass(frozen=True)
+class Design:
+    """What a film comes to: values and checks, those of the film with less oil included.
+
+    `hotter` are the values of that film, where there is one; `change` is where mixed friction begins.
+    """
+
+    values: Mapping[str, float]
+    checks: tuple[Check, ...]
+    hotter: Mapping[str, float]
+    change: Transition | None
+
+
+def design_of(case: DesignCase, film: Film, starved: Equilibrium[Film] | None) -> Design:
+    """Values and checks of a film, and of the one with less oil; the limits are held against the worse of both."""
+    change = _transition(case, film)
+    values = _values(case, film, change)
+    checks = checks_of(case, values)
+    hotter: dict[str, float] = {}
+    if starved is not None and starved.film is not None and starved.outcome.solved:
+        hotter = _values(case, starved.film, _transition(case, starved.film))
+        checks = worse_of(checks, checks_of(case, hotter))
+        values |= starved_values(hotter)
+    return Design(values, (*checks, *capacity_check(film, starved)), hotter, change)
+
+
+def warnings_of(
+    case: DesignCase, film: Film, starved: Equilibrium[Film] | None, design: Design
+) -> tuple[Notice, ...]:
+    """All remarks about a film that was found, those about its supply last."""
+    about_supply = tuple(warnings_about_capacity(case, film, starved, design.hotter))
+    worse = {warning.code for warning in about_supply}
+    of_film = all_warnings(case, film, design.values, design.checks, design.change)
+    return (*(one for one in of_film if one.code not in worse), *about_supply)
+
+
+def _result(
     case: DesignCase, found: Equilibrium[Film], starved: Equilibrium[Film] | None, start: float
 ) -> Result:
-    """Values, verdicts and warnings of the film found, or how far an unsolved case came.
-
-    Parameters
-    ----------
-    case : DesignCase
-    found, starved : Equilibrium
-        With all the oil that the film wants, and with what the supply delivers where that is less.
-    start : float
-        When the calculation began.
-    """
+    """Values, verdicts and warnings of the film found, or how far an unsolved case came."""
     if found.film is None:
         return Result(
             case.name,
@@ -121,21 +150,27 @@ def result_of(
             settings=_settings(case),
             failure=failure_of(case, found),
         )
-    change = _transition(case, found.film)
-    values = _values(case, found.film, change)
-    checks = checks_of(case, values)
-    hotter: dict[str, float] = {}
-    if starved is not None and starved.film is not None and starved.outcome.solved:
-        hotter = _values(case, starved.film, _transition(case, starved.film))
-        checks = worse_of(checks, checks_of(case, hotter))
-        values |= starved_values(hotter)
-    checks = (*checks, *capacity_check(found.film, starved))
-    warnings = case.warnings
-    if found.outcome.solved:
-        about_supply = tuple(warnings_about_capacity(case, found.film, starved, hotter))
-        worse = {warning.code for warning in about_supply}
-        of_film = all_warnings(case, found.film, values, checks, change)
-        warnings = (*(one for one in of_film if one.code not in worse), *about_supply)
+    return result_of(case, found, starved, design_of(case, found.film, starved), start)
+
+
+def result_of(
+    case: DesignCase, found: Equilibrium[Film], starved: Equilibrium[Film] | None, design: Design, start: float
+) -> Result:
+    """The result of a film that was found, or reached last.
+
+    Parameters
+    ----------
+    case : DesignCase
+    found, starved : Equilibrium
+        With all the oil that the film wants, and with what the supply delivers where that is less.
+    design : Design
+        What they come to.
+    start : float
+        When the calculation began.
+    """
+    assert found.film is not None, "design is of it"
+    values, checks = dict(design.values), design.checks
+    warnings = warnings_of(case, found.film, starved, design) if found.outcome.solved else case.warnings
     values["iterations"] = float(found.evaluations)
     values["wall_time"] = perf_counter() - start
     not_checked = (

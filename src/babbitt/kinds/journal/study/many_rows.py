@@ -203,11 +203,10 @@ def _with(case: Any, steps: Steps, value: Any) -> Any:
 def _answers(task: RowTask, rows: Columns, lanes: Index, case: DesignCase) -> list[tuple[Index, Columns]]:
     """Places of rows with their columns, of one bearing."""
     made = []
-    for index, answer in check_many(case, lanes.size):
-        if answer is not None:
-            places = lanes[index]
-            own = {name: column[places] for name, column in rows.items()}
-            made.append((places, _columns(task, own, str(case.name), *answer)))
+    for index, result, verdict in check_many(case, lanes.size):
+        places = lanes[index]
+        own = {name: column[places] for name, column in rows.items()}
+        made.append((places, _columns(task, own, str(case.name), result, verdict)))
     return made
 
 
