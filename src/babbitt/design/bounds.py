@@ -43,4 +43,4 @@ def undecided(checks: Iterable[Check], bounds: Bounds) -> tuple[Notice, ...]:
 
 
 def _says_nothing(check: Check, bounds: Bounds) -> bool:
-    return check.ok and check.code in bounds
+    return check.code in bounds and check.ok

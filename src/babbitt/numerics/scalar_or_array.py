@@ -50,6 +50,11 @@ def sense_of(value: Value) -> Value:
     return functions_for(value).copysign(1.0, value)
 
 
+def holds_anywhere(value: Any) -> bool:
+    """Whether something holds, of an array whether it does for any of its elements."""
+    return bool(value.any()) if isinstance(value, np.ndarray) else bool(value)
+
+
 def place_among(bounds: Sequence[float], value: Any) -> Any:
     """Number of rising bounds below a value, element by element.
 

@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import math
+import operator
 from collections.abc import Callable, Collection, Iterator, Mapping
+from dataclasses import dataclass
+from functools import reduce
+from typing import Any
 
 from babbitt.core.notices import Notice
 from babbitt.core.result import Check
 from babbitt.design.bounds import FILM_CHECKS
 from babbitt.design.conditions import Limits
-from babbitt.numerics.scalar_or_array import functions_for
+from babbitt.numerics.scalar_or_array import functions_for, holds_anywhere, larger
 
 __all__ = ["checks_of_metal", "warnings_about_margins"]
 
@@ -62,28 +66,51 @@ def warnings_about_margins(
     viscosity : callable
         Dynamic viscosity of the oil, Pa s, over the temperature in K.
     """
-    near = []
-    hottest = above_inlet(values, RISE_OF_METAL)
-    for check in checks:
-        if check.advisory or not check.ok:
-            continue
+    near = [
+        one
+        for check in checks
+        if not check.advisory and check.ok
+        for one in _near(check, values, of_metal, viscosity)
+    ]
+    if reduce(operator.or_, (one.holds for one in near), False):
+        yield Notice("W191", "kept", {"kept": tuple(one.notice() for one in near if holds_anywhere(one.holds))})
+
+
+@dataclass(frozen=True)
+class _Near:
+    """Whether a limit is kept by too little, and what is said of it."""
+
+    holds: Any
+    notice: Callable[[], Notice]
+
+
+def _near(
+    check: Check,
+    values: Mapping[str, float],
+    of_metal: Collection[str],
+    viscosity: Callable[[float], float],
+) -> Iterator[_Near]:
+    """What of one limit that is kept may be too near."""
+    said = {"check": check.code}
+    if check.code in FILM_CHECKS:
         thinner = thinner_oil(check, values, viscosity)
-        if check.code in FILM_CHECKS and check.margin < max(THINNER, thinner - 1.0):
-            near.append(_about_film(check, values, thinner))
-        if check.code in of_metal and check.limit < max(check.value + HOTTER, hottest):
-            margin = check.limit - check.value
-            near.append(Notice("W191", "temperature", {"margin": margin, "check": check.code}))
-        if check.code == "C110" and check.value * max(TURBULENT_SOONER, thinner) > check.limit:
-            factor = check.limit / check.value
-            near.append(Notice("W191", "reynolds_number", {"factor": factor, "check": check.code}))
-        if check.code == "C115" and check.margin < LIGHTER:
-            near.append(Notice("W191", "critical_mass", {"margin": check.margin, "check": check.code}))
-    if near:
-        yield Notice("W191", "kept", {"kept": tuple(near)})
+        asked = larger(thinner - 1.0, THINNER)
+        yield _Near(check.margin < asked, lambda: _about_film(check, values, thinner))
+    if check.code in of_metal:
+        hottest = larger(check.value + HOTTER, above_inlet(values, RISE_OF_METAL))
+        margin = {"margin": check.limit - check.value}
+        yield _Near(check.limit < hottest, lambda: Notice("W191", "temperature", margin | said))
+    if check.code == "C110":
+        sooner = larger(thinner_oil(check, values, viscosity), TURBULENT_SOONER)
+        factor = {"factor": check.limit / check.value}
+        yield _Near(check.value * sooner > check.limit, lambda: Notice("W191", "reynolds_number", factor | said))
+    if check.code == "C115":
+        lighter = {"margin": check.margin}
+        yield _Near(check.margin < LIGHTER, lambda: Notice("W191", "critical_mass", lighter | said))
 
 
 def _about_film(check: Check, values: Mapping[str, float], thinner: float) -> Notice:
-    if thinner - 1.0 <= THINNER:
+    if not holds_anywhere(thinner - 1.0 > THINNER):
         return Notice("W191", "film", {"margin": check.margin, "check": check.code})
     return Notice("W191", "loaded_film", {
         "margin": check.margin, "check": check.code, "loaded": above_inlet(values, RISE_OF_LOADED_FILM),
@@ -105,7 +132,7 @@ def thinner_oil(check: Check, values: Mapping[str, float], viscosity: Callable[[
     limited = check.quantity.startswith("starved_")
     one = values.get("starved_effective_temperature" if limited else "effective_temperature", math.inf)
     loaded = above_inlet(values, RISE_OF_LOADED_FILM)
-    return viscosity(one) / viscosity(loaded) if loaded > one else 1.0
+    return viscosity(one) / viscosity(larger(loaded, one))
 
 
 def checks_of_metal(limits: Limits) -> tuple[str, ...]:
