@@ -1,4 +1,4 @@
-"""The lumped heat balance of many bearings at once, step by step as `babbitt.design.heat_balance` walks for one."""
+"""The lumped heat balance of many bearings at once, by the steps of `babbitt.design.heat_balance`."""
 
 from __future__ import annotations
 

@@ -1,6 +1,7 @@
-"""Roots between two bounds in each of many lanes: `babbitt.numerics.roots.find_root`, all lanes step by step together.
+"""Roots between two bounds in each of many lanes: the method of `babbitt.numerics.roots`, all lanes together.
 
-Source: Chandrupatla, Advances in Engineering Software 28 (1997) 145-149, as there. Scipy has one from version 1.15 on.
+Source: Chandrupatla, Advances in Engineering Software 28 (1997) 145-149, as there. Scipy has such a function from
+version 1.15 on, which is newer than the oldest one that Babbitt takes.
 """
 
 from __future__ import annotations

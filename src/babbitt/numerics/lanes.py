@@ -1,22 +1,22 @@
 """Many values at once through formulas with branches that were written for one.
 
-Values of many bearings stand in an array of the class `Lanes`. Arithmetic goes lane by lane as in any array. Where a
-formula asks whether something holds (``if eccentricity > limit``) and the lanes agree, it goes on; where they differ,
-`in_branches` runs it again for those for which it holds and for the others. Every formula thus stands in one place,
-for one bearing and for thousands, and all lanes of a run take the same branches.
+Values of many bearings stand in an array of the class `Lanes`. Arithmetic goes lane by lane as in any array. Where
+a formula asks whether something holds (``if eccentricity > limit``) and the lanes agree, it goes on; where they
+differ, `in_branches` runs it again for those for which it holds and for the others. Every formula thus stands in
+one place, for one bearing and for thousands, and all lanes of a run take the same branches.
 """
 
 from __future__ import annotations
 
 import copy
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from dataclasses import fields, is_dataclass
 from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["DividedLanesError", "Lanes", "chooser", "in_branches", "lanes_at", "lanes_of", "stacked"]
+__all__ = ["DividedLanesError", "Lanes", "chooser", "in_branches", "lanes_at", "lanes_of"]
 
 Index = NDArray[np.intp]
 Answer = TypeVar("Answer")
@@ -118,34 +118,7 @@ def _with(value: Any, changes: dict[str, Any]) -> Any:
     return made
 
 
-def stacked(values: Sequence[Any]) -> Any:
-    """One dataclass of many of one form: their numbers, where they differ, as lanes.
-
-    Raises
-    ------
-    ValueError
-        Where they differ in more than numbers.
-    """
-    first = values[0]
-    if isinstance(first, float) and all(isinstance(one, float) for one in values):
-        return first if all(one == first for one in values) else lanes_of(np.array(values))
-    if any(type(one) is not type(first) for one in values):
-        raise ValueError("they differ in more than numbers")
-    if isinstance(first, tuple):
-        if any(len(one) != len(first) for one in values):
-            raise ValueError("they differ in length")
-        return tuple(stacked(column) for column in zip(*values, strict=True))
-    if is_dataclass(first):
-        columns = {one.name: stacked([getattr(value, one.name) for value in values]) for one in fields(first)}
-        return _with(first, columns)
-    if any(one is not first and one != first for one in values):
-        raise ValueError("they differ in more than numbers")
-    return first
-
-
-def in_branches(
-    formula: Callable[[Index], Answer], lanes: Index
-) -> Iterator[tuple[Index, Answer | None]]:
+def in_branches(formula: Callable[[Index], Answer], lanes: Index) -> Iterator[tuple[Index, Answer | None]]:
     """Run a formula for groups of lanes that take the same branches.
 
     Parameters

@@ -96,7 +96,7 @@ class PiecewiseCubic:
 
 
 def distances_of(cubics: Array, widths: Array, ends: Array, levels: Array) -> Array:
-    """Distances from the left ends of intervals at which increasing cubics take values between those at their ends.
+    """Distances from the left ends at which increasing cubics take values between those at their ends.
 
     Parameters
     ----------

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.core.notices import InputError
+from babbitt.numerics.scalar_or_array import functions_for
 
 Value = TypeVar("Value", float, NDArray[np.float64])
 """A float or an array of floats; what goes in comes out."""
@@ -99,7 +100,7 @@ def require_finite(owner: str, **values: float) -> None:
         E003, naming the field.
     """
     for field, value in values.items():
-        if not math.isfinite(value):
+        if not functions_for(value).isfinite(value):
             raise InputError("E003", f"{owner}: {field} must be a finite number, given {value!r}.")
 
 

@@ -8,10 +8,16 @@ Symbols: Y = ν₁₀₀ and U = ν₄₀ in mm²/s. Public functions take and r
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
 
 from babbitt.core.notices import InputError
+from babbitt.numerics.lane_roots import find_roots
+from babbitt.numerics.lanes import Lanes, lanes_of
+from babbitt.numerics.scalar_or_array import functions_for, larger
 from babbitt.properties.lubricants._evaluation import require_finite, require_positive
 
 _MM2_PER_S = 1e-6
@@ -201,7 +207,7 @@ def _u_of(oils: ReferenceOils, y: float, index: float) -> float:
     if index <= 100.0:
         low = oils.index_0(y)
         return low - index * (low - high) / 100.0
-    return high / math.pow(y, math.log10(1.0 + _METHOD_B_SCALE * (index - 100.0)))
+    return high / functions_for(y).pow(y, math.log10(1.0 + _METHOD_B_SCALE * (index - 100.0)))
 
 
 def _solutions(index: float, u: float) -> Iterator[float]:
@@ -216,7 +222,7 @@ def _solutions(index: float, u: float) -> Iterator[float]:
             return
         previous_end = _u_of(oils, upper, index)
         if start <= u <= previous_end:
-            yield max(_y_of(oils, upper, index, u), oils.lower)  # round-off may leave the range
+            yield larger(_y_of(oils, upper, index, u), oils.lower)  # round-off may leave the range
 
 
 def _y_of(oils: ReferenceOils, upper: float, index: float, u: float) -> float:
@@ -228,14 +234,24 @@ def _y_of(oils: ReferenceOils, upper: float, index: float, u: float) -> float:
         c = oils.c - share * (oils.c - oils.f) - u
         # U rises over the range, so of the two roots it is the one with the positive derivative 2 a Y + b.
         return _root_with_positive_slope(a, b, c)
+    if isinstance(u, Lanes):
+        return _roots(lambda lanes, y: _u_of(oils, y, index) / u[lanes] - 1.0, oils.lower, upper, u.size)
     from scipy.optimize import brentq
 
     return float(brentq(lambda y: _u_of(oils, y, index) / u - 1.0, oils.lower, upper, xtol=1e-14, rtol=1e-14))
 
 
+def _roots(function: Callable[[Any, Any], Any], lower: float, upper: Any, count: int) -> Lanes:
+    """Roots between bounds, one a lane; where they are not found, no number."""
+    low, high = (np.array(np.broadcast_to(end, (count,)), float) for end in (lower, upper))
+    lanes = np.arange(count)
+    return lanes_of(find_roots(function, low, high, function(lanes, low), function(lanes, high)))
+
+
 def _root_with_positive_slope(a: float, b: float, c: float) -> float:
     """Root of a Y² + b Y + c whose derivative is positive, without cancellation; `a` may be 0 or negative."""
-    slope = math.sqrt(max(b * b - 4.0 * a * c, 0.0))
+    square = larger(b * b - 4.0 * a * c, 0.0)
+    slope = functions_for(square).sqrt(square)
     return (slope - b) / (2.0 * a) if b < 0.0 else -2.0 * c / (b + slope)
 
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from babbitt.core.notices import InputError
+from babbitt.numerics.scalar_or_array import functions_for
 from babbitt.properties.lubricants._evaluation import (
     Point,
     Value,
@@ -183,6 +184,6 @@ def _line_through(colder: Point, warmer: Point) -> Point:
             f"the double-logarithmic law ends where viscosity plus additive is 1 mm2/s, given {z2:.4g} mm2/s at "
             f"{t2:g} K. Viscosities are in m2/s: 46 mm2/s is 46e-6. Use AstmD341 or Vogel for thin fluids.",
         )
-    y1, y2 = (math.log10(math.log10(z)) for z in (z1, z2))
+    y1, y2 = (functions_for(z).log10(functions_for(z).log10(z)) for z in (z1, z2))
     slope = (y1 - y2) / math.log10(t2 / t1)
     return y1 + slope * math.log10(t1), slope

@@ -47,7 +47,7 @@ def check_many(case: DesignCase, count: int) -> Iterator[tuple[Index, Result, Ve
     Yields
     ------
     index : ndarray of int
-        Bearings whose checks are the same, and their verdict. Those that are left out are to be checked one by one:
+        Bearings whose checks are the same, and their verdict. Those that are left out are for `procedure.check`:
         what has no solution, and a heat balance whose way is not plain.
     result : Result
         Its numbers in lanes; remarks only as far as the verdict depends on them.
@@ -62,7 +62,9 @@ def check_many(case: DesignCase, count: int) -> Iterator[tuple[Index, Result, Ve
     is_short[short] = True
     own = chooser(case)
     for kind in (np.isfinite(full) & ~is_short, np.isfinite(full) & is_short & np.isfinite(starved)):
-        for index, found in in_branches(lambda lanes: _found(own(lanes), full, starved, lanes), np.flatnonzero(kind)):
+        for index, found in in_branches(
+            lambda lanes: _found(own(lanes), full, starved, lanes), np.flatnonzero(kind)
+        ):
             if found is not None:
                 for lanes, result, verdict in _judged(found, index.size):
                     yield index[lanes], result, verdict
@@ -92,7 +94,9 @@ def _judged(found: _Found, count: int) -> Iterator[tuple[Index, Result, Verdict]
     failing = np.flatnonzero(fails)
     if failing.size:
         own = choose(failing)
-        of_checks = Result(own.case.name, own.case.kind, METHOD, Outcome.CONVERGED, own.design.values, own.design.checks)
+        of_checks = Result(
+            own.case.name, own.case.kind, METHOD, Outcome.CONVERGED, own.design.values, own.design.checks
+        )
         yield failing, of_checks, Verdict.FAIL
 
     def judged(index: Index) -> tuple[Result, Verdict]:

@@ -134,9 +134,7 @@ def warnings_of(
     return (*(one for one in of_film if one.code not in worse), *about_supply)
 
 
-def _result(
-    case: DesignCase, found: Equilibrium[Film], starved: Equilibrium[Film] | None, start: float
-) -> Result:
+def _result(case: DesignCase, found: Equilibrium[Film], starved: Equilibrium[Film] | None, start: float) -> Result:
     """Values, verdicts and warnings of the film found, or how far an unsolved case came."""
     if found.film is None:
         return Result(

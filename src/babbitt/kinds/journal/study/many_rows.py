@@ -1,13 +1,13 @@
 """Rows of a study of journal bearings by ISO 7902, solved as arrays.
 
-The case is read once for each combination of words. Its numbers that vary become `Lanes`, are held against the ranges
-of their fields as arrays, and pass the rules of the case, its design cases and the procedure as a single number would.
-Rows that this does not know are solved one by one.
+The case is read once for each combination of words. Its numbers that vary become `Lanes`, are held against the
+ranges of their fields as arrays, and pass the rules of the case, its design cases and the procedure as a single
+number would. Rows that this does not know are solved one by one.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -23,7 +23,6 @@ from babbitt.core.units import SiField
 from babbitt.kinds.journal.iso7902.many import check_many
 from babbitt.kinds.journal.iso7902.model import DesignCase
 from babbitt.numerics.lanes import Lanes, in_branches, lanes_of
-from babbitt.study.inputs import Input
 from babbitt.study.rows import Columns, RowTask, answers_of_arrays, is_empty, joined, solved_one_by_one
 
 __all__ = ["solve_many"]
@@ -40,7 +39,7 @@ MOST_TRIED = 8
 OF_THE_SEARCH = ("iterations", "wall_time")
 """Results that tell how one bearing was found."""
 
-ENDS: Mapping[str, Steps] = {"quantity": (), "clearance": ("mean",)}
+ENDS: Mapping[str, Steps] = {"quantity": (), "clearance": ("mean",), "viscosity": ("nu40",)}
 """By the form of an input, where below its field its number stands in a case that was read."""
 
 
@@ -76,13 +75,13 @@ class _Part:
 
 def _one_by_one(task: RowTask, rows: Columns, places: Index) -> _Part:
     columns = solved_one_by_one(task, rows)
-    of_row = {number: place for number, place in zip(rows["row"].tolist(), places.tolist(), strict=True)}
+    of_row = dict(zip(rows["row"].tolist(), places.tolist(), strict=True))
     lines = np.array([of_row[number] for number in columns["row"].tolist()])
     return _Part(lines, np.arange(lines.size), columns)
 
 
 def _groups(task: RowTask, rows: Columns, count: int) -> list[Index]:
-    """Rows that differ in numbers alone: by their words, their whole numbers, and what their table leaves empty."""
+    """Rows that differ in numbers alone: alike in words, whole numbers, and what their table leaves empty."""
     keys = []
     for one in task.inputs:
         column = rows[one.path]

@@ -9,8 +9,8 @@ from typing import Protocol
 import numpy as np
 
 from babbitt.numerics.piecewise_cubic import PiecewiseCubic
-from babbitt.numerics.spline_cuts import SplineCuts
 from babbitt.numerics.scalar_or_array import Array, Value, functions_for, outside
+from babbitt.numerics.spline_cuts import SplineCuts
 
 _ROUND_OFF = 1e-13
 
