@@ -9,14 +9,14 @@ one place, for one bearing and for thousands, and all lanes of a run take the sa
 from __future__ import annotations
 
 import copy
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import fields, is_dataclass
 from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["DividedLanesError", "Lanes", "chooser", "in_branches", "lanes_at", "lanes_of"]
+__all__ = ["DividedLanesError", "Lanes", "assembled", "chooser", "in_branches", "lanes_at", "lanes_of"]
 
 Index = NDArray[np.intp]
 Answer = TypeVar("Answer")
@@ -57,7 +57,7 @@ class Lanes(np.ndarray[Any, Any]):
 
     def __format__(self, form: str) -> str:
         """No number that could be taken for the one of a bearing."""
-        return f"{self.size} values"
+        return "many values"
 
     def __round__(self, digits: int = 0) -> Lanes:
         """Lane by lane."""
@@ -108,6 +108,51 @@ def _chooser_of(held: dict[Any, Any], make: Callable[[dict[Any, Any]], Any]) -> 
     if not choosers:
         return None
     return lambda index: make(held | {key: choose(index) for key, choose in choosers.items()})
+
+
+def assembled(parts: Sequence[tuple[Index, Any]]) -> Any:
+    """One value of those of several groups of lanes, as if their branches had never parted.
+
+    Parameters
+    ----------
+    parts : sequence of (ndarray of int, object)
+        Numbers of lanes, each in one group, from 0 on, and the value of the group.
+
+    Raises
+    ------
+    ValueError
+        Where the values differ in more than numbers.
+    """
+    values = [value for _, value in parts]
+    first = values[0]
+    if all(one is first for one in values):
+        return first
+    if all(isinstance(one, float | Lanes) for one in values):
+        return _assembled_numbers(parts)
+    if any(type(one) is not type(first) for one in values):
+        raise ValueError("they differ in more than numbers")
+    if isinstance(first, tuple | list | dict):
+        if any(len(one) != len(first) for one in values):
+            raise ValueError("they differ in length")
+        keys = first if isinstance(first, dict) else range(len(first))
+        made = {key: assembled([(index, value[key]) for index, value in parts]) for key in keys}
+        return made if isinstance(first, dict) else type(first)(made.values())
+    if is_dataclass(first):
+        names = [one.name for one in fields(first)]
+        return _with(first, {name: assembled([(i, getattr(value, name)) for i, value in parts]) for name in names})
+    if any(one != first for one in values):
+        raise ValueError("they differ in more than numbers")
+    return first
+
+
+def _assembled_numbers(parts: Sequence[tuple[Index, Any]]) -> Any:
+    first = parts[0][1]
+    if not any(isinstance(one, Lanes) for _, one in parts) and all(one == first for _, one in parts):
+        return first
+    made = np.empty(sum(index.size for index, _ in parts), np.result_type(*(np.asarray(one) for _, one in parts)))
+    for index, value in parts:
+        made[index] = value
+    return made.view(Lanes)
 
 
 def _with(value: Any, changes: dict[str, Any]) -> Any:

@@ -29,6 +29,7 @@ __all__ = [
     "empty_answers",
     "joined",
     "margin_name",
+    "solved_as_arrays",
     "solved_one_by_one",
     "solved_rows",
 ]
@@ -140,12 +141,17 @@ def solved_rows(task: RowTask, rows: Columns) -> Columns:
         Those of `RowTask.names`, a line for each row and bearing (operating point, clearance) of the case. A row
         that is refused or has no solution says why and stops nothing.
     """
+    found = solved_as_arrays(task, rows)
+    return found if found is not None else solved_one_by_one(task, rows)
+
+
+def solved_as_arrays(task: RowTask, rows: Columns) -> Columns | None:
+    """Solve rows many at once where the kind can; None where it cannot."""
     kind = find_kind(task.kind)
-    if kind is not None and kind.solve_many:
-        many: SolvesMany = imported(kind.solve_many)
-        if (found := many(task, rows)) is not None:
-            return found
-    return solved_one_by_one(task, rows)
+    if kind is None or not kind.solve_many:
+        return None
+    many: SolvesMany = imported(kind.solve_many)
+    return many(task, rows)
 
 
 def solved_one_by_one(task: RowTask, rows: Columns) -> Columns:

@@ -15,13 +15,14 @@ from babbitt.kinds.journal.iso7902.film import Film, curves_of, film_at, starved
 from babbitt.kinds.journal.iso7902.model import DesignCase
 from babbitt.kinds.journal.iso7902.procedure import METHOD, Design, design_of, result_of
 from babbitt.kinds.journal.iso7902.supply_capacity import gets_less
-from babbitt.numerics.lanes import chooser, in_branches, lanes_at, lanes_of
+from babbitt.numerics.lanes import chooser, in_branches, lanes_of
 from babbitt.numerics.scalar_or_array import Array
 
 __all__ = ["check_many"]
 
 Index = NDArray[np.intp]
 FilmAt = Callable[..., Film]
+Choose = Callable[[Index], DesignCase]
 
 
 @dataclass(frozen=True)
@@ -53,14 +54,13 @@ def check_many(case: DesignCase, count: int) -> Iterator[tuple[Index, Result, Ve
         Its numbers in lanes; remarks only as far as the verdict depends on them.
     verdict : Verdict
     """
-    full = _temperatures(case, count, film_at)
+    own = chooser(case)
+    full = _temperatures(case, own, np.arange(count), film_at)
     starved = np.full(count, np.nan)
-    short = _getting_less(case, full)
-    if short.size:
-        starved[short] = _temperatures(lanes_at(case, short), short.size, starved_film_at)
+    short = _getting_less(case, own, full)
+    starved[short] = _temperatures(case, own, short, starved_film_at)
     is_short = np.zeros(count, bool)
     is_short[short] = True
-    own = chooser(case)
     for kind in (np.isfinite(full) & ~is_short, np.isfinite(full) & is_short & np.isfinite(starved)):
         for index, found in in_branches(
             lambda lanes: _found(own(lanes), full, starved, lanes), np.flatnonzero(kind)
@@ -109,17 +109,18 @@ def _judged(found: _Found, count: int) -> Iterator[tuple[Index, Result, Verdict]
             yield index, *answer
 
 
-def _temperatures(case: DesignCase, count: int, film_of: FilmAt) -> Array:
-    """Effective temperatures in K; NaN where they are to be found one by one."""
+def _temperatures(case: DesignCase, choose: Choose, bearings: Index, film_of: FilmAt) -> Array:
+    """Effective temperatures in K of some bearings; NaN where they are to be found one by one."""
     if case.effective_temperature is not None:
-        return np.broadcast_to(np.asarray(case.effective_temperature, float), (count,)).copy()
-    choose = chooser((case, curves_of(case)))
+        return np.broadcast_to(np.asarray(case.effective_temperature, float), bearings.shape).copy()
+    shape_of = chooser(curves_of(case))
 
     def surplus(lanes: Index, temperatures: Array) -> Array:
         def of(index: Index) -> object:
-            own, shape = choose(lanes[index])
+            chosen = bearings[lanes[index]]
+            own = choose(chosen)
             try:
-                film = film_of(lanes_of(temperatures[index]), own, shape)
+                film = film_of(lanes_of(temperatures[index]), own, shape_of(chosen))
             except NoFilmError as failure:
                 if failure.outcome is Outcome.NO_LUBRICANT_DATA and index.size > 1:
                     raise  # some of them may have
@@ -128,7 +129,7 @@ def _temperatures(case: DesignCase, count: int, film_of: FilmAt) -> Array:
 
         return _collected(of, temperatures.size)
 
-    coolest = _collected(lambda index: coolest_temperature(lanes_at(case, index)), count)
+    coolest = _collected(lambda index: coolest_temperature(choose(bearings[index])), bearings.size)
     return coolest_temperatures(surplus, coolest)
 
 
@@ -141,7 +142,7 @@ def _collected(formula: Callable[[Index], object], count: int) -> Array:
     return found
 
 
-def _getting_less(case: DesignCase, temperatures: Array) -> Index:
+def _getting_less(case: DesignCase, choose: Choose, temperatures: Array) -> Index:
     """Bearings that get less oil than the standard gives them, where that is balanced."""
     if case.effective_temperature is not None:
         return np.empty(0, np.intp)
@@ -149,7 +150,7 @@ def _getting_less(case: DesignCase, temperatures: Array) -> Index:
     found: list[Index] = []
 
     def less(index: Index) -> bool:
-        own = lanes_at(case, index)
+        own = choose(index)
         return bool(gets_less(film_at(lanes_of(temperatures[index]), own, curves_of(own))))
 
     for index, answer in in_branches(less, solved):

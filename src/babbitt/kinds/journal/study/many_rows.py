@@ -22,7 +22,7 @@ from babbitt.core.result import Result, Verdict
 from babbitt.core.units import SiField
 from babbitt.kinds.journal.iso7902.many import check_many
 from babbitt.kinds.journal.iso7902.model import DesignCase
-from babbitt.numerics.lanes import Lanes, in_branches, lanes_of
+from babbitt.numerics.lanes import Lanes, assembled, in_branches, lanes_of
 from babbitt.study.rows import Columns, RowTask, answers_of_arrays, is_empty, joined, solved_one_by_one
 
 __all__ = ["solve_many"]
@@ -110,8 +110,8 @@ def _solved(task: RowTask, rows: Columns, index: Index) -> list[_Part]:
         return []
     names = [str(one.problem.name) for one in calculations]
     parts: list[_Part] = []
-    for lanes, cases in in_branches(lambda chosen: _design_cases(read, varied, chosen), np.arange(index.size)):
-        if not cases or [str(one.name) for one in cases] != names:
+    for lanes, cases in _in_few_groups(read, varied, index.size):
+        if [str(one.name) for one in cases] != names:
             continue
         found = [_answers(task, own, lanes, one) for one in cases]
         known = np.logical_and.reduce([np.isin(lanes, _lanes_in(answers)) for answers in found])
@@ -122,6 +122,24 @@ def _solved(task: RowTask, rows: Columns, index: Index) -> list[_Part]:
                 kept = {name: column[chosen] for name, column in columns.items()}
                 parts.append(_Part(index[places[chosen]], np.full(int(chosen.sum()), order), kept))
     return parts
+
+
+def _in_few_groups(
+    case: CaseFile, varied: Mapping[Steps, NDArray[np.float64]], count: int
+) -> list[tuple[Index, Sequence[DesignCase]]]:
+    """Rows that the case takes, with their design cases, those together that differ in numbers alone."""
+    found = in_branches(lambda chosen: _design_cases(case, varied, chosen), np.arange(count))
+    groups = [(index, cases) for index, cases in found if cases]
+    try:
+        every = np.concatenate([index for index, _ in groups] or [np.empty(0, np.intp)])
+        order = np.argsort(every)
+        rank = np.empty_like(order)
+        rank[order] = np.arange(order.size)
+        ends = np.cumsum([index.size for index, _ in groups])
+        parts = [(rank[end - index.size : end], cases) for end, (index, cases) in zip(ends, groups, strict=True)]
+        return [(every[order], assembled(parts))] if parts else []
+    except ValueError:
+        return groups
 
 
 def _read(task: RowTask, rows: Columns) -> tuple[CaseFile, dict[str, Any]] | None:
@@ -175,7 +193,7 @@ def _design_cases(
     parts = [part for steps in above if isinstance(part := _at(case, steps), Part)]
     if any(True for part in parts for _ in broken_rules(part)):
         return ()
-    return [one.problem for one in case.calculations()]
+    return tuple(one.problem for one in case.calculations())
 
 
 def _in_range(part: type[Part], name: str, values: Lanes) -> bool:
