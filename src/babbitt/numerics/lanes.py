@@ -61,7 +61,7 @@ class Lanes(np.ndarray[Any, Any]):
 
     def __round__(self, digits: int = 0) -> Lanes:
         """Lane by lane."""
-        return self.round(digits)
+        return np.asarray(self).round(digits).view(Lanes)
 
 
 def lanes_of(values: NDArray[np.float64]) -> Lanes:

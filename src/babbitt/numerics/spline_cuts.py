@@ -64,18 +64,26 @@ class SplineCuts:
         low, high = np.zeros(self.across.shape, np.intp), np.full(self.across.shape, count, np.intp)
         for _ in range(int(count).bit_length()):
             middle = np.minimum((low + high) // 2, count - 1)
-            above = np.asarray(self._cubics(middle)[0] <= levels)
+            above = np.asarray(self._levels(middle) <= levels)
             low, high = np.where(above, middle, low), np.where(above, high, middle)
         return low
 
+    def _levels(self, index: NDArray[np.intp]) -> Array:
+        """Values at the left ends of intervals."""
+        return self._across(self.spline.coefficients[self.function][0][:, index, np.asarray(self.column)])
+
     def _cubics(self, index: NDArray[np.intp]) -> Array:
         """Powers of the first variable in its intervals, shape (4, lanes)."""
-        across = np.asarray(self.across)
         powers = self.spline.coefficients[self.function][:, :, index, np.asarray(self.column)]
-        found = powers[:, 3]
+        return self._across(powers.swapaxes(0, 1))
+
+    def _across(self, powers: Array) -> Array:
+        """Cubics of the second variable, by their powers along the first axis, constant first."""
+        across = np.asarray(self.across)
+        found: Array = powers[3]
         for other in (2, 1, 0):
-            found = found * across + powers[:, other]
-        return np.asarray(found)
+            found = found * across + powers[other]
+        return found
 
 
 def cuts_of(spline: TensorSpline, second: Lanes) -> tuple[SplineCuts, ...]:

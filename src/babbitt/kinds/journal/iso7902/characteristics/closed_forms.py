@@ -135,7 +135,7 @@ class ClosedFormCurves:
         check_load(sommerfeld_number, self)
         if isinstance(sommerfeld_number, np.ndarray):
             roots = [self._root(float(load)) for load in sommerfeld_number.flat]
-            return np.array(roots).reshape(sommerfeld_number.shape)
+            return np.array(roots).reshape(sommerfeld_number.shape).view(type(sommerfeld_number))
         return self._root(sommerfeld_number)
 
     def _root(self, load: float) -> float:
