@@ -112,7 +112,8 @@ def _judged(found: _Found, count: int) -> Iterator[tuple[Index, Result, Verdict]
 def _temperatures(case: DesignCase, choose: Choose, bearings: Index, film_of: FilmAt) -> Array:
     """Effective temperatures in K of some bearings; NaN where they are to be found one by one."""
     if case.effective_temperature is not None:
-        return np.broadcast_to(np.asarray(case.effective_temperature, float), bearings.shape).copy()
+        given = np.asarray(case.effective_temperature, float)
+        return given[bearings] if given.ndim else np.full(bearings.shape, given)
     shape_of = chooser(curves_of(case))
 
     def surplus(lanes: Index, temperatures: Array) -> Array:
