@@ -1,8 +1,9 @@
 """How many rows a second studies compute, and what plan, store and progress cost.
 
-Run ``python benchmarks/study_speed.py [ROWS] [WORKERS]``. The case is the bearing of ``examples/studies`` by ISO 7902,
-heat balance included, over fit, oil, load, speed and inlet temperature. Targets: 50 000 bearings a second on two
-cores, 10^6 in less than 40 s, plan, store and progress less than a tenth of the work.
+Run ``python benchmarks/study_speed.py [ROWS] [WORKERS]`` on a quiet machine. The case is the bearing of
+``examples/studies`` by ISO 7902, heat balance included, over fit, oil, load, speed and inlet temperature. Targets:
+50 000 bearings a second on two cores, 10^6 in less than 40 s, plan, store and progress less than a tenth of the
+work.
 """
 
 from __future__ import annotations
@@ -66,9 +67,8 @@ def main(rows: int, workers: int) -> None:
         solved_one_by_one(made.task, few)
         alone = (time.process_time() - begin) / 40.0
         unsolved = int((found["status"] != "converged").sum())
-        print(
-            f"{name}: {4096 / of_chunk:.0f} rows a second of one core, {1.0 / alone:.0f} one by one; {unsolved} unsolved"
-        )
+        rate = f"{4096 / of_chunk:.0f} rows a second of one core, {1.0 / alone:.0f} one by one"
+        print(f"{name}: {rate}; {unsolved} unsolved")
         with tempfile.TemporaryDirectory() as folder:
             begin = time.perf_counter()
             made = plan(load_case(CASE), block)
@@ -77,10 +77,8 @@ def main(rows: int, workers: int) -> None:
             spent = time.perf_counter() - begin
         work = study.rows * of_chunk / 4096 / workers
         memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e6
-        print(
-            f"  study of {study.rows} rows in {workers} processes, stored: {spent:.1f} s (plan {planned:.2f} s), work "
-            f"{work:.1f} s, {study.rows / spent:.0f} rows a second; this process at most {memory:.2f} GB"
-        )
+        told = f"{spent:.1f} s (plan {planned:.2f} s), work {work:.1f} s, {study.rows / spent:.0f} rows a second"
+        print(f"  study of {study.rows} rows in {workers} processes, stored: {told}; at most {memory:.2f} GB here")
 
 
 if __name__ == "__main__":

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -39,7 +40,7 @@ def coolest_temperatures(surplus: Callable[[Index, Array], Array], coolest: Arra
     on = at_low > 0.0
     lanes, low, at_low = lanes[on], low[on], at_low[on]
     before = at_low
-    brackets: list[tuple[Array, ...]] = []
+    brackets: list[tuple[NDArray[Any], ...]] = []
     while lanes.size:
         high = np.minimum(low + FINE_SEARCH.step, CEILING)
         at_high = surplus(lanes, high)
@@ -49,10 +50,14 @@ def coolest_temperatures(surplus: Callable[[Index, Array], Array], coolest: Arra
         on = (at_high > 0.0) & ~dips & (high < CEILING)
         lanes, before, low, at_low = lanes[on], at_low[on], high[on], at_high[on]
     if brackets:
-        index, *bracket = (np.concatenate(column) for column in zip(*brackets, strict=True))
+        columns = [np.concatenate(column) for column in zip(*brackets, strict=True)]
+        index, below, above, at_below, at_above = columns
         found[index] = find_roots(
             lambda chosen, places: surplus(index[chosen], places),
-            *bracket,
+            below,
+            above,
+            at_below,
+            at_above,
             absolute=FINE_SEARCH.tolerance,
             most_steps=MOST_STEPS,
         )

@@ -23,4 +23,5 @@ def critical_reynolds_number(relative_clearance: float) -> float:
     >>> round(critical_reynolds_number(1.4705e-3))
     1077
     """
-    return 41.3 / functions_for(relative_clearance).sqrt(relative_clearance)
+    root: float = functions_for(relative_clearance).sqrt(relative_clearance)
+    return 41.3 / root

@@ -14,4 +14,5 @@ def recommended_relative_clearance(surface_speed: float) -> float:
     >>> round(1e3 * recommended_relative_clearance(45.0), 1)
     2.1
     """
-    return 0.8e-3 * functions_for(surface_speed).pow(surface_speed, 0.25)
+    root: float = functions_for(surface_speed).pow(surface_speed, 0.25)
+    return 0.8e-3 * root

@@ -64,8 +64,8 @@ class Lanes(np.ndarray[Any, Any]):
         return np.asarray(self).round(digits).view(Lanes)
 
 
-def lanes_of(values: NDArray[np.float64]) -> Lanes:
-    """An array as lanes."""
+def lanes_of(values: NDArray[np.float64]) -> Any:
+    """An array as lanes, for where a formula has one number."""
     return np.asarray(values, float).view(Lanes)
 
 

@@ -42,12 +42,12 @@ class SplineCuts:
         index = interval_of(nodes, places)
         c0, c1, c2, c3 = self._cubics(index)
         distance = places - nodes[index]
-        return np.asarray(c0 + distance * (c1 + distance * (c2 + distance * c3))).view(Lanes)
+        return _in_lanes(c0 + distance * (c1 + distance * (c2 + distance * c3)))
 
     @property
     def first_slope(self) -> Array:
         """Derivative at the first node."""
-        return self._cubics(np.zeros(self.across.shape, np.intp))[1].view(Lanes)
+        return _in_lanes(self._cubics(np.zeros(self.across.shape, np.intp))[1])
 
     def places_of(self, levels: Array) -> Array:
         """Where increasing functions take values between those at their ends, one a lane."""
@@ -56,7 +56,7 @@ class SplineCuts:
         cubics, width = self._cubics(index), np.diff(nodes)[index]
         c0, c1, c2, c3 = cubics
         ends = c0 + width * (c1 + width * (c2 + width * c3))
-        return np.asarray(nodes[index] + distances_of(cubics, width, ends, np.asarray(levels))).view(Lanes)
+        return _in_lanes(nodes[index] + distances_of(cubics, width, ends, np.asarray(levels)))
 
     def _interval_of(self, levels: Array) -> NDArray[np.intp]:
         """Interval of the first variable in which each function takes its value, by bisection over the nodes."""
@@ -86,7 +86,12 @@ class SplineCuts:
         return found
 
 
-def cuts_of(spline: TensorSpline, second: Lanes) -> tuple[SplineCuts, ...]:
+def _in_lanes(values: Array) -> Array:
+    found: Array = np.asarray(values).view(Lanes)
+    return found
+
+
+def cuts_of(spline: TensorSpline, second: Array) -> tuple[SplineCuts, ...]:
     """The functions of a spline of the first variable, at one value of the second a lane."""
     column = interval_of(spline.second_nodes, second)
     across = (second - spline.second_nodes[column]).view(Lanes)

@@ -213,7 +213,7 @@ def _require_same(rows: Columns, found: Columns, task: RowTask) -> None:
         raise InputError("E007", f"{says}; choose another --out, or delete the folder")
 
 
-TIMED_TOGETHER = 512
+TIMED_TOGETHER = 2048
 """Rows whose time tells that of one of them, where rows are solved as arrays."""
 
 

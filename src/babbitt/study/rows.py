@@ -118,7 +118,7 @@ def is_empty(value: Any) -> bool:
     >>> is_empty(math.nan), is_empty(""), is_empty(0.0)
     (True, True, False)
     """
-    return value == "" or value != value
+    return bool(value == "" or value != value)
 
 
 def margin_name(code: str) -> str:

@@ -119,7 +119,7 @@ def _column(
 def _written(cell: Cell, unit: str, quantity: SiField | None) -> str:
     """A cell as it would stand in a case file."""
     if isinstance(cell, SiNumber) and quantity is not None and not unit:
-        return quantity_text(float(cell), quantity.kind)
+        return str(quantity_text(float(cell), quantity.kind))
     if isinstance(cell, str):
         text = cell.strip()
         return f"{text} {unit}".strip() if text and unit else text

@@ -149,4 +149,5 @@ def above_inlet(values: Mapping[str, float], rise: float) -> float:
     if "supply_temperature" not in values:
         return 0.0
     power = values["specific_load"] * abs(values["surface_speed"])
-    return values["supply_temperature"] + rise * functions_for(power).sqrt(power)
+    root: float = functions_for(power).sqrt(power)
+    return values["supply_temperature"] + rise * root

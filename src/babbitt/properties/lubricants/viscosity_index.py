@@ -207,7 +207,8 @@ def _u_of(oils: ReferenceOils, y: float, index: float) -> float:
     if index <= 100.0:
         low = oils.index_0(y)
         return low - index * (low - high) / 100.0
-    return high / functions_for(y).pow(y, math.log10(1.0 + _METHOD_B_SCALE * (index - 100.0)))
+    thinner: float = functions_for(y).pow(y, math.log10(1.0 + _METHOD_B_SCALE * (index - 100.0)))
+    return high / thinner
 
 
 def _solutions(index: float, u: float) -> Iterator[float]:
@@ -241,7 +242,7 @@ def _y_of(oils: ReferenceOils, upper: float, index: float, u: float) -> float:
     return float(brentq(lambda y: _u_of(oils, y, index) / u - 1.0, oils.lower, upper, xtol=1e-14, rtol=1e-14))
 
 
-def _roots(function: Callable[[Any, Any], Any], lower: float, upper: Any, count: int) -> Lanes:
+def _roots(function: Callable[[Any, Any], Any], lower: float, upper: Any, count: int) -> Any:
     """Roots between bounds, one a lane; where they are not found, no number."""
     low, high = (np.array(np.broadcast_to(end, (count,)), float) for end in (lower, upper))
     lanes = np.arange(count)
@@ -251,7 +252,7 @@ def _roots(function: Callable[[Any, Any], Any], lower: float, upper: Any, count:
 def _root_with_positive_slope(a: float, b: float, c: float) -> float:
     """Root of a Y² + b Y + c whose derivative is positive, without cancellation; `a` may be 0 or negative."""
     square = larger(b * b - 4.0 * a * c, 0.0)
-    slope = functions_for(square).sqrt(square)
+    slope: float = functions_for(square).sqrt(square)
     return (slope - b) / (2.0 * a) if b < 0.0 else -2.0 * c / (b + slope)
 
 

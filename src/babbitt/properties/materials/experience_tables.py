@@ -71,8 +71,9 @@ class FilmThicknessTable:
         row = place_among(self.diameters, diameter) - 1
         column = place_among(self.surface_speeds, round(abs(surface_speed), 9))
         if isinstance(row, np.ndarray) or isinstance(column, np.ndarray):
-            return lanes_of(np.array(self.films)[row, column])
-        return self.films[row][column]
+            found: float = lanes_of(np.array(self.films)[row, column])
+            return found
+        return float(self.films[row][column])
 
 
 @dataclass(frozen=True)

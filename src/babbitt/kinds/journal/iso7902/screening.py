@@ -22,7 +22,8 @@ def orlov_relative_clearance(
     2.69
     """
     regime_number = 1e6 * viscosity * hydrodynamic_speed / (2.0 * math.pi * specific_load)
-    return 3.5e-3 * functions_for(regime_number).sqrt(regime_number * width_ratio)
+    root: float = functions_for(regime_number).sqrt(regime_number * width_ratio)
+    return 3.5e-3 * root
 
 
 @dataclass(frozen=True)

@@ -160,7 +160,8 @@ def equivalent_holes(length: float, width: float) -> tuple[float, float]:
 
 
 def _local_flow(fit: Callable[[float], float], s: float) -> float:
-    return math.pi / 48.0 / (functions_for(s).log(1.0 / logarithm_width(s)) * fit(fitted_width(s)))
+    lands: float = functions_for(s).log(1.0 / logarithm_width(s))
+    return math.pi / 48.0 / (lands * fit(fitted_width(s)))
 
 
 @dataclass(frozen=True)

@@ -22,7 +22,7 @@ from babbitt.core.result import Result, Verdict
 from babbitt.core.units import SiField
 from babbitt.kinds.journal.iso7902.many import check_many
 from babbitt.kinds.journal.iso7902.model import DesignCase
-from babbitt.numerics.lanes import Lanes, assembled, in_branches, lanes_of
+from babbitt.numerics.lanes import assembled, in_branches, lanes_of
 from babbitt.study.rows import Columns, RowTask, answers_of_arrays, is_empty, joined, solved_one_by_one
 
 __all__ = ["solve_many"]
@@ -193,10 +193,10 @@ def _design_cases(
     parts = [part for steps in above if isinstance(part := _at(case, steps), Part)]
     if any(True for part in parts for _ in broken_rules(part)):
         return ()
-    return tuple(one.problem for one in case.calculations())
+    return tuple(one.problem for one in case.calculations() if isinstance(one.problem, DesignCase))
 
 
-def _in_range(part: type[Part], name: str, values: Lanes) -> bool:
+def _in_range(part: type[Part], name: str, values: Any) -> bool:
     """Whether values lie in the range of their field."""
     fields = list(metadata_of(part, name, SiField))
     return all(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
-from typing import Protocol
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -96,28 +96,27 @@ class CharacteristicCurves:
     def sommerfeld_number(self, eccentricity_ratio: Value) -> Value:
         """So = F psi^2/(B D eta omega); strictly increasing in eps, 0 at eps = 0."""
         inside, place = self._place(eccentricity_ratio)
-        level = self.log_load.at_many(place) if isinstance(place, np.ndarray) else self.log_load.at(place)
-        return functions_for(level).exp(level) * (eccentricity_ratio / inside)
+        load: Value = _power(self.log_load, place)
+        return load * (eccentricity_ratio / inside)
 
     def attitude_angle(self, eccentricity_ratio: Value) -> Value:
         """Angle beta from the load line to the narrowest gap, positive with rotation [rad]."""
         inside, place = self._place(eccentricity_ratio)
         beyond = self._attitude_slope * (eccentricity_ratio - inside)
-        if isinstance(place, np.ndarray):
-            return self.attitude.at_many(place) + beyond
-        return self.attitude.at(place) + beyond
+        angle: Value = _at(self.attitude, place) + beyond
+        return angle
 
     def side_flow_number(self, eccentricity_ratio: Value) -> Value:
         """Q3* = Q3/(D^3 psi omega), both rims together."""
         inside, place = self._place(eccentricity_ratio)
-        level = self.log_flow.at_many(place) if isinstance(place, np.ndarray) else self.log_flow.at(place)
-        return functions_for(level).exp(level) * (eccentricity_ratio / inside)
+        flow: Value = _power(self.log_flow, place)
+        return flow * (eccentricity_ratio / inside)
 
     def pressure_ratio(self, eccentricity_ratio: Value) -> Value:
         """Largest film pressure over the specific load, p_max/p."""
         _, place = self._place(eccentricity_ratio)
-        level = self.log_pressure.at_many(place) if isinstance(place, np.ndarray) else self.log_pressure.at(place)
-        return functions_for(level).exp(level)
+        pressure: Value = _power(self.log_pressure, place)
+        return pressure
 
     def eccentricity_ratio(self, sommerfeld_number: Value) -> Value:
         """The eccentricity ratio that carries a load; ``sommerfeld_number`` gives it back to round-off.
@@ -137,6 +136,7 @@ class CharacteristicCurves:
             return found.view(type(sommerfeld_number))
         if sommerfeld_number <= least:
             return sommerfeld_number * linear
+        assert isinstance(self.log_load, PiecewiseCubic), "loads of many cuts are lanes"
         place = self.log_load.place_of(math.log(sommerfeld_number))
         return min(1.0 / (1.0 + math.exp(-place)), self.largest_eccentricity_ratio)
 
@@ -149,6 +149,16 @@ class CharacteristicCurves:
             return inside, np.log(inside / (1.0 - inside))
         within = max(float(eccentricity_ratio), first)
         return within, math.log(within / (1.0 - within))
+
+
+def _at(function: PiecewiseCubic | SplineCuts, place: float | Array) -> Any:
+    return function.at_many(place) if isinstance(place, np.ndarray) else function.at(place)
+
+
+def _power(function: PiecewiseCubic | SplineCuts, place: float | Array) -> Any:
+    """What a function gives whose logarithm is known."""
+    level = _at(function, place)
+    return functions_for(level).exp(level)
 
 
 def check_eccentricity(eccentricity_ratio: float | Array, curves: BearingCurves) -> None:

@@ -12,6 +12,7 @@ import math
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from importlib.resources import files
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -143,7 +144,7 @@ def curves(span_degrees: int, width_ratio: Value) -> CharacteristicCurves:
     if isinstance(width_ratio, Lanes):
         _check_width_ratio(width_ratio, table(span_degrees))
         return _curves(span_degrees, width_ratio, cuts_of(table(span_degrees).spline, np.log(width_ratio)))
-    return _curves_of_one(span_degrees, width_ratio)
+    return _curves_of_one(span_degrees, float(width_ratio))
 
 
 @lru_cache(maxsize=4096)
@@ -154,7 +155,7 @@ def _curves_of_one(span_degrees: int, width_ratio: float) -> CharacteristicCurve
 
 
 def _curves(
-    span_degrees: int, width_ratio: Value, functions: tuple[PiecewiseCubic, ...] | tuple[SplineCuts, ...]
+    span_degrees: int, width_ratio: Any, functions: tuple[PiecewiseCubic, ...] | tuple[SplineCuts, ...]
 ) -> CharacteristicCurves:
     log_load, attitude, log_flow, log_pressure = functions
     nodes = table(span_degrees)
