@@ -25,6 +25,7 @@ from babbitt.study.engine import InterruptedStudyError
 from babbitt.study.indices import Indices, indices_of
 from babbitt.study.inputs import path_in
 from babbitt.study.optimum import Optimum, optimum_of
+from babbitt.study.size import Size, size_of
 from babbitt.study.spectrum import SpectrumSummary, spectrum_summary
 from babbitt.study.workers import Cluster, Given, Workers
 from babbitt.study.yields import ToleranceSummary, tolerance_summary
@@ -35,7 +36,7 @@ if TYPE_CHECKING:
 
     from babbitt.api.case import Case
 
-__all__ = ["Study", "studied"]
+__all__ = ["Study", "scalar", "studied"]
 
 EXECUTOR_CHUNKS = 8
 """Chunks that an executor, which does not tell how many workers it has, gets at once."""
@@ -59,7 +60,7 @@ class Study:
 
     @property
     def kind(self) -> str:
-        """What was asked: ``sweep``, ``tolerance``, ``map``, ``sensitivity``, ``spectrum`` or ``optimise``."""
+        """What was asked: ``sweep``, ``size``, ``tolerance``, ``map``, ``sensitivity``, ``spectrum``, ..."""
         return self._study.kind
 
     @property
@@ -85,7 +86,9 @@ class Study:
         return frame
 
     @property
-    def answer(self) -> ToleranceSummary | tuple[Indices, ...] | tuple[SpectrumSummary, ...] | Optimum | None:
+    def answer(
+        self,
+    ) -> ToleranceSummary | tuple[Indices, ...] | tuple[SpectrumSummary, ...] | Optimum | Size | None:
         """What the study comes to, in SI; None for a sweep and a map, whose answer is the table."""
         match self.kind:
             case "tolerance":
@@ -96,6 +99,8 @@ class Study:
                 return spectrum_summary(self._study)
             case "optimise":
                 return optimum_of(self._study)
+            case "size":
+                return size_of(self._study)
         return None
 
     def summary(self) -> str:
@@ -212,7 +217,7 @@ def _block(
     given["vary"] = {path: _with_units(case, path, one) for path, one in varied.items()}
     for one in given.get("load_cases", ()):
         if isinstance(one, dict) and isinstance(one.get("set"), dict):
-            one["set"] = {path: _scalar(case, path, value) for path, value in one["set"].items()}
+            one["set"] = {path: scalar(case, path, value) for path, value in one["set"].items()}
     try:
         return StudyBlock.model_validate(given, context=AS_WRITTEN)
     except ValidationError as error:
@@ -222,7 +227,7 @@ def _block(
 def _with_units(case: Case, path: str, given: Any) -> Any:
     """Numbers of the program, which are in SI, written with the unit of their field."""
     if isinstance(given, list):
-        return [_scalar(case, path, one) for one in given]
+        return [scalar(case, path, one) for one in given]
     if not isinstance(given, dict):
         return given
     made = dict(given)
@@ -230,16 +235,17 @@ def _with_units(case: Case, path: str, given: Any) -> Any:
         if isinstance(made.get(name), list):
             last = 1 if name in ("range", "log_range") else 0  # the number of values has no unit
             numbers, count = made[name][: len(made[name]) - last], made[name][len(made[name]) - last :]
-            made[name] = [*(_scalar(case, path, one) for one in numbers), *count]
+            made[name] = [*(scalar(case, path, one) for one in numbers), *count]
     if isinstance(made.get("normal"), list):
         mean, *deviation = made["normal"]
-        made["normal"] = [_scalar(case, path, mean), *(_scalar(case, path, one, True) for one in deviation)]
+        made["normal"] = [scalar(case, path, mean), *(scalar(case, path, one, True) for one in deviation)]
     if "half_normal" in made:
-        made["half_normal"] = _scalar(case, path, made["half_normal"], True)
+        made["half_normal"] = scalar(case, path, made["half_normal"], True)
     return made
 
 
-def _scalar(case: Case, path: str, value: Any, deviation: bool = False) -> Any:
+def scalar(case: Case, path: str, value: Any, deviation: bool = False) -> Any:
+    """A number of a program, which is in SI, with the unit of its field; anything else as it is."""
     if isinstance(value, bool) or not isinstance(value, int | float):
         return value
     found = map(quantity_in, field_annotations(case.model, path_in(case, path).split(".")))

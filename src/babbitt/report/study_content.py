@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from babbitt.core.result import Verdict
+from babbitt.report.size_table import size_tables
 from babbitt.report.study_values import (
     DASH,
     Scale,
+    StudyTable,
     check_title,
     input_scale,
     output_scale,
@@ -37,29 +38,6 @@ SAMPLING = {"latin_hypercube": "Latin hypercube", "sobol": "Sobol sequence", "ra
 WORDS = {verdict.key: verdict.value for verdict in Verdict}
 
 
-@dataclass(frozen=True)
-class StudyTable:
-    """A table of text.
-
-    Attributes
-    ----------
-    title : str
-    columns : tuple of (str, str)
-        Heading and unit.
-    rows : tuple of tuple of str
-    words : int
-        Columns from the left that hold words; all others hold numbers.
-    notes : tuple of str
-        Below it.
-    """
-
-    title: str
-    columns: tuple[tuple[str, str], ...]
-    rows: tuple[tuple[str, ...], ...]
-    words: int = 1
-    notes: tuple[str, ...] = ()
-
-
 def overview(study: Study) -> str:
     """What was computed, in a sentence."""
     block = study.block
@@ -67,7 +45,7 @@ def overview(study: Study) -> str:
     without = _without_solution(study.columns)
     done = (
         f"{study.rows} of {planned} rows"
-        if not study.complete and block.kind != "optimise"
+        if not study.complete and block.kind not in ("optimise", "size", "design")
         else f"{study.rows} rows"
     )
     drawn = ""
@@ -106,7 +84,8 @@ def _input_table(study: Study) -> StudyTable:
 
 def _reasons(study: Study) -> StudyTable | None:
     """Why rows have no answer, the most frequent first; None where all have one."""
-    messages = [str(one) for one in study.columns["message"] if one]
+    lost = study.columns["verdict"] == Verdict.NO_SOLUTION.key
+    messages = [str(one) for one in study.columns["message"][lost] if one]
     if not messages:
         return None
     counts: dict[str, int] = {}
@@ -374,6 +353,7 @@ _OF_KIND: Mapping[str, Callable[[Study], Iterator[StudyTable]]] = {
     "sweep": _sweep,
     "tolerance": _tolerance,
     "map": _map,
+    "size": size_tables,
     "sensitivity": _sensitivity,
     "spectrum": _spectrum,
     "optimise": _optimise,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import csv
 import typing
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -23,12 +23,13 @@ from babbitt.case.suggestions import near_typo
 from babbitt.case.variation import variation_of
 from babbitt.core.files.spreadsheet import read_rows
 from babbitt.core.notices import InputError
-from babbitt.core.units import KINDS, QuantityError, SiField, SiNumber
+from babbitt.core.units import KINDS, QuantityError, SiField, SiNumber, read
+from babbitt.core.units.kinds import Kind
 from babbitt.properties.fits import tolerance_limits
 from babbitt.properties.lubricants import Lubricant, viscosity_index
 from babbitt.study.laws import CUT, Choices, Difference, HalfNormal, Law, Listed, Normal, Triangular, Uniform
 
-__all__ = ["Input", "inputs_of", "path_in"]
+__all__ = ["Input", "inputs_of", "numbers_of", "path_in", "present_quantity"]
 
 VG_SCATTER = 0.1
 """Share by which nu40 may differ from that of its viscosity grade (ISO 3448)."""
@@ -147,18 +148,53 @@ def path_in(case: CaseFile, path: str) -> str:
     return path
 
 
+def numbers_of(case: CaseFile, path: str) -> tuple[Callable[[Any], float], Kind]:
+    """What reads the numbers of a field, as a case file has them, into SI, and what kind of quantity they are.
+
+    Raises
+    ------
+    InputError
+        For a path that leads to no field, or to one that takes no quantity.
+    """
+    quantity = _quantity_in(_annotations(case, path))
+    if quantity is None:
+        hint = NUMERIC_FORMS.get(path.rpartition(".")[2], "give a list of its values")
+        raise _refused(path, f"takes no quantity, such as a load; {hint}")
+    return _Reader(path, quantity.unit), quantity.kind
+
+
+def present_quantity(case: CaseFile, path: str) -> float | None:
+    """What a case has in a field, in SI; None where it has nothing, or no quantity."""
+    try:
+        quantity = _quantity_in(_annotations(case, path))
+        given = variation_of(case, path_in(case, path)).present
+        return None if quantity is None or given is None else read(given, quantity.unit)
+    except (InputError, QuantityError):
+        return None
+
+
+def _annotations(case: CaseFile, path: str) -> tuple[Any, ...]:
+    field = path_in(case, path)
+    found = field_annotations(_model(case), field.split("."))
+    if not found:
+        raise _refused(path, _unknown(case, field))
+    return found
+
+
+def _quantity_in(annotations: Iterable[Any]) -> SiField | None:
+    return next((one for one in map(quantity_in, annotations) if isinstance(one, SiField)), None)
+
+
 def _input(case: CaseFile, path: str, given: Vary) -> Input:
     field = path_in(case, path)
-    annotations = field_annotations(_model(case), field.split("."))
-    if not annotations:
-        raise _refused(path, _unknown(case, field))
+    annotations = _annotations(case, path)
     about = attributes_of_field(_model(case), field.split("."))
     meaning = about.get("long_name", path)
     if given.fit is not None:
         return _fit(case, path, field, given, meaning)
     if given.scatter is not None:
         return _oil(case, path, field)
-    quantity = next((one for one in map(quantity_in, annotations) if isinstance(one, SiField)), None)
+    quantity = _quantity_in(annotations)
     whole = any(isinstance(one, WholeNumber) for annotation in annotations for one in _metadata(annotation))
     if quantity is None and not whole:
         return _choices(path, field, given, meaning)

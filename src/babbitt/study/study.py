@@ -23,7 +23,8 @@ from babbitt.core.nearest_name import unknown_name
 from babbitt.core.notices import InputError
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Result
-from babbitt.study import grids, indices, optimum, spectrum
+from babbitt.study import grids, indices, optimum, size, spectrum
+from babbitt.study.appraisal import ALL_LIMITS, counted, require_known
 from babbitt.study.engine import Engine, NoWatch, Watch, chunk_size, timed
 from babbitt.study.inputs import Input, inputs_of
 from babbitt.study.maps import default_axes
@@ -178,17 +179,21 @@ def plan(case: CaseFile, block: StudyBlock) -> Plan:
     InputError
         For all that makes the study impossible.
     """
-    block = default_axes(case, block)
+    block = _completed(case, block)
     inputs, rows = require_possible(case, block)
     task = _task(case, inputs)
+    if block.kind == "size":
+        given = size.at_all_clearances(task.given) if block.over_tolerance else task.given
+        task = replace(task, given=given, limits=block.limits)
     results = _results_of_nominal(case, task)
+    require_known(task.limits, results)
     outputs = _outputs(block, results)
-    checks = {check.code: check for result in results for check in result.limits}
+    checks = {one.code: one for result in results for one in counted(result, task.limits or (ALL_LIMITS,))}
     told = tuple(
         {"code": one.code, "quantity": one.quantity, "limit": one.limit, "bound": one.bound.value}
         for one in checks.values()
     )
-    task = RowTask(task.kind, task.given, task.file, task.reach, inputs, outputs, tuple(checks))
+    task = replace(task, outputs=outputs, codes=tuple(checks))
     values, groups = grids.nominal(inputs)
     seconds = timed(task, {"row": np.array([0]), "group": groups, **values})
     return Plan(case, block, task, rows, seconds, told)
@@ -202,13 +207,24 @@ def require_possible(case: CaseFile, block: StudyBlock) -> tuple[tuple[Input, ..
     InputError
         For all that makes the study impossible, but for outputs that the results lack.
     """
-    block = default_axes(case, block)
+    block = _completed(case, block)
     inputs = _inputs(case, block)
     indices.require_numeric(block, inputs)
     optimum.require_pymoo(block, inputs)
     rows = grids.planned(block, inputs)
     grids.require_bearable(rows, 12 + len(inputs) + len(block.outputs))
     return inputs, rows
+
+
+def _completed(case: CaseFile, block: StudyBlock) -> StudyBlock:
+    """The study with what follows from its case where it says nothing."""
+    return _COMPLETED[block.kind](case, block) if block.kind in _COMPLETED else block
+
+
+_COMPLETED: Mapping[str, Callable[[CaseFile, StudyBlock], StudyBlock]] = {
+    "map": default_axes,
+    "size": size.default_scan,
+}
 
 
 def _inputs(case: CaseFile, block: StudyBlock) -> tuple[Input, ...]:
@@ -378,6 +394,10 @@ def _spectrum(made: Plan, engine: Engine) -> Columns:
     return engine.answers(*spectrum.rows_of_spectrum(made.task.inputs, made.block))
 
 
+def _size(made: Plan, engine: Engine) -> Columns:
+    return size.searched(made.task, made.block, engine)
+
+
 def _optimise(made: Plan, engine: Engine) -> Columns:
     return optimum.optimised(made.task, made.block, engine)
 
@@ -385,6 +405,7 @@ def _optimise(made: Plan, engine: Engine) -> Columns:
 _ASKED: Mapping[str, Callable[[Plan, Engine], Columns]] = {
     "sweep": _grid,
     "map": _grid,
+    "size": _size,
     "tolerance": _tolerance,
     "sensitivity": _sensitivity,
     "spectrum": _spectrum,
