@@ -23,7 +23,7 @@ from babbitt.core.nearest_name import unknown_name
 from babbitt.core.notices import InputError
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Result
-from babbitt.study import grids, indices, optimum, size, spectrum
+from babbitt.study import design, grids, indices, optimum, size, spectrum
 from babbitt.study.appraisal import ALL_LIMITS, counted, require_known
 from babbitt.study.engine import Engine, NoWatch, Watch, chunk_size, timed
 from babbitt.study.inputs import Input, inputs_of
@@ -182,12 +182,14 @@ def plan(case: CaseFile, block: StudyBlock) -> Plan:
     block = _completed(case, block)
     inputs, rows = require_possible(case, block)
     task = _task(case, inputs)
+    if block.kind == "design" or block.over_tolerance:
+        task = replace(task, given=size.at_all_clearances(task.given))
     if block.kind == "size":
-        given = size.at_all_clearances(task.given) if block.over_tolerance else task.given
-        task = replace(task, given=given, limits=block.limits)
+        task = replace(task, limits=block.limits)
     results = _results_of_nominal(case, task)
     require_known(task.limits, results)
-    outputs = _outputs(block, results)
+    designing = block.kind == "design"
+    outputs = design.rules_of(case.kind).OUTPUTS if designing else _outputs(block, results)
     checks = {one.code: one for result in results for one in counted(result, task.limits or (ALL_LIMITS,))}
     told = tuple(
         {"code": one.code, "quantity": one.quantity, "limit": one.limit, "bound": one.bound.value}
@@ -211,7 +213,8 @@ def require_possible(case: CaseFile, block: StudyBlock) -> tuple[tuple[Input, ..
     inputs = _inputs(case, block)
     indices.require_numeric(block, inputs)
     optimum.require_pymoo(block, inputs)
-    rows = grids.planned(block, inputs)
+    designing = block.kind == "design"
+    rows = design.planned(inputs, block, case.kind) if designing else grids.planned(block, inputs)
     grids.require_bearable(rows, 12 + len(inputs) + len(block.outputs))
     return inputs, rows
 
@@ -224,6 +227,7 @@ def _completed(case: CaseFile, block: StudyBlock) -> StudyBlock:
 _COMPLETED: Mapping[str, Callable[[CaseFile, StudyBlock], StudyBlock]] = {
     "map": default_axes,
     "size": size.default_scan,
+    "design": design.rule_choices,
 }
 
 
@@ -340,26 +344,46 @@ def case_of(study: Study, row: int) -> CaseFile:
     return made.with_origin(replace(made.origin, given=with_units(made.origin.given, made)))
 
 
-def write_designs(study: Study) -> tuple[Path, ...]:
-    """Write the best designs of an optimisation into its folder, each as a case file that runs; where they are.
+def write_designs(study: Study, folder: Path | None = None) -> tuple[Path, ...]:
+    """Write the best designs of a study, each as a case file that runs; where they are.
 
-    Nothing of another kind, or of a study that is not stored.
+    Parameters
+    ----------
+    study : Study
+        Nothing is written of kinds that seek no designs.
+    folder : Path, optional
+        By default `DESIGNS` in the folder of the study; nothing is written where it is not stored.
     """
-    if study.folder is None or study.kind != "optimise":
+    rows = _best_rows(study)
+    folder = folder or (None if study.folder is None else study.folder / DESIGNS)
+    if folder is None or rows is None:
         return ()
-    files = {}
-    for row in optimum.optimum_of(study).rows:
+    folder.mkdir(parents=True, exist_ok=True)
+    for left in (one for name in rows for one in folder.glob(f"{name.rpartition('-')[0]}-*.yaml")):
+        left.unlink(missing_ok=True)
+    for name, (row, said) in rows.items():
         case = case_of(study, row)
         assert case.origin is not None, "it was read just now"
-        text = case_text(case.origin.given)
-        files[f"design-row-{row}.yaml"] = f"# Row {row} of the study of {case.name}\n{text}".encode()
-    folder = study.folder / DESIGNS
-    folder.mkdir(exist_ok=True)
-    for left in folder.glob("design-row-*.yaml"):
-        left.unlink()
-    for name, content in files.items():
-        replace_synced(folder / name, content)
-    return tuple(folder / name for name in files)
+        heads = "".join(f"# {line}\n" for line in (f"Row {row} of the study of {case.name}", *said))
+        replace_synced(folder / f"{name}.yaml", f"{heads}{case_text(case.origin.given)}".encode())
+    return tuple(folder / f"{name}.yaml" for name in rows)
+
+
+def _best_rows(study: Study) -> dict[str, tuple[int, tuple[str, ...]]] | None:
+    """By the name of a file the row of a best design, and what is said of it; None for kinds without designs."""
+    match study.kind:
+        case "optimise":
+            return {f"design-row-{row}": (row, ()) for row in optimum.optimum_of(study).rows}
+        case "design":
+            found = enumerate(design.designs_of(study).proposals, 1)
+            return {f"proposal-{place}": (one.row, reasons_of(study, one)) for place, (one, _) in found}
+    return None
+
+
+def reasons_of(study: Study, one: design.Candidate) -> tuple[str, ...]:
+    """Why a proposed design is as it is."""
+    limits = {check["code"]: check["limit"] for check in study.description["checks"]}
+    return tuple(design.rules_of(study.description["kind"]).reasons(one.values, limits))
 
 
 DESIGNS = "designs"
@@ -398,6 +422,10 @@ def _size(made: Plan, engine: Engine) -> Columns:
     return size.searched(made.task, made.block, engine)
 
 
+def _design(made: Plan, engine: Engine) -> Columns:
+    return design.designed(made.task, made.block, engine)
+
+
 def _optimise(made: Plan, engine: Engine) -> Columns:
     return optimum.optimised(made.task, made.block, engine)
 
@@ -410,4 +438,5 @@ _ASKED: Mapping[str, Callable[[Plan, Engine], Columns]] = {
     "sensitivity": _sensitivity,
     "spectrum": _spectrum,
     "optimise": _optimise,
+    "design": _design,
 }

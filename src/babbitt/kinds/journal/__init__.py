@@ -19,6 +19,7 @@ KINDS = (
         views=VIEWS,
         comparison=f"{HERE}.compare.comparison:compare",
         vocabulary=f"{HERE}.report.words:JOURNAL_WORDS",
+        first_design=f"{HERE}.study:first_design",
     ),
     Kind(
         name="machine",
