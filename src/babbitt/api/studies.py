@@ -21,6 +21,7 @@ from babbitt.core.optional_package import how_to_install, optional_package
 from babbitt.core.result import Verdict
 from babbitt.core.units import AS_WRITTEN, KINDS, SiField
 from babbitt.study import study as engine
+from babbitt.study.design import Designs, designs_of
 from babbitt.study.engine import InterruptedStudyError
 from babbitt.study.indices import Indices, indices_of
 from babbitt.study.inputs import path_in
@@ -36,7 +37,7 @@ if TYPE_CHECKING:
 
     from babbitt.api.case import Case
 
-__all__ = ["Study", "scalar", "studied"]
+__all__ = ["Study", "run", "scalar", "studied"]
 
 EXECUTOR_CHUNKS = 8
 """Chunks that an executor, which does not tell how many workers it has, gets at once."""
@@ -88,7 +89,7 @@ class Study:
     @property
     def answer(
         self,
-    ) -> ToleranceSummary | tuple[Indices, ...] | tuple[SpectrumSummary, ...] | Optimum | Size | None:
+    ) -> ToleranceSummary | tuple[Indices, ...] | tuple[SpectrumSummary, ...] | Optimum | Designs | Size | None:
         """What the study comes to, in SI; None for a sweep and a map, whose answer is the table."""
         match self.kind:
             case "tolerance":
@@ -99,6 +100,8 @@ class Study:
                 return spectrum_summary(self._study)
             case "optimise":
                 return optimum_of(self._study)
+            case "design":
+                return designs_of(self._study)
             case "size":
                 return size_of(self._study)
         return None
@@ -179,14 +182,25 @@ def studied(
     """Study a case; arguments are those of `babbitt.api.case.Case.study`."""
     complete = case.complete()
     block = _block(complete, kind, vary, outputs, samples, options)
-    made = engine.plan(complete, block)
+    return run(complete, block, out, workers, type(case).of)
+
+
+def run(
+    case: CaseFile,
+    block: StudyBlock,
+    out: str | Path | None,
+    workers: int | Executor | str,
+    public: Callable[[CaseFile], Any],
+) -> Study:
+    """Compute a study, keep it if asked to, and write its designs."""
+    made = engine.plan(case, block)
     folder = None if out is None else Path(out)
     try:
         found = engine.run_study(made, workers=_workers(workers), folder=folder)
     except InterruptedStudyError as error:
         raise KeyboardInterrupt(str(error)) from None
     engine.write_designs(found)
-    return Study(found, type(case).of)
+    return Study(found, public)
 
 
 def _workers(workers: int | Executor | str) -> int | Workers:

@@ -86,8 +86,8 @@ class Kind:
         A function from a case and columns of values to columns of answers (`babbitt.study.rows.SolvesMany`), as
         ``module:name``; empty where rows are solved case by case.
     first_design : str
-        What it says of first designs from a duty (`babbitt.study.design.FirstDesign`), as ``package:module``; empty
-        where it has no rules for them.
+        What it says of first designs from a duty (`babbitt.study.design.FirstDesign`), as ``package:module``;
+        empty where it has no rules for them.
     """
 
     name: str

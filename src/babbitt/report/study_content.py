@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from babbitt.core.result import Verdict
+from babbitt.report.design_table import design_tables
 from babbitt.report.size_table import size_tables
 from babbitt.report.study_values import (
     DASH,
@@ -357,4 +358,5 @@ _OF_KIND: Mapping[str, Callable[[Study], Iterator[StudyTable]]] = {
     "sensitivity": _sensitivity,
     "spectrum": _spectrum,
     "optimise": _optimise,
+    "design": design_tables,
 }

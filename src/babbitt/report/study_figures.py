@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from babbitt.core.files.writing import write_files
 from babbitt.core.result import Verdict
+from babbitt.report.design_figure import design_figures
 from babbitt.report.drawing import GREY, INK, PALE, Drawing, Sheet, mathematics, rendered, style
 from babbitt.report.size_output import size_figure
 from babbitt.report.size_table import size_scale
@@ -438,4 +439,5 @@ _OF_KIND: Mapping[str, Callable[[Study], Iterator[Drawn]]] = {
     "sensitivity": _sensitivity,
     "spectrum": _spectrum,
     "optimise": _optimise,
+    "design": design_figures,
 }

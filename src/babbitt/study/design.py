@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 import numpy as np
 
 from babbitt.case.case_file import CaseFile
+from babbitt.case.loading import case_from_dict
 from babbitt.case.parts.study import StudyBlock, Vary
 from babbitt.core.kind import find_kind, kinds
 from babbitt.core.notices import InputError
@@ -28,7 +29,17 @@ if TYPE_CHECKING:
     from babbitt.study.engine import Engine
     from babbitt.study.study import Study
 
-__all__ = ["Candidate", "Designs", "FirstDesign", "designed", "designs_of", "rule_choices", "rules_of"]
+__all__ = [
+    "CRITERION",
+    "Candidate",
+    "Designs",
+    "FirstDesign",
+    "designed",
+    "designs_of",
+    "duty_study",
+    "rule_choices",
+    "rules_of",
+]
 
 TRIED, REFINED, CONFIRMED = "tried", "refined", "confirmed"
 """What rows are for."""
@@ -44,6 +55,13 @@ ALTERNATIVES = 2
 
 METHOD = "method"
 
+CRITERION = (
+    "all limits kept at the smallest, mean and largest clearance, first without remarks; with a margin of {0:.0%} "
+    "to each limit and a feed that can give the oil of the film; then least friction power, then least oil flow. "
+    "Designs with less margin follow, by their margin"
+)
+"""How designs are ranked."""
+
 WITHIN = (Verdict.PASS.key, Verdict.REMARKS.key)
 ORDER = [verdict.key for verdict in Verdict]
 
@@ -54,11 +72,23 @@ class FirstDesign(Protocol):
     OUTPUTS: tuple[str, ...]
     """Quantities that are kept, among them friction_power and total_flow."""
 
+    REASONS: Mapping[str, str]
+    """By the path of a field why its values are tried."""
+
     METHODS: tuple[str, ...]
     """A quick method, and one that confirms what it finds."""
 
+    def duty(self, **given: Any) -> dict[str, Any]:
+        """A case with a duty, as a file has it, its assumptions named."""
+
     def choices(self, case: CaseFile, given: Mapping[str, Vary]) -> dict[str, Vary]:
         """Fields with the values that are tried, the method last; those given stay."""
+
+    def sufficient(self, values: Mapping[str, float]) -> bool:
+        """Whether a design keeps the rules that are no limits, by its values at the mean clearance."""
+
+    def shown(self, fields: Mapping[str, Any], values: Mapping[str, float]) -> dict[tuple[str, str], str]:
+        """The cells of a design in a table, by heading and unit."""
 
     def fit_together(self, values: Mapping[str, Any]) -> bool:
         """Whether values of fields, as the case has them, belong together."""
@@ -83,6 +113,8 @@ class Candidate:
         Largest friction power in W and oil flow in m3/s.
     values : mapping
         By name the quantities of the mean clearance, in SI.
+    sufficient : bool
+        Whether it keeps the rules of its kind that are no limits.
     """
 
     row: int
@@ -93,6 +125,7 @@ class Candidate:
     power: float
     flow: float
     values: Mapping[str, float]
+    sufficient: bool
 
     @property
     def within(self) -> bool:
@@ -112,15 +145,24 @@ class Designs:
         Designs within the limits that the second method does not confirm.
     nearest : tuple of Candidate
         Where nothing is proposed, the designs that miss their limits least.
-    computed, within : int
-        Designs that were tried; those of them that keep all limits.
+    tried : tuple of Candidate
+        All, the best first.
     """
 
     proposals: tuple[tuple[Candidate, Candidate], ...]
     refuted: tuple[tuple[Candidate, Candidate], ...]
     nearest: tuple[Candidate, ...]
-    computed: int
-    within: int
+    tried: tuple[Candidate, ...]
+
+    @property
+    def computed(self) -> int:
+        """Designs that were tried."""
+        return len(self.tried)
+
+    @property
+    def within(self) -> int:
+        """Designs that keep all limits."""
+        return sum(one.within for one in self.tried)
 
 
 def rules_of(kind: str) -> FirstDesign:
@@ -160,11 +202,11 @@ def designed(task: RowTask, block: StudyBlock, engine: Engine) -> Columns:
     rules, inputs = rules_of(task.kind), task.inputs
     tried = _grid(inputs, rules, _coarse(inputs))
     parts = [engine.answers(_columns(inputs, tried, rules.METHODS[0]), TRIED)]
-    if finer := _finer(inputs, rules, block, _candidates(parts[0], inputs, ()), tried):
+    if finer := _finer(inputs, rules, block, _lines(parts[0], task), tried):
         parts.append(engine.answers(_columns(inputs, finer, rules.METHODS[0]), REFINED))
     confirmed: dict[Any, int] = {}
     solved = 0
-    for one in _ranked(_candidates(joined(parts), inputs, ()), block):
+    for one in _ranked(_lines(joined(parts), task), block):
         key = _distinct(one, inputs)
         enough = sum(count < 0 for count in confirmed.values()) >= block.proposals
         if enough or not one.within or solved >= MOST_CONFIRMED * block.proposals:
@@ -172,7 +214,7 @@ def designed(task: RowTask, block: StudyBlock, engine: Engine) -> Columns:
         if not 0 <= confirmed.get(key, 0) < ALTERNATIVES:
             continue
         parts.append(engine.answers(_columns(inputs, [one.fields], rules.METHODS[1]), CONFIRMED))
-        (again,) = _candidates(parts[-1], inputs, ())
+        (again,) = _lines(parts[-1], task)
         confirmed[key] = -1 if again.within else confirmed.get(key, 0) + 1
         solved += 1
     return joined(parts)
@@ -181,8 +223,10 @@ def designed(task: RowTask, block: StudyBlock, engine: Engine) -> Columns:
 def designs_of(study: Study) -> Designs:
     """The proposals of a study, best first, and what was not confirmed."""
     block, inputs = study.block, study.inputs
-    paths = [one["path"] for one in inputs]
-    found = {group: _lines(study.of(group), paths, study.outputs) for group in (TRIED, REFINED, CONFIRMED)}
+    paths, rules = [one["path"] for one in inputs], rules_of(study.description["kind"])
+    found = {
+        group: _candidates(study.of(group), paths, study.outputs, rules) for group in (TRIED, REFINED, CONFIRMED)
+    }
     second = {_key(one.fields): one for one in found[CONFIRMED]}
     ranked = _ranked([*found[TRIED], *found[REFINED]], block)
     pairs = [(one, second[_key(one.fields)]) for one in ranked if _key(one.fields) in second]
@@ -192,22 +236,18 @@ def designs_of(study: Study) -> Designs:
         proposals,
         tuple(pair for pair in pairs if not pair[1].within),
         nearest,
-        len(ranked),
-        sum(one.within for one in ranked),
+        tuple(ranked),
     )
 
 
 def _ranked(candidates: Sequence[Candidate], block: StudyBlock) -> list[Candidate]:
-    """By the criterion: within the limits, without remarks, with the reserve; then least power, then least flow.
-
-    What has no reserve is ranked by its margin.
-    """
+    """By the criterion (`CRITERION`); what has no reserve is ranked by its margin."""
 
     def standing(one: Candidate) -> tuple[float, ...]:
         margin = one.margin if math.isfinite(one.margin) else -math.inf
         if margin < block.reserve:
             return (not one.within, ORDER.index(one.verdict), 1.0, -margin, one.power)
-        return (not one.within, ORDER.index(one.verdict), 0.0, one.power, one.flow)
+        return (not one.within, ORDER.index(one.verdict), 0.0, not one.sufficient, one.power, one.flow)
 
     return sorted(candidates, key=standing)
 
@@ -287,31 +327,73 @@ def _columns(inputs: Sequence[Input], rows: Sequence[Mapping[str, Any]], method:
     return made
 
 
-def _candidates(columns: Columns, inputs: Sequence[Input], outputs: Sequence[str]) -> list[Candidate]:
-    return _lines(columns, [one.path for one in inputs], outputs)
+def _lines(columns: Columns, task: RowTask) -> list[Candidate]:
+    return _candidates(columns, [one.path for one in task.inputs], task.outputs, rules_of(task.kind))
 
 
-def _lines(columns: Columns, paths: Sequence[str], outputs: Sequence[str]) -> list[Candidate]:
+def _candidates(
+    columns: Columns, paths: Sequence[str], outputs: Sequence[str], rules: FirstDesign
+) -> list[Candidate]:
     """One candidate for the lines of each row."""
     places: dict[int, list[int]] = {}
     for place, row in enumerate(columns["row"].tolist()):
         places.setdefault(row, []).append(place)
-    return [_candidate(columns, row, own, paths, outputs) for row, own in places.items()]
+    return [_candidate(columns, row, own, paths, outputs, rules) for row, own in places.items()]
 
 
 def _candidate(
-    columns: Columns, row: int, places: Sequence[int], paths: Sequence[str], outputs: Sequence[str]
+    columns: Columns,
+    row: int,
+    places: Sequence[int],
+    paths: Sequence[str],
+    outputs: Sequence[str],
+    rules: FirstDesign,
 ) -> Candidate:
     margins = [float(columns["margin"][place]) for place in places]
     worst = min(range(len(places)), key=lambda at: margins[at] if math.isfinite(margins[at]) else -math.inf)
     verdict = max((str(columns["verdict"][place]) for place in places), key=ORDER.index)
     middle = places[len(places) // 2]  # smallest, mean and largest clearance, in this order
+    values = {name: float(columns[name][middle]) for name in outputs}
+    power, flow = (float(np.max(columns[name][list(places)])) for name in ("friction_power", "total_flow"))
     return Candidate(
         row,
-        {path: columns[path][middle] for path in paths if path != METHOD},
+        {path: columns[path][middle : middle + 1].tolist()[0] for path in paths if path != METHOD},
         verdict,
         str(columns["governing_check"][places[worst]]),
         margins[worst],
-        *(float(np.max(columns[name][list(places)])) for name in ("friction_power", "total_flow")),
-        {name: float(columns[name][middle]) for name in outputs},
+        power,
+        flow,
+        values,
+        rules.sufficient(values),
     )
+
+
+def duty_study(
+    kind: str, given: Mapping[str, Any], lubricants: Sequence[str], fits: Sequence[str], **options: Any
+) -> tuple[CaseFile, StudyBlock]:
+    """The case of a duty, and the study that designs it.
+
+    Parameters
+    ----------
+    kind : str
+        Of bearing.
+    given : mapping
+        What its rules take as a duty.
+    lubricants, fits : sequence of str
+        Those that are tried; by the rules where there are none.
+    **options
+        ``reserve`` and ``proposals``.
+
+    Raises
+    ------
+    InputError
+        With everything that the case does not take.
+    """
+    duty = rules_of(kind).duty(**given)
+    case = case_from_dict(duty, "design")
+    offered = {"lubricant": lubricants, "clearance": fits}
+    for name, values in offered.items():
+        for value in values:
+            case_from_dict({**duty, name: value}, "design")
+    vary = {name: Vary(values=tuple(dict.fromkeys(values))) for name, values in offered.items() if values}
+    return case, StudyBlock(kind="design", vary=vary, **options)

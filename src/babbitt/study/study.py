@@ -27,6 +27,7 @@ from babbitt.study import design, grids, indices, optimum, size, spectrum
 from babbitt.study.appraisal import ALL_LIMITS, counted, require_known
 from babbitt.study.engine import Engine, NoWatch, Watch, chunk_size, timed
 from babbitt.study.inputs import Input, inputs_of
+from babbitt.study.laws import Choices, Listed
 from babbitt.study.maps import default_axes
 from babbitt.study.rows import Columns, RowTask
 from babbitt.study.sampling import batch_sizes
@@ -95,7 +96,7 @@ class Plan:
             "name": self.case.name,
             "case_hash": case_hash(self.case),
             "study": self.block.model_dump(exclude_defaults=True, mode="json"),
-            "inputs": [_told(one) for one in self.task.inputs],
+            "inputs": [_told(one, self.block.kind) for one in self.task.inputs],
             "outputs": list(self.task.outputs),
             "checks": list(self.checks),
             "rows": self.rows,
@@ -107,10 +108,11 @@ class Plan:
         }
 
 
-def _told(one: Input) -> dict[str, Any]:
+def _told(one: Input, kind: str) -> dict[str, Any]:
     """An input in words and numbers."""
+    drawn = kind in ("tolerance", "sensitivity") and isinstance(one.law, Listed | Choices)
     told: dict[str, Any] = {"path": one.path, "field": one.field, "unit": one.unit, "meaning": one.meaning}
-    told |= {"law": one.law.words, "reason": one.reason, "form": one.form}
+    told |= {"law": f"{one.law.words}{', equally likely' * drawn}", "reason": one.reason, "form": one.form}
     if one.is_choice:
         return told | {"values": list(one.law.values)}  # type: ignore[union-attr]
     return told | {"support": [float(end) for end in one.law.support]}  # type: ignore[union-attr]
@@ -179,8 +181,11 @@ def plan(case: CaseFile, block: StudyBlock) -> Plan:
     InputError
         For all that makes the study impossible.
     """
-    block = _completed(case, block)
+    stated, block = block.vary, _completed(case, block)
     inputs, rows = require_possible(case, block)
+    if block.kind == "design":
+        reasons = design.rules_of(case.kind).REASONS
+        inputs = tuple(one if one.path in stated else replace(one, reason=reasons[one.path]) for one in inputs)
     task = _task(case, inputs)
     if block.kind == "design" or block.over_tolerance:
         task = replace(task, given=size.at_all_clearances(task.given))

@@ -8,7 +8,7 @@ from typing import Any
 
 from babbitt.case.case_file import CaseFile
 from babbitt.case.parts.study import Vary
-from babbitt.core.check_text import written
+from babbitt.core.check_text import number, written
 from babbitt.core.notices import InputError
 from babbitt.core.units import QuantityError, read
 from babbitt.design.conditions import surface_speed
@@ -17,7 +17,7 @@ from babbitt.properties.fits import Clearance
 from babbitt.properties.lubricants import catalogue
 from babbitt.study.size_choices import JOURNAL_CLASSES
 
-__all__ = ["OUTPUTS", "choices", "duty", "fit_together", "reasons"]
+__all__ = ["METHODS", "OUTPUTS", "REASONS", "choices", "duty", "fit_together", "reasons", "shown", "sufficient"]
 
 OUTPUTS = (
     "width_ratio",
@@ -46,7 +46,7 @@ STEPS_A_DIAMETER = 20.0
 
 BORE_CLASS = "H7"
 FITS = 3
-"""How many fits are tried: those of `JOURNAL_CLASSES` and c8 whose mean clearance is nearest to the recommended."""
+"""How many fits are tried: those of `JOURNAL_CLASSES` and c8 with a mean clearance nearest to the recommended."""
 
 POCKET_SHARE = 0.8
 """Width of a pocket over that of the bearing, and (`HOLE_SHARE`) of a hole over the diameter. Assumptions."""
@@ -55,6 +55,15 @@ HOLE_SHARE = 0.1
 
 METHODS = ("iso7902", "film")
 """What a proposal is found with, and what confirms it."""
+
+REASONS = {
+    "lubricant": "viscosity grades of the catalogue (ISO 3448)",
+    "clearance": "fits nearest to the recommended clearance, 0.8e-3 U^(1/4) (Vogelpohl)",
+    "width": f"B/D of {WIDTH_RATIOS[0]:g} to {WIDTH_RATIOS[1]:g} in whole steps (assumption)",
+    "supply_element": f"pockets of {POCKET_SHARE:g} B at both sides, or a hole of {HOLE_SHARE:g} D opposite "
+    "the load (assumptions)",
+    "method": "the procedure finds, the film confirms",
+}
 
 ASSUMED = {
     "supply_temperature": "45 degC",
@@ -178,6 +187,11 @@ def _millimetres(length: float) -> str:
     return f"{1e3 * length:.6g} mm"
 
 
+def sufficient(values: Mapping[str, float]) -> bool:
+    """Whether the feed can give Q₃, which no limit asks for."""
+    return not values["supply_capacity"] < values["side_flow"]
+
+
 def fit_together(values: Mapping[str, Any]) -> bool:
     """Whether the values of a row belong together: a pocket of these rules goes with its width."""
     feed, width = values.get("supply_element"), values.get("width")
@@ -191,6 +205,25 @@ def _width_of(feed: Mapping[str, Any]) -> float:
     return (
         read(feed["width"], "m") / POCKET_SHARE if feed.get("kind") == "pocket" and "extent" not in feed else 0.0
     )
+
+
+def shown(fields: Mapping[str, Any], values: Mapping[str, float]) -> dict[tuple[str, str], str]:
+    """The cells of a design in a table, by heading and unit: what was chosen, and what comes of it."""
+    film, outlet = (
+        values[f"starved_{name}"] if math.isfinite(values[f"starved_{name}"]) else values[name]
+        for name in ("minimum_film_thickness", "outlet_temperature")
+    )
+    feed = str(fields["supply_element"]).removeprefix("kind ").replace("_", " ")
+    return {
+        ("lubricant", ""): str(fields["lubricant"]),
+        ("clearance", ""): str(fields["clearance"]),
+        ("feed", ""): feed.replace("place ", "").replace("width ", "").replace("diameter ", ""),
+        ("B", "mm"): f"{1e3 * fields['width']:.4g}",
+        ("ψ", "‰"): f"{1e3 * values['relative_clearance']:.2f}",
+        ("p̄", "MPa"): number("specific_load", values["specific_load"]),
+        ("h_min", "µm"): number("minimum_film_thickness", film),
+        ("T_ex", "°C"): number("outlet_temperature", outlet),
+    }
 
 
 def reasons(values: Mapping[str, float], limits: Mapping[str, float]) -> Iterator[str]:
