@@ -78,9 +78,28 @@ def _input_table(study: Study) -> StudyTable:
         scale = input_scale(one)
         ends = one["values"] if "values" in one else [scale.text(end) for end in one["support"]]
         first, last = (str(ends[0]), str(ends[-1])) if ends else (DASH, DASH)
-        rows.append((plain_text(one["path"]), one["meaning"], one["law"], one["reason"], first, last, scale.unit))
+        rows.append(
+            (
+                plain_text(one["path"]),
+                _first_words(one["meaning"]),
+                one["law"],
+                one["reason"],
+                first,
+                last,
+                scale.unit,
+            )
+        )
     columns = ("field", "meaning", "values or distribution", "reason", "from", "to", "unit")
     return StudyTable("What varies", tuple((name, "") for name in columns), tuple(rows), 4)
+
+
+def _first_words(meaning: str) -> str:
+    """What a field is, without how it is written.
+
+    >>> _first_words("Method of calculation: the procedure of ISO 7902, or the film")
+    'Method of calculation'
+    """
+    return meaning.partition(". ")[0].partition(": ")[0]
 
 
 def _reasons(study: Study) -> StudyTable | None:

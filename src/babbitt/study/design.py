@@ -19,6 +19,7 @@ import numpy as np
 from babbitt.case.case_file import CaseFile
 from babbitt.case.loading import case_from_dict
 from babbitt.case.parts.study import StudyBlock, Vary
+from babbitt.case.with_units import case_text
 from babbitt.core.kind import find_kind, kinds
 from babbitt.core.notices import InputError
 from babbitt.core.result import Verdict
@@ -55,9 +56,12 @@ ALTERNATIVES = 2
 
 METHOD = "method"
 
+DIFFERENT = ("lubricant", "clearance")
+"""Fields of which proposals differ in the first that has several values."""
+
 CRITERION = (
-    "all limits kept at the smallest, mean and largest clearance, first without remarks; with a margin of {0:.0%} "
-    "to each limit and a feed that can give the oil of the film; then least friction power, then least oil flow. "
+    "all limits kept at the smallest, mean and largest clearance with the oil that the feed delivers, first "
+    "without remarks; with a margin of at least {0:.0%} to each limit; then least friction power, then least flow. "
     "Designs with less margin follow, by their margin"
 )
 """How designs are ranked."""
@@ -83,9 +87,6 @@ class FirstDesign(Protocol):
 
     def choices(self, case: CaseFile, given: Mapping[str, Vary]) -> dict[str, Vary]:
         """Fields with the values that are tried, the method last; those given stay."""
-
-    def sufficient(self, values: Mapping[str, float]) -> bool:
-        """Whether a design keeps the rules that are no limits, by its values at the mean clearance."""
 
     def shown(self, fields: Mapping[str, Any], values: Mapping[str, float]) -> dict[tuple[str, str], str]:
         """The cells of a design in a table, by heading and unit."""
@@ -113,8 +114,6 @@ class Candidate:
         Largest friction power in W and oil flow in m3/s.
     values : mapping
         By name the quantities of the mean clearance, in SI.
-    sufficient : bool
-        Whether it keeps the rules of its kind that are no limits.
     """
 
     row: int
@@ -125,7 +124,6 @@ class Candidate:
     power: float
     flow: float
     values: Mapping[str, float]
-    sufficient: bool
 
     @property
     def within(self) -> bool:
@@ -223,10 +221,8 @@ def designed(task: RowTask, block: StudyBlock, engine: Engine) -> Columns:
 def designs_of(study: Study) -> Designs:
     """The proposals of a study, best first, and what was not confirmed."""
     block, inputs = study.block, study.inputs
-    paths, rules = [one["path"] for one in inputs], rules_of(study.description["kind"])
-    found = {
-        group: _candidates(study.of(group), paths, study.outputs, rules) for group in (TRIED, REFINED, CONFIRMED)
-    }
+    paths = [one["path"] for one in inputs]
+    found = {group: _candidates(study.of(group), paths, study.outputs) for group in (TRIED, REFINED, CONFIRMED)}
     second = {_key(one.fields): one for one in found[CONFIRMED]}
     ranked = _ranked([*found[TRIED], *found[REFINED]], block)
     pairs = [(one, second[_key(one.fields)]) for one in ranked if _key(one.fields) in second]
@@ -247,14 +243,14 @@ def _ranked(candidates: Sequence[Candidate], block: StudyBlock) -> list[Candidat
         margin = one.margin if math.isfinite(one.margin) else -math.inf
         if margin < block.reserve:
             return (not one.within, ORDER.index(one.verdict), 1.0, -margin, one.power)
-        return (not one.within, ORDER.index(one.verdict), 0.0, not one.sufficient, one.power, one.flow)
+        return (not one.within, ORDER.index(one.verdict), 0.0, one.power, one.flow)
 
     return sorted(candidates, key=standing)
 
 
 def _distinct(one: Candidate, inputs: Sequence[Input]) -> Any:
     """What two proposals differ in: the oil, where one oil is tried the clearance, else any field."""
-    paths = [each.path for each in inputs if each.is_choice and each.path != METHOD and each.listed.size > 1]
+    paths = [each.path for each in inputs if each.path in DIFFERENT and each.listed.size > 1]
     return one.fields[paths[0]] if paths else _key(one.fields)
 
 
@@ -306,9 +302,11 @@ def _finer(
         for one in inputs:
             if not one.is_choice:
                 values[one.path] = _between(one, coarse[one.path], best.fields[one.path])
-            elif one.path not in ("lubricant", "clearance"):
+            elif one.path not in DIFFERENT:
                 values[one.path] = coarse[one.path]
-        made += [row for row in _grid(inputs, rules, values) if _key(row) not in known]
+        finer = [row for row in _grid(inputs, rules, values) if _key(row) not in known]
+        known |= {_key(row) for row in finer}
+        made += finer
     return made
 
 
@@ -328,17 +326,15 @@ def _columns(inputs: Sequence[Input], rows: Sequence[Mapping[str, Any]], method:
 
 
 def _lines(columns: Columns, task: RowTask) -> list[Candidate]:
-    return _candidates(columns, [one.path for one in task.inputs], task.outputs, rules_of(task.kind))
+    return _candidates(columns, [one.path for one in task.inputs], task.outputs)
 
 
-def _candidates(
-    columns: Columns, paths: Sequence[str], outputs: Sequence[str], rules: FirstDesign
-) -> list[Candidate]:
+def _candidates(columns: Columns, paths: Sequence[str], outputs: Sequence[str]) -> list[Candidate]:
     """One candidate for the lines of each row."""
     places: dict[int, list[int]] = {}
     for place, row in enumerate(columns["row"].tolist()):
         places.setdefault(row, []).append(place)
-    return [_candidate(columns, row, own, paths, outputs, rules) for row, own in places.items()]
+    return [_candidate(columns, row, own, paths, outputs) for row, own in places.items()]
 
 
 def _candidate(
@@ -347,7 +343,6 @@ def _candidate(
     places: Sequence[int],
     paths: Sequence[str],
     outputs: Sequence[str],
-    rules: FirstDesign,
 ) -> Candidate:
     margins = [float(columns["margin"][place]) for place in places]
     worst = min(range(len(places)), key=lambda at: margins[at] if math.isfinite(margins[at]) else -math.inf)
@@ -364,7 +359,6 @@ def _candidate(
         power,
         flow,
         values,
-        rules.sufficient(values),
     )
 
 
@@ -390,7 +384,7 @@ def duty_study(
         With everything that the case does not take.
     """
     duty = rules_of(kind).duty(**given)
-    case = case_from_dict(duty, "design")
+    case = case_from_dict(duty, "design").with_text(case_text(duty))
     offered = {"lubricant": lubricants, "clearance": fits}
     for name, values in offered.items():
         for value in values:

@@ -265,7 +265,8 @@ def _choices(path: str, field: str, given: Vary, meaning: str) -> Input:
 
 def _label(value: Any) -> str:
     if isinstance(value, Mapping):
-        return str(value.get("name") or " ".join(f"{key} {one}" for key, one in value.items()))
+        parts = [str(one) if key == "kind" else f"{key} {one}" for key, one in value.items()]
+        return str(value.get("name") or ", ".join(parts))
     return str(value).lower() if isinstance(value, bool) else str(value)
 
 

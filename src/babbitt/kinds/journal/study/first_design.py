@@ -17,7 +17,7 @@ from babbitt.properties.fits import Clearance
 from babbitt.properties.lubricants import catalogue
 from babbitt.study.size_choices import JOURNAL_CLASSES
 
-__all__ = ["METHODS", "OUTPUTS", "REASONS", "choices", "duty", "fit_together", "reasons", "shown", "sufficient"]
+__all__ = ["METHODS", "OUTPUTS", "REASONS", "choices", "duty", "fit_together", "reasons", "shown"]
 
 OUTPUTS = (
     "width_ratio",
@@ -187,11 +187,6 @@ def _millimetres(length: float) -> str:
     return f"{1e3 * length:.6g} mm"
 
 
-def sufficient(values: Mapping[str, float]) -> bool:
-    """Whether the feed can give Q₃, which no limit asks for."""
-    return not values["supply_capacity"] < values["side_flow"]
-
-
 def fit_together(values: Mapping[str, Any]) -> bool:
     """Whether the values of a row belong together: a pocket of these rules goes with its width."""
     feed, width = values.get("supply_element"), values.get("width")
@@ -213,7 +208,7 @@ def shown(fields: Mapping[str, Any], values: Mapping[str, float]) -> dict[tuple[
         values[f"starved_{name}"] if math.isfinite(values[f"starved_{name}"]) else values[name]
         for name in ("minimum_film_thickness", "outlet_temperature")
     )
-    feed = str(fields["supply_element"]).removeprefix("kind ").replace("_", " ")
+    feed = str(fields["supply_element"]).replace("_", " ").replace(",", "")
     return {
         ("lubricant", ""): str(fields["lubricant"]),
         ("clearance", ""): str(fields["clearance"]),
