@@ -48,6 +48,9 @@ TRIED, REFINED, CONFIRMED = "tried", "refined", "confirmed"
 COARSE = 4
 """Values of a number that are tried first."""
 
+MOST_TRIED = 200_000
+"""Combinations of values."""
+
 MOST_CONFIRMED = 3
 """Designs that are solved by the second method, for each proposal that is asked for."""
 
@@ -61,8 +64,8 @@ DIFFERENT = ("lubricant", "clearance")
 
 CRITERION = (
     "all limits kept at the smallest, mean and largest clearance with the oil that the feed delivers, first "
-    "without remarks; with a margin of at least {0:.0%} to each limit; then least friction power, then least flow. "
-    "Designs with less margin follow, by their margin"
+    "without remarks; with a margin of at least {0:.0%} to each limit; then least friction power, then least "
+    "flow. Designs with less margin follow, by their margin"
 )
 """How designs are ranked."""
 
@@ -184,14 +187,34 @@ def rules_of(kind: str) -> FirstDesign:
 
 
 def rule_choices(case: CaseFile, block: StudyBlock) -> StudyBlock:
-    """A design with the values that the rules of its kind try where the study names none."""
+    """A design with the values that the rules of its kind try where the study names none.
+
+    Raises
+    ------
+    InputError
+        E004 for a kind without rules; E003 for methods other than theirs.
+    """
+    methods = rules_of(case.kind).METHODS
     if METHOD in block.vary:
+        if block.vary[METHOD].values != methods:
+            says = f"a design is found by {methods[0]} and confirmed by {methods[1]}; remove it"
+            raise InputError("E003", f"study.vary.{METHOD}: {says}")
         return block
     return block.model_copy(update={"vary": rules_of(case.kind).choices(case, block.vary)})
 
 
 def planned(task_inputs: Sequence[Input], block: StudyBlock, kind: str) -> int:
-    """Rows that a design computes, about: the grid, and what is confirmed."""
+    """Rows that a design computes, about: the grid, and what is confirmed.
+
+    Raises
+    ------
+    InputError
+        E003 for more combinations than `MOST_TRIED`, and for fields without values.
+    """
+    combinations = math.prod(len(values) for values in _coarse(task_inputs).values())
+    if combinations > MOST_TRIED:
+        says = f"{combinations:.4g} designs are to be tried; allowed: {MOST_TRIED}; name fewer values"
+        raise InputError("E003", f"study.vary: {says}")
     return len(_grid(task_inputs, rules_of(kind), _coarse(task_inputs))) + 2 * block.proposals
 
 
