@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any
+from typing import Any, cast
 
 from babbitt.case.case_file import CaseFile
 from babbitt.case.parts.study import Vary
 from babbitt.core.check_text import number, written
 from babbitt.core.notices import InputError
 from babbitt.core.units import QuantityError, read
-from babbitt.design.conditions import surface_speed
+from babbitt.design.conditions import CheckedProblem, surface_speed
 from babbitt.design.screening import recommended_relative_clearance
 from babbitt.properties.fits import Clearance
 from babbitt.properties.lubricants import catalogue
@@ -125,7 +125,7 @@ def duty(
 
 def choices(case: CaseFile, given: Mapping[str, Vary]) -> dict[str, Vary]:
     """The fields of a first design with the values that are tried; what is given stays."""
-    problem = case.calculations()[0].problem
+    problem = cast(CheckedProblem, case.calculations()[0].problem)
     diameter = problem.bearing.diameter
     made = dict(given)
     made.setdefault("lubricant", _listed(one.name for one in catalogue() if one.name.startswith("ISO VG")))
