@@ -106,11 +106,13 @@ def test_assumptions_and_rules_are_named(found):
 def test_the_command_proposes_writes_and_reports(run, tmp_path):
     options = ["--lubricant", "ISO VG 32", "--fit", "H7/d8", "--proposals", 1, "--workers", 1]
     status, out, err = run(
-        "design", *DUTY, *options, "--out", "fan.study", "--out-dir", "fan", "--report", "fan.html", "--plots", "p"
-    )
+        "design", *DUTY, *options, "--out", "fan.study", "--out-dir", "fan",
+        "--report", "fan.html", "--plots", "p", "--xlsx", "fan.xlsx",
+    )  # fmt: skip
     assert (status, err) == (0, "")
     assert "Proposals" in out
     assert (tmp_path / "p" / "designs.svg").is_file()
+    assert (tmp_path / "fan.xlsx").is_file()
     assert "Proposals" in (tmp_path / "fan.html").read_text()
     status, _, _ = run("solve", "fan/proposal-1.yaml", "--strict")
     assert status == 0

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from babbitt.core.result import Verdict
 from babbitt.report.drawing import GREY, INK, Sheet
 from babbitt.study.design import designs_of
 from babbitt.study.study import Study
@@ -28,9 +29,12 @@ def design_figures(study: Study) -> Iterator[tuple[str, str, Figure]]:
     oils = list(dict.fromkeys(str(one.fields["lubricant"]) for one in sorted(shown, key=lambda one: one.power)))
     for place, oil in enumerate(oils):
         own = [one for one in shown if one.fields["lubricant"] == oil]
-        at = [1e-3 * one.power for one in own], [100.0 * one.margin for one in own]
         colour, marker = str(0.75 * place / max(1, len(oils) - 1)), MARKERS[place % len(MARKERS)]
-        panel.plot(*at, marker, color=colour, markersize=3.0, label=oil)
+        for clean, fill, label in ((True, colour, oil), (False, "white", "_")):
+            chosen = [one for one in own if (one.verdict == Verdict.PASS.key) == clean]
+            at = [1e-3 * one.power for one in chosen], [100.0 * one.margin for one in chosen]
+            look = {"markerfacecolor": fill, "markersize": 3.0, "markeredgewidth": 0.5, "zorder": 2 + clean}
+            panel.plot(*at, marker, color=colour, label=label, **look)
     panel.axhline(100.0 * study.block.reserve, color=GREY, linewidth=0.7, linestyle=(0, (5, 2)))
     for place, (one, _) in enumerate(found.proposals, 1):
         best = (1e-3 * one.power, 100.0 * one.margin)
@@ -43,6 +47,7 @@ def design_figures(study: Study) -> Iterator[tuple[str, str, Figure]]:
     yield (
         "designs",
         f"{which}, by their oil: least margin over largest friction power of all clearances. "
-        "Rings: the proposals; dashed: the margin from which they are ranked by power.",
+        "Open: with remarks or beyond a limit; rings: the proposals; dashed: the margin from which they are ranked "
+        "by power.",
         figure,
     )

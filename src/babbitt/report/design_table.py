@@ -21,7 +21,7 @@ def design_tables(study: Study) -> Iterator[StudyTable]:
     """The ranked proposals, or how near the best came to their limits."""
     found = designs_of(study)
     first, second = rules_of(study.description["kind"]).METHODS
-    criterion = f"Ranked: {CRITERION.format(study.block.reserve)}."
+    criterion = f"Ranked: {CRITERION.format(percent(study.block.reserve))}."
     counts = f"{found.within} of {found.computed} designs that were tried keep all limits by {first}"
     if found.proposals:
         rows = [_pair(study, place, pair) for place, pair in enumerate(found.proposals, 1)]

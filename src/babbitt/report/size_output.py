@@ -96,6 +96,7 @@ def size_figure(size: Size, scale: Scale) -> Figure:
     first, last = size.scan[0].value, size.scan[-1].value
     if first > 0.0 and last >= LOGARITHMIC_FROM * first:
         panel.set_xscale("log")
+        panel.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
     for codes, place in _governing(shown):
         panel.annotate(
             codes, (scale.shown(place.value), 100.0 * max(place.margin, LEAST_MARGIN)), xytext=(0, 4),

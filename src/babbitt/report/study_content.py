@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
@@ -99,7 +100,7 @@ def _first_words(meaning: str) -> str:
     >>> _first_words("Method of calculation: the procedure of ISO 7902, or the film")
     'Method of calculation'
     """
-    return meaning.partition(". ")[0].partition(": ")[0]
+    return re.split(r"\. |: |, or |, such as ", meaning, maxsplit=1)[0]
 
 
 def _reasons(study: Study) -> StudyTable | None:

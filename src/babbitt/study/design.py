@@ -64,7 +64,7 @@ DIFFERENT = ("lubricant", "clearance")
 
 CRITERION = (
     "all limits kept at the smallest, mean and largest clearance with the oil that the feed delivers, first "
-    "without remarks; with a margin of at least {0:.0%} to each limit; then least friction power, then least "
+    "without remarks; with a margin of at least {0} to each limit; then least friction power, then least "
     "flow. Designs with less margin follow, by their margin"
 )
 """How designs are ranked."""
