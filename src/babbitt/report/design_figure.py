@@ -47,7 +47,7 @@ def design_figures(study: Study) -> Iterator[tuple[str, str, Figure]]:
     yield (
         "designs",
         f"{which}, by their oil: least margin over largest friction power of all clearances. "
-        "Open: with remarks or beyond a limit; rings: the proposals; dashed: the margin from which they are ranked "
-        "by power.",
+        "Open: with remarks or beyond a limit; rings: the proposals; dashed: the margin from which they are ranked"
+        " by power.",
         figure,
     )
