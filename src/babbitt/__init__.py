@@ -87,6 +87,9 @@ if TYPE_CHECKING:
         VogelLubricant,
         WaltherLubricant,
     )
+    from babbitt.api.designing import (
+        design_bearing,
+    )
     from babbitt.api.footstep_parts import (
         FigureRanges,
         FootstepGroove,
@@ -240,6 +243,7 @@ _NAMES = {
         "RadialClearance RelativeClearance Ring SizeLimits Structure Supply Surfaces TableLubricant Tube "
         "TwoPointLubricant ViscosityIndexLubricant VogelLubricant WaltherLubricant"
     ),
+    "babbitt.api.designing": "design_bearing",
     "babbitt.api.footstep_parts": "FigureRanges Heel FootstepGroove FootstepOil FootstepOptions FootstepWall",
     "babbitt.api.hydrostatic_parts": (
         "AnnularPad Capillary CircularPad ConstantFlow FlowValve HydrostaticOil HydrostaticSupply "
@@ -425,6 +429,7 @@ __all__ = [
     "WaltherLubricant",
     "WornBore",
     "__version__",
+    "design_bearing",
     "diametral_clearance",
     "explain",
     "fit",

@@ -8,6 +8,7 @@ from design_cases import CASE_A, RPM
 
 from babbitt import parse_case
 from babbitt.case import case_from_dict
+from babbitt.core.check_text import comparison
 from babbitt.core.result import Bound, Check, Verdict
 from babbitt.design.ducts import Duct
 from babbitt.kinds.journal.case.build import film_cases, iso7902_cases
@@ -22,7 +23,6 @@ from babbitt.kinds.journal.iso7902.supply import (
     Pockets,
 )
 from babbitt.kinds.journal.iso7902.supply_capacity import worse_of
-from babbitt.report.verdict import comparison
 from babbitt.solving import solve
 
 FAN = """

@@ -9,11 +9,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from babbitt.core.check_text import margin, value_and_limit, written
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Bound, Check
 from babbitt.kinds.journal.iso7902 import check
 from babbitt.report.machine_table import columns_of
-from babbitt.report.verdict import margin, value_and_limit, written
 
 GEAR = tuple(check(case) for case in gear_cases.gear())
 

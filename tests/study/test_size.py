@@ -8,13 +8,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import babbitt as bb
-from babbitt.case.variation import variation_of
 from babbitt.core.notices import InputError
-from babbitt.report.size_output import size_figure, size_json
-from babbitt.report.size_table import print_size, rounded
-from babbitt.study.permitted import TOLERANCE, Appraisal, find_permitted
-from babbitt.study.size import Scan, find_size, scan_values
-from babbitt.study.size_choices import appraise_choices, preferred_numbers, standard_choices
+from babbitt.report.size_output import size_json
+from babbitt.report.size_table import rounded
+from babbitt.study.permitted import TOLERANCE, Trial, find_permitted
+from babbitt.study.size import scan_of
+from babbitt.study.size_choices import preferred_numbers, standard_choices
 
 STEPS = [float(value) for value in range(1, 21)]
 
@@ -30,11 +29,24 @@ def by_load(bearing):
 
 
 def by_margin(margin):
-    def appraise(value):
+    def tried(value):
         found = margin(value)
-        return Appraisal(value, found >= 0.0, found, "C1")
+        return Trial(value, found >= 0.0, found, "C1")
 
-    return appraise
+    return tried
+
+
+def scanned(tried):
+    """A scan of the steps, and its permitted intervals; every value is tried once."""
+    known = {}
+
+    def once(value):
+        if value not in known:
+            known[value] = tried(value)
+        return known[value]
+
+    scan = [once(value) for value in STEPS]
+    return scan, find_permitted(scan, once)
 
 
 @given(st.lists(st.floats(1.2, 19.8), min_size=2, max_size=6, unique=True))
@@ -42,8 +54,7 @@ def test_every_end_is_bracketed_between_what_passes_and_what_does_not(roots):
     def margin(value):
         return math.prod(value - root for root in roots) / 20.0 ** len(roots)
 
-    intervals, scan = find_permitted(by_margin(margin), STEPS)
-    assert [one.value for one in scan] == STEPS
+    scan, intervals = scanned(by_margin(margin))
     for one in intervals:
         for inside, outside in ((one.lower, one.below), (one.upper, one.above)):
             assert margin(inside.value) >= 0.0
@@ -60,19 +71,17 @@ def test_every_end_is_bracketed_between_what_passes_and_what_does_not(roots):
 
 
 def test_an_interval_that_ends_where_nothing_has_a_margin_is_halved_to_its_end():
-    def appraise(value):
-        return (
-            Appraisal(value, True, 0.5, "C1") if 3.3 < value < 7.7 else Appraisal(value, False, math.nan, "S001")
-        )
+    def tried(value):
+        return Trial(value, True, 0.5, "C1") if 3.3 < value < 7.7 else Trial(value, False, math.nan, "S001")
 
-    ((found,), _) = find_permitted(appraise, STEPS)
+    _, (found,) = scanned(tried)
     assert found.lower.value == pytest.approx(3.3, rel=TOLERANCE)
     assert found.upper.value == pytest.approx(7.7, rel=TOLERANCE)
     assert (found.below.code, found.above.code) == ("S001", "S001")
 
 
 def test_nothing_is_permitted_where_every_value_fails():
-    intervals, scan = find_permitted(by_margin(lambda value: -1.0 - abs(value - 5.0)), STEPS)
+    scan, intervals = scanned(by_margin(lambda value: -1.0 - abs(value - 5.0)))
     assert not intervals
     assert max(scan, key=lambda one: one.margin).value == 5.0
 
@@ -80,9 +89,15 @@ def test_nothing_is_permitted_where_every_value_fails():
 @pytest.mark.parametrize(
     ("first", "last", "points"), [(2.0, 1.0, 4), (1.0, 1.0, 4), (1.0, 2.0, 1), (1.0, 2.0, 5000)]
 )
-def test_a_scan_that_is_none_is_refused(first, last, points):
+def test_a_scan_that_is_none_is_refused(bearing, first, last, points):
     with pytest.raises(InputError, match=r"range|scan"):
-        scan_values(first, last, points)
+        scan_of(bearing, "load", f"{first} kN", f"{last} kN", points)
+
+
+def test_wide_scans_have_equal_ratios_and_others_equal_distances(bearing):
+    assert scan_of(bearing, "load", "1 kN", "100 kN", 3).log_range is not None
+    assert scan_of(bearing, "load", "1 kN", "3 kN", 3).range is not None
+    assert scan_of(bearing, "load").log_range == ("1200.0 N", "120000.0 N", 64)
 
 
 def test_the_load_of_the_specific_load_is_its_algebraic_root(bearing):
@@ -110,13 +125,31 @@ def test_each_end_is_that_of_the_file_with_the_value_in_it(bearing, by_load):
             assert result.governing_check.code == end.code
 
 
-def test_a_range_in_which_nothing_passes_names_the_nearest_miss(bearing, capsys):
+def test_a_range_in_which_nothing_passes_names_the_nearest_miss(bearing):
     found = bearing.size("load", within=("40 kN", "60 kN"), points=5)
     assert not found.intervals
     assert found.nearest_miss.value == 40e3
-    print_size(found)
-    assert "No value of the scan is permitted" in (out := capsys.readouterr().out)
-    assert "C103" in out
+    study = bearing.study("size", {"load": {"range": ["40 kN", "60 kN", 5]}})
+    assert "No value of the scan is within all limits" in study.summary()
+    assert "C103" in study.summary()
+
+
+def test_a_size_is_a_study_that_is_kept_and_answers_alike(bearing, by_load, tmp_path):
+    vary = {"load": {"log_range": ["0.5 kN", "100 kN", 64]}}
+    stored = bearing.study("size", vary, out=tmp_path / "a.study")
+    opened = bb.open_study(tmp_path / "a.study")
+    assert stored.answer == opened.answer
+    assert [one.upper.value for one in opened.answer.intervals] == [one.upper.value for one in by_load.intervals]
+    for one in opened.answer.intervals:
+        place = (opened.table["load"] == one.lower.value).argmax()
+        assert opened.case(int(opened.table["row"][place])).solve().result.within_limits
+
+
+def test_a_row_of_any_study_and_of_a_size_has_one_verdict_and_margin(bearing):
+    over = {"load": {"range": ["1 kN", "60 kN", 6]}}
+    plain, sized = bearing.study("sweep", over).table, bearing.study("size", over).table[:6]
+    for name in ("margin", "verdict", "governing_check", "failed_checks"):
+        assert list(plain[name]) == list(sized[name])
 
 
 def test_the_worst_clearance_decides_over_the_tolerance(bearing):
@@ -134,8 +167,8 @@ def test_recommendations_count_only_where_asked_for(bearing):
     )
 
 
-def test_a_temperature_needs_its_range_and_words_are_no_size(bearing):
-    for path in ("supply.temperature", "lubricant", "nothing"):
+def test_a_temperature_needs_its_range_and_a_path_its_field(bearing):
+    for path in ("supply.temperature", "span", "nothing", "materials.bearing_metal"):
         with pytest.raises(bb.CaseError):
             bearing.size(path)
     with pytest.raises(InputError, match="C999"):
@@ -143,23 +176,22 @@ def test_a_temperature_needs_its_range_and_words_are_no_size(bearing):
 
 
 def test_other_units_give_the_same_ends(bearing):
-    newtons = bearing.size("load", within=(2e3, 60e3), points=9)
-    variation = variation_of(bearing, "load")
-    scan = Scan(scan_values(2.0, 60.0, 9), "kN", None, lambda value: f"{value:.15g} kN")
-    (first, *_), (other, *_) = newtons.intervals, find_size(variation, scan).intervals
-    assert first.upper.value == pytest.approx(1e3 * other.upper.value, rel=1e-9)
+    newtons, kilonewtons = (
+        bearing.size("load", within=ends, points=9) for ends in [(2e3, 6e4), ("2 kN", "60 kN")]
+    )
+    assert [one.upper.value for one in newtons.intervals] == [one.upper.value for one in kilonewtons.intervals]
 
 
 def test_choices_are_held_against_the_same_limits(bearing):
-    oils = standard_choices("lubricant")
-    found = appraise_choices(variation_of(bearing, "lubricant"), oils)
-    for oil, one in found.appraisals.items():
+    found = bearing.size("lubricant")
+    assert tuple(found.choices) == standard_choices("lubricant")
+    for oil, one in found.choices.items():
         assert bearing.solve(lubricant=oil).result.within_limits == one.permitted
-    assert {one.permitted for one in found.appraisals.values()} == {True, False}
+    assert {one.permitted for one in found.choices.values()} == {True, False}
 
 
 def test_preferred_numbers_lie_within(by_load):
-    numbers = preferred_numbers(by_load)
+    numbers = preferred_numbers(by_load.intervals, "N")
     assert {1000.0, 1120.0, 35500.0} <= set(numbers)
     assert not any(1540.0 < number < 1660.0 or number > 36e3 for number in numbers)
 
@@ -168,24 +200,28 @@ def test_ends_are_rounded_into_the_interval():
     assert (rounded(46.4199, upward=False), rounded(46.4101, upward=True)) == ("46.41", "46.42")
 
 
-def test_the_record_and_the_figure_hold_the_intervals(by_load):
+def test_speeds_are_round_in_rpm(bearing):
+    found = bearing.study("size", {"speed": {"range": ["1000 rpm", "3000 rpm", 5]}}, preferred=True).answer
+    rpm = [one.value * 30.0 / math.pi for one in found.preferred]
+    assert rpm == pytest.approx([1000, 1120, 1250, 1400, 1600, 1800, 2000, 2240, 2500, 2800])
+
+
+def test_the_record_holds_the_intervals(by_load):
     record = json.loads(size_json(by_load))
     assert [one["from"] for one in record["intervals"]] == [one.lower.value for one in by_load.intervals]
     assert len(record["scan"]) == 64
-    panel = size_figure(by_load).axes[0]
-    assert len(panel.patches) == len(by_load.intervals)
 
 
 def test_the_command_tells_intervals_and_writes_them(run, tmp_path):
     run("new", "journal", "-o", "pump.yaml")
     status, out, _ = run(
-        "size", "pump.yaml", "load", "--points", "20", "--preferred", "--json", "s.json", "--plot", "s.svg"
+        "size", "pump.yaml", "load", "--points", "20", "--preferred", "--json", "s.json", "--plots", "figures"
     )
     assert status == 0
     assert "C103" in out
     assert "1000 N" in out or "1 kN" in out
     assert (tmp_path / "s.json").is_file()
-    assert (tmp_path / "s.svg").is_file()
+    assert (tmp_path / "figures" / "size.svg").is_file()
     status, out, _ = run("size", "pump.yaml", "lubricant", "--among", "ISO VG 46, ISO VG 10")
     assert status == 0
     assert "yes" in out
@@ -200,7 +236,7 @@ def test_the_command_tells_intervals_and_writes_them(run, tmp_path):
         ("nothing.here",),
         ("load", "--limits", "C999", "--points", "3"),
         ("load", "--points", "1"),
-        ("load", "--plot", "s.doc"),
+        ("load", "--report", "s.doc"),
     ],
 )
 def test_bad_input_is_one_message(run, tmp_path, arguments):

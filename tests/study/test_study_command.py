@@ -42,6 +42,7 @@ STUDIES = {
             {"name": "full", "share": "70 %", "set": {"speed": "2000 rpm", "load": "24 kN"}},
         ],
     },
+    "size": {"kind": "size", "vary": {"load": {"log_range": ["1 kN", "100 kN", 5]}}, "preferred": True},
     "optimise": {
         "kind": "optimise",
         "vary": {
@@ -59,6 +60,7 @@ TITLES = {
     "map": "Map of",
     "sensitivity": "Sobol indices",
     "spectrum": "Over the spectrum",
+    "size": "load within all limits",
     "optimise": "Pareto set",
 }
 

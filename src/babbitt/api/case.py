@@ -272,6 +272,7 @@ class Case(SolvesTables, CaseFile):
         *,
         within: tuple[Any, Any] | None = None,
         points: int = 64,
+        among: Sequence[Any] = (),
         limits: str | Sequence[str] = "all",
         over_tolerance: bool = False,
     ) -> Size:
@@ -280,11 +281,13 @@ class Case(SolvesTables, CaseFile):
         Parameters
         ----------
         path : str
-            Of the field, which takes a quantity.
+            Of the field.
         within : tuple, optional
             First and last value of the scan; a decade below and above the value of the case where it is left out.
         points : int
             Values of the scan. An interval narrower than a step of it may be missed.
+        among : sequence
+            Choices that are held against the limits instead; usual ones of an oil or a tolerance class without it.
         limits : str or sequence of str
             "all", "recommended" (recommendations count too), or the codes of the checks that count.
         over_tolerance : bool
@@ -293,17 +296,18 @@ class Case(SolvesTables, CaseFile):
         Returns
         -------
         Size
-            Its `intervals` hold the ends in SI, to 1e-4 and permitted, and what lies beyond each.
+            Its `intervals` hold the ends in SI, to 1e-4 and permitted, and what lies beyond each; its `choices`
+            how each choice does.
 
         Raises
         ------
         CaseError, InputError
-            For what is no field with a quantity, for a range that does not ascend, for codes that no check has,
-            and where the case refuses every value.
+            For what is no field, for a range that does not ascend, for codes that no check has, and where the
+            case refuses every value.
         """
-        from babbitt.api.sizing import size_of
+        from babbitt.api.sizing import sized
 
-        return size_of(self.complete(), path, within, points, limits, over_tolerance)
+        return sized(self.complete(), path, within, points, among, limits, over_tolerance)
 
     def study(
         self,

@@ -206,8 +206,8 @@ class MachineResults:
 
     def _rows(self) -> list[tuple[str, str, str]]:
         """Name, verdict, and the governing check or why there is no operating point."""
+        from babbitt.core.check_text import comparison
         from babbitt.report.text import plain_text
-        from babbitt.report.verdict import comparison
 
         def why(one: BearingResult) -> str:
             if not one.solved:

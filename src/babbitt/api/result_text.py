@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 from html import escape
 
+from babbitt.core.check_text import comparison, written
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Result
 from babbitt.report.labels import label
 from babbitt.report.text import plain_text
-from babbitt.report.verdict import comparison, written
 from babbitt.report.view import view_of
 
 __all__ = ["html_of", "key_values", "text_of"]

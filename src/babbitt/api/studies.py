@@ -21,10 +21,12 @@ from babbitt.core.optional_package import how_to_install, optional_package
 from babbitt.core.result import Verdict
 from babbitt.core.units import AS_WRITTEN, KINDS, SiField
 from babbitt.study import study as engine
+from babbitt.study.design import Designs, designs_of
 from babbitt.study.engine import InterruptedStudyError
 from babbitt.study.indices import Indices, indices_of
 from babbitt.study.inputs import path_in
 from babbitt.study.optimum import Optimum, optimum_of
+from babbitt.study.size import Size, size_of
 from babbitt.study.spectrum import SpectrumSummary, spectrum_summary
 from babbitt.study.table_cells import read_table, table_of_columns
 from babbitt.study.workers import Cluster, Given, Workers
@@ -36,7 +38,7 @@ if TYPE_CHECKING:
 
     from babbitt.api.case import Case
 
-__all__ = ["Study", "solved_table", "studied"]
+__all__ = ["Study", "run", "scalar", "solved_table", "studied"]
 
 EXECUTOR_CHUNKS = 8
 """Chunks that an executor, which does not tell how many workers it has, gets at once."""
@@ -60,7 +62,7 @@ class Study:
 
     @property
     def kind(self) -> str:
-        """``sweep``, ``tolerance``, ``map``, ``sensitivity``, ``spectrum``, ``optimise`` or ``table``."""
+        """What was asked: ``sweep``, ``size``, ``tolerance``, ``map``, ``sensitivity``, ``spectrum``, ..."""
         return self._study.kind
 
     @property
@@ -86,7 +88,9 @@ class Study:
         return frame
 
     @property
-    def answer(self) -> ToleranceSummary | tuple[Indices, ...] | tuple[SpectrumSummary, ...] | Optimum | None:
+    def answer(
+        self,
+    ) -> ToleranceSummary | tuple[Indices, ...] | tuple[SpectrumSummary, ...] | Optimum | Designs | Size | None:
         """What the study comes to, in SI; None for a sweep and a map, whose answer is the table."""
         match self.kind:
             case "tolerance":
@@ -97,6 +101,10 @@ class Study:
                 return spectrum_summary(self._study)
             case "optimise":
                 return optimum_of(self._study)
+            case "design":
+                return designs_of(self._study)
+            case "size":
+                return size_of(self._study)
         return None
 
     def summary(self) -> str:
@@ -175,7 +183,7 @@ def studied(
     """Study a case; arguments are those of `babbitt.api.case.Case.study`."""
     complete = case.complete()
     block = _block(complete, kind, vary, outputs, samples, options)
-    return _run(case, engine.plan(complete, block), out, workers)
+    return run(complete, engine.plan(complete, block), out, workers, type(case).of)
 
 
 def solved_table(
@@ -187,17 +195,24 @@ def solved_table(
 ) -> Study:
     """Solve the rows of a table; arguments are those of `babbitt.api.case.Case.solve_table`."""
     rows = read_table(Path(table)) if isinstance(table, str | Path) else table_of_columns(table)
-    return _run(case, engine.plan_table(case.complete(), rows, outputs), out, workers)
+    return run(case, engine.plan_table(case.complete(), rows, outputs), out, workers, type(case).of)
 
 
-def _run(case: Case, made: engine.Plan, out: str | Path | None, workers: int | Executor | str) -> Study:
+def run(
+    case: CaseFile,
+    made: engine.Plan,
+    out: str | Path | None,
+    workers: int | Executor | str,
+    public: Callable[[CaseFile], Any],
+) -> Study:
+    """Compute a study that is planned, keep it if asked to, and write its designs."""
     folder = None if out is None else Path(out)
     try:
         found = engine.run_study(made, workers=_workers(workers), folder=folder)
     except InterruptedStudyError as error:
         raise KeyboardInterrupt(str(error)) from None
     engine.write_designs(found)
-    return Study(found, type(case).of)
+    return Study(found, public)
 
 
 def _workers(workers: int | Executor | str) -> int | Workers:
@@ -228,7 +243,7 @@ def _block(
     given["vary"] = {path: _with_units(case, path, one) for path, one in varied.items()}
     for one in given.get("load_cases", ()):
         if isinstance(one, dict) and isinstance(one.get("set"), dict):
-            one["set"] = {path: _scalar(case, path, value) for path, value in one["set"].items()}
+            one["set"] = {path: scalar(case, path, value) for path, value in one["set"].items()}
     try:
         return StudyBlock.model_validate(given, context=AS_WRITTEN)
     except ValidationError as error:
@@ -238,7 +253,7 @@ def _block(
 def _with_units(case: Case, path: str, given: Any) -> Any:
     """Numbers of the program, which are in SI, written with the unit of their field."""
     if isinstance(given, list):
-        return [_scalar(case, path, one) for one in given]
+        return [scalar(case, path, one) for one in given]
     if not isinstance(given, dict):
         return given
     made = dict(given)
@@ -246,16 +261,17 @@ def _with_units(case: Case, path: str, given: Any) -> Any:
         if isinstance(made.get(name), list):
             last = 1 if name in ("range", "log_range") else 0  # the number of values has no unit
             numbers, count = made[name][: len(made[name]) - last], made[name][len(made[name]) - last :]
-            made[name] = [*(_scalar(case, path, one) for one in numbers), *count]
+            made[name] = [*(scalar(case, path, one) for one in numbers), *count]
     if isinstance(made.get("normal"), list):
         mean, *deviation = made["normal"]
-        made["normal"] = [_scalar(case, path, mean), *(_scalar(case, path, one, True) for one in deviation)]
+        made["normal"] = [scalar(case, path, mean), *(scalar(case, path, one, True) for one in deviation)]
     if "half_normal" in made:
-        made["half_normal"] = _scalar(case, path, made["half_normal"], True)
+        made["half_normal"] = scalar(case, path, made["half_normal"], True)
     return made
 
 
-def _scalar(case: Case, path: str, value: Any, deviation: bool = False) -> Any:
+def scalar(case: Case, path: str, value: Any, deviation: bool = False) -> Any:
+    """A number of a program, which is in SI, with the unit of its field; anything else as it is."""
     if isinstance(value, bool) or not isinstance(value, int | float):
         return value
     found = map(quantity_in, field_annotations(case.model, path_in(case, path).split(".")))

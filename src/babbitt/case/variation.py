@@ -88,6 +88,16 @@ class CaseVariation:
         except (LookupError, TypeError, InputError):
             return None
 
+    @property
+    def whole_path(self) -> str:
+        """The path of the field from the top of the case, in words of today."""
+        return ".".join(self._steps)
+
+    @property
+    def unchanged(self) -> CaseFile:
+        """The case as it stands in the file, of a machine with the one bearing alone."""
+        return build_case(self.given, printable(self.file), NamedFiles(self.file.parent, self.reach))
+
     def case(self, value: str | SiNumber) -> CaseFile:
         """The case with a value in the field, as a file has it or as a number in SI.
 

@@ -1,4 +1,4 @@
-"""Commands that calculate: solve, check, compare, sweep, size, export."""
+"""Commands that calculate: solve, check, compare, sweep, export."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from babbitt.cli.interruption import INTERRUPTED, raised_interrupts
 from babbitt.cli.upgrading import report_former_places
 from babbitt.core.files.printing import printable
 
-__all__ = ["check", "compare", "export", "size", "solve", "sweep"]
+__all__ = ["check", "compare", "export", "solve", "sweep"]
 
 
 @app.command()
@@ -238,86 +238,6 @@ def sweep(
         print(f"interrupted; {len(found.places)} of {len(given.texts)} values are kept", file=sys.stderr)
         raise typer.Exit(INTERRUPTED)
     if not found.solved:
-        raise typer.Exit(NO_SOLUTION)
-
-
-@app.command()
-def size(
-    file: Annotated[Path, typer.Argument(metavar="FILE", help="A case file.")],
-    path: Annotated[
-        str, typer.Argument(metavar="PATH", help="Field that is sought: load, clearance.mean, lubricant, ...")
-    ],
-    first: Annotated[
-        str | None,
-        typer.Option(
-            "--from", metavar="A", help="Where the scan begins; a tenth of the case's value if left out."
-        ),
-    ] = None,
-    last: Annotated[
-        str | None,
-        typer.Option("--to", metavar="B", help="Where it ends; ten times the case's value if left out."),
-    ] = None,
-    points: Annotated[int, typer.Option(metavar="N", help="Values of the scan.")] = 64,
-    among: Annotated[
-        str | None, typer.Option(metavar="CHOICES", help="Hold these choices against the limits: 'H7, F7'.")
-    ] = None,
-    preferred: Annotated[
-        bool, typer.Option("--preferred", help="Show the preferred numbers (R20 of ISO 3) that are permitted.")
-    ] = False,
-    limits: Annotated[
-        str,
-        typer.Option(
-            metavar="LIMITS", help="all, recommended (recommendations count too), or codes: 'C101, C104'."
-        ),
-    ] = "all",
-    over_tolerance: Annotated[
-        bool, typer.Option("--over-tolerance", help="At the smallest, mean and largest clearance.")
-    ] = False,
-    bearing: Annotated[
-        str | None, typer.Option(metavar="NAME", help="One bearing of a machine; PATH begins at it.")
-    ] = None,
-    json: Annotated[Path | None, typer.Option(metavar="OUT", help="Write the answer as JSON.")] = None,
-    plot: Annotated[
-        Path | None, typer.Option(metavar="OUT", help="Draw the least margin: OUT.png, OUT.svg or OUT.pdf.")
-    ] = None,
-    allow_outside: AllowOutside = False,
-) -> None:
-    """Find the values of a field that keep all limits: every interval, and the check that ends it."""
-    from babbitt.case.variation import case_variation
-    from babbitt.report.progress import shown
-    from babbitt.report.size_output import require_size_outputs, write_size
-    from babbitt.report.size_table import print_choices, print_size
-    from babbitt.study.size import find_size
-    from babbitt.study.size_choices import Choices, appraise_choices, preferred_numbers, standard_choices
-    from babbitt.study.size_range import range_of
-
-    variation = case_variation(file, path, bearing, reach(allow_outside))
-    require_size_outputs(variation, json, plot)
-    counted = tuple(one.strip() for one in limits.split(","))
-    progress = shown(f"{printable(file)}: {path}")
-    words = tuple(one.strip() for one in among.split(",")) if among else standard_choices(path)
-    try:
-        with raised_interrupts():
-            held: Choices | None
-            if words:
-                held = appraise_choices(variation, words, counted, over_tolerance, progress)
-                print_choices(held)
-                if not any(one.permitted for one in held.appraisals.values()):
-                    raise typer.Exit(NO_SOLUTION)
-                return
-            scan = range_of(variation, first, last, points)
-            found = find_size(variation, scan, counted, over_tolerance, progress)
-            numbers = preferred_numbers(found) if preferred else ()
-            texts = [str(scan.given(one)) for one in numbers]
-            held = appraise_choices(variation, texts, counted, over_tolerance) if texts else None
-    except KeyboardInterrupt:
-        print("interrupted", file=sys.stderr)
-        raise typer.Exit(INTERRUPTED) from None
-    write_size(found, json, plot)
-    print_size(found)
-    if held is not None:
-        print_choices(held)
-    if not found.intervals:
         raise typer.Exit(NO_SOLUTION)
 
 

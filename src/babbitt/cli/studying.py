@@ -15,13 +15,32 @@ from babbitt.core.files.printing import printable
 from babbitt.core.notices import InputError
 
 if TYPE_CHECKING:
+    from babbitt.case.case_file import CaseFile
+    from babbitt.case.parts.study import StudyBlock
     from babbitt.study.study import Study
     from babbitt.study.workers import Workers
 
-__all__ = ["study"]
+__all__ = ["Kept", "PlotFolder", "Processes", "Report", "Scheduler", "Workbook", "computed", "study"]
 
 LONG = 60.0
 """Seconds of work of which is said that they can be kept."""
+
+Kept = Annotated[
+    Path | None,
+    typer.Option(
+        "--out", metavar="NAME.study", help="Keep what is finished in a folder; the same command goes on."
+    ),
+]
+Processes = Annotated[
+    int | None,
+    typer.Option("--workers", metavar="N", help="Processes of this machine. By default one a core.", min=1),
+]
+Scheduler = Annotated[
+    str | None, typer.Option(metavar="ADDRESS", help="A dask scheduler instead, such as tcp://10.0.0.1:8786.")
+]
+Workbook = Annotated[Path | None, typer.Option(metavar="OUT", help="Write inputs, results and summary: OUT.xlsx.")]
+Report = Annotated[Path | None, typer.Option(metavar="OUT", help="Write the report: OUT.pdf or OUT.html.")]
+PlotFolder = Annotated[Path | None, typer.Option(metavar="DIR", help="Write the figures into a folder.")]
 
 
 @app.command()
@@ -33,26 +52,15 @@ def study(
             help="A case file with a study, or a file with study and case; show: a study that is stored.",
         ),
     ],
-    out: Annotated[
-        Path | None,
-        typer.Option(metavar="NAME.study", help="Keep what is finished in a folder; the same command goes on."),
-    ] = None,
-    workers: Annotated[
-        int | None, typer.Option(metavar="N", help="Processes of this machine. By default one a core.", min=1)
-    ] = None,
-    scheduler: Annotated[
-        str | None, typer.Option(metavar="ADDRESS", help="A dask scheduler instead, such as tcp://10.0.0.1:8786.")
-    ] = None,
-    xlsx: Annotated[
-        Path | None, typer.Option(metavar="OUT", help="Write inputs, results and summary: OUT.xlsx.")
-    ] = None,
-    report: Annotated[
-        Path | None, typer.Option(metavar="OUT", help="Write the report: OUT.pdf or OUT.html.")
-    ] = None,
-    plots: Annotated[Path | None, typer.Option(metavar="DIR", help="Write the figures into a folder.")] = None,
+    out: Kept = None,
+    workers: Processes = None,
+    scheduler: Scheduler = None,
+    xlsx: Workbook = None,
+    report: Report = None,
+    plots: PlotFolder = None,
     allow_outside: AllowOutside = False,
 ) -> None:
-    """Study many variants of a case: sweep, tolerance, map, sensitivity, optimise, spectrum."""
+    """Study many variants of a case: sweep, size, tolerance, map, sensitivity, optimise, design, spectrum."""
     from babbitt.report.study_output import require_study_outputs, write_study
     from babbitt.report.study_table import print_study
 
@@ -65,39 +73,38 @@ def study(
         require_study_outputs({Path(words[1]): "a stored study"}, xlsx, report, plots)
         found = open_study(words[1])
     else:
-        found = _computed(Path(words[0]), out, workers, scheduler, (xlsx, report, plots), allow_outside)
+        from babbitt.case.study_file import load_study
+
+        read = load_study(Path(words[0]), reach(allow_outside))
+        assert read.study is not None, "a file without a study is refused"
+        require_study_outputs(dict.fromkeys(read.files, "an input of the run"), xlsx, report, plots)
+        found = computed(words[0], read.case, read.study, out, workers, scheduler)
     write_study(found, xlsx, report, plots)
     print_study(found)
     if not (found.columns["status"] == "converged").any():
         raise typer.Exit(NO_SOLUTION)
 
 
-def _computed(
-    file: Path,
+def computed(
+    what: object,
+    case: CaseFile,
+    block: StudyBlock,
     out: Path | None,
     workers: int | None,
-    scheduler: str | None,
-    outputs: tuple[Path | None, Path | None, Path | None],
-    allow_outside: bool,
+    scheduler: str | None = None,
 ) -> Study:
     """Plan and compute a study; nothing is written before all of it was found possible."""
-    from babbitt.case.study_file import load_study
-    from babbitt.report.study_output import require_study_outputs
     from babbitt.report.study_progress import StudyProgress
     from babbitt.study.engine import InterruptedStudyError
     from babbitt.study.study import plan, run_study, write_designs
 
-    read = load_study(file, reach(allow_outside))
-    case, block = read.case, read.study
-    assert block is not None, "a file without a study is refused"
-    require_study_outputs(dict.fromkeys(read.files, "an input of the run"), *outputs)
     made = plan(case, block)
     count = workers or os.cpu_count() or 1
     if out is None and made.work / count > LONG:
         said = (
             f"about {made.work / count / 60.0:.0f} minutes of work; with --out NAME.study what is finished is kept"
         )
-        print(f"{printable(file)}: {said}", file=sys.stderr)
+        print(f"{printable(what)}: {said}", file=sys.stderr)
     try:
         with raised_interrupts(), StudyProgress(f"{case.name}: {block.kind}") as watch:
             found = run_study(made, workers=_hands(scheduler) or made.hands(count), folder=out, watch=watch)

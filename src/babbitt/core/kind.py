@@ -85,6 +85,9 @@ class Kind:
     solve_many : str
         A function from a case and columns of values to columns of answers (`babbitt.study.rows.SolvesMany`), as
         ``module:name``; empty where rows are solved case by case.
+    first_design : str
+        What it says of first designs from a duty (`babbitt.study.design.FirstDesign`), as ``package:module``;
+        empty where it has no rules for them.
     """
 
     name: str
@@ -100,6 +103,7 @@ class Kind:
     quantities: str = ""
     words: str = ""
     solve_many: str = ""
+    first_design: str = ""
 
     def load(self, path: str) -> Any:
         """Import a part that it names.

@@ -12,6 +12,7 @@ from rich.console import Group, RenderableType
 from rich.table import Table
 from rich.text import Text
 
+from babbitt.core import check_text
 from babbitt.core.quantities import QUANTITIES, Quantity
 from babbitt.core.result import Check, Result, Verdict
 from babbitt.report import verdict as verdicts
@@ -171,8 +172,8 @@ def _checks(checks: Sequence[Check]) -> RenderableType:
         word = verdicts.check_word(check)
         table.add_row(
             check.code,
-            Text(verdicts.comparison(check)),
-            verdicts.margin(check),
+            Text(check_text.comparison(check)),
+            check_text.margin(check),
             Text(word.value, style=CHECK_STYLES[word]),
             Text(plain_text(check.source)),
         )

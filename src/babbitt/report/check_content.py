@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any
 
+from babbitt.core import check_text
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Bound, Check, Result
 from babbitt.report import verdict as verdicts
@@ -34,13 +35,13 @@ def solved_checks(result: Result) -> tuple[Check, ...]:
 
 def check_content(check: Check, sources: Sequence[str] = ()) -> Data:
     """One check; its source as the place in a list of `sources`, counted from 1."""
-    value, limit = verdicts.value_and_limit(check)
+    value, limit = check_text.value_and_limit(check)
     return {
         **_what(check),
         "value": value,
         "sign": SIGNS[check.bound],
         "limit": limit,
-        "margin": verdicts.margin(check).replace("-", "−"),
+        "margin": check_text.margin(check).replace("-", "−"),
         "verdict": verdicts.check_word(check).value,
         "source": str(1 + sources.index(plain_text(check.source))) if sources else "",
     }
@@ -78,7 +79,7 @@ def _what(check: Check) -> Data:
 def _compared(check: Check | None) -> Data:
     if check is None:
         return {"said": ABSENT, "verdict": ""}
-    value, limit = (verdicts.number(check.quantity, number) for number in (check.value, check.limit))
+    value, limit = (check_text.number(check.quantity, number) for number in (check.value, check.limit))
     return {
         "said": f"{value} {SIGNS[check.bound] if check.ok else BROKEN[check.bound]} {limit}",
         "verdict": verdicts.check_word(check).value,

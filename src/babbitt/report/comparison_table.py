@@ -11,12 +11,13 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
+from babbitt.core.check_text import margin
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Check, Result, Verdict
 from babbitt.report.meanings import meaning
 from babbitt.report.table import PIPED_WIDTH, console
 from babbitt.report.text import plain_text
-from babbitt.report.verdict import governing, governing_temperature, margin, missed_codes
+from babbitt.report.verdict import governing, governing_temperature, missed_codes
 from babbitt.report.view import view_of
 from babbitt.study.comparison import Comparison, Variant
 

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
+from babbitt.core.check_text import comparison
 from babbitt.core.notices import Effect, Notice, Subject, explanations
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Check, Result
 from babbitt.report.meanings import remark_on_zero
 from babbitt.report.names import listed, shortened
 from babbitt.report.text import plain_text
-from babbitt.report.verdict import comparison
 
 
 @dataclass(frozen=True)

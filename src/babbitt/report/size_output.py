@@ -1,4 +1,4 @@
-"""The answer of `babbitt size` as JSON and as a figure: checked before all work, written after it."""
+"""The answer of a size as JSON and as a figure."""
 
 from __future__ import annotations
 
@@ -9,15 +9,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from babbitt import __version__
-from babbitt.case.variation import CaseVariation
-from babbitt.core.files.writing import require_distinct, require_writable, write_file
-from babbitt.report.drawing import GREY, INK, Sheet, rendered, require_extra, style
-from babbitt.report.outputs import inputs_of
-from babbitt.report.sweep_plot import require_plot
-from babbitt.report.verdict import comparison
-from babbitt.study.permitted import Appraisal
-from babbitt.study.size import LOGARITHMIC_FROM, Size
-from babbitt.study.sweep_values import SHOWN
+from babbitt.core.files.writing import write_file
+from babbitt.report.drawing import GREY, INK, Sheet
+from babbitt.report.study_values import Scale
+from babbitt.study.permitted import Trial
+from babbitt.study.size import LOGARITHMIC_FROM, Size, size_of
+from babbitt.study.study import Study
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -29,42 +26,20 @@ PAPER = {"facecolor": "white", "linewidth": 0.0, "pad": 0.5}
 """Behind words on a line."""
 
 
-def require_size_outputs(variation: CaseVariation, record: Path | None, plot: Path | None) -> None:
-    """Find out before any work is done whether an answer can be written.
+def write_size(study: Study, record: Path | None) -> None:
+    """Write an answer as JSON, if asked for.
 
     Raises
     ------
     InputError
-        E007 for a path that cannot be written, one path for two outputs, an output that would replace an input,
-        and for a package that is not installed.
-    """
-    outputs = [output for output in (record, plot) if output is not None]
-    require_distinct(outputs, inputs_of([variation.file], variation.inputs))
-    for output in outputs:
-        require_writable(output)
-    if plot is not None:
-        require_extra("matplotlib", "plots")
-        require_plot(plot)
-
-
-def write_size(size: Size, record: Path | None, plot: Path | None) -> None:
-    """Write an answer as JSON and as a figure, as far as asked for.
-
-    Raises
-    ------
-    InputError
-        E007 when a file cannot be written.
+        E007 when the file cannot be written.
     """
     if record is not None:
-        write_file(record, size_json(size).encode())
-    if plot is not None:
-        with style():
-            image = rendered(size_figure(size), plot.suffix.lower().removeprefix("."))
-        write_file(plot, image)
+        write_file(record, size_json(size_of(study)).encode())
 
 
 def size_json(size: Size) -> str:
-    """The answer as JSON: intervals and scan in the unit named."""
+    """The answer as JSON: intervals and scan in SI."""
     record = {
         "babbitt": __version__,
         "case": size.name,
@@ -83,11 +58,13 @@ def size_json(size: Size) -> str:
             for one in size.intervals
         ],
         "scan": [_record(one) for one in size.scan],
+        "preferred": [_record(one) for one in size.preferred],
+        "choices": {choice: _record(one) for choice, one in size.choices.items()},
     }
     return json.dumps(record, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
 
 
-def _record(one: Appraisal | None) -> dict[str, Any] | None:
+def _record(one: Trial | None) -> dict[str, Any] | None:
     if one is None:
         return None
     return {
@@ -96,12 +73,12 @@ def _record(one: Appraisal | None) -> dict[str, Any] | None:
         "margin": one.margin if math.isfinite(one.margin) else None,
         "code": one.code,
         "bearing": one.bearing,
-        "reason": comparison(one.check) if one.check is not None else one.reason,
+        "reason": one.reason,
         "remarks": list(one.remarks),
     }
 
 
-def size_figure(size: Size) -> Figure:
+def size_figure(size: Size, scale: Scale) -> Figure:
     """The least margin over the field, a line for the governing check each, permitted intervals shaded."""
     figure, axes = Sheet(166.0, 70.0, 1, 1, across=16.0, between=5.0).panels()
     panel = axes.ravel()[0] if hasattr(axes, "ravel") else axes
@@ -110,31 +87,34 @@ def size_figure(size: Size) -> Figure:
         key=lambda one: one.value,
     )
     for one in size.intervals:
-        panel.axvspan(one.lower.value, one.upper.value, color="0.9", linewidth=0.0, zorder=0)
+        panel.axvspan(
+            scale.shown(one.lower.value), scale.shown(one.upper.value), color="0.9", linewidth=0.0, zorder=0
+        )
     panel.axhline(0.0, color=GREY, linewidth=0.7)
-    panel.plot([one.value for one in shown], [max(one.margin, LEAST_MARGIN) for one in shown], color=INK, zorder=3)
+    margins = [100.0 * max(one.margin, LEAST_MARGIN) for one in shown]
+    panel.plot([scale.shown(one.value) for one in shown], margins, color=INK, zorder=3)
     first, last = size.scan[0].value, size.scan[-1].value
     if first > 0.0 and last >= LOGARITHMIC_FROM * first:
         panel.set_xscale("log")
+        panel.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
     for codes, place in _governing(shown):
         panel.annotate(
-            codes, (place.value, max(place.margin, LEAST_MARGIN)), xytext=(0, 4), textcoords="offset points",
-            ha="center", fontsize=7, color="0.3", zorder=4, bbox=PAPER,
+            codes, (scale.shown(place.value), 100.0 * max(place.margin, LEAST_MARGIN)), xytext=(0, 4),
+            textcoords="offset points", ha="center", fontsize=7, color="0.3", zorder=4, bbox=PAPER,
         )  # fmt: skip
     if size.present is not None and first <= size.present <= last:
-        panel.axvline(size.present, color=GREY, linewidth=0.7, linestyle=(0, (2, 2)))
-    unit = SHOWN.get(size.unit, size.unit)
-    panel.set_xlabel(f"{size.path} in {unit}" if unit else size.path)
-    panel.set_ylabel("Least margin")
+        panel.axvline(scale.shown(size.present), color=GREY, linewidth=0.7, linestyle=(0, (2, 2)))
+    panel.set_xlabel(scale.heading)
+    panel.set_ylabel("least margin in %")
     return figure
 
 
-def _ends(size: Size) -> list[Appraisal]:
+def _ends(size: Size) -> list[Trial]:
     found = [end for one in size.intervals for end in (one.lower, one.upper, one.below, one.above)]
     return [one for one in found if one is not None]
 
 
-def _governing(shown: list[Appraisal]) -> list[tuple[str, Appraisal]]:
+def _governing(shown: list[Trial]) -> list[tuple[str, Trial]]:
     """Code and middle of every stretch that one check governs."""
     stretches = [(code, list(stretch)) for code, stretch in groupby(shown, lambda one: one.code)]
     return [(code, stretch[len(stretch) // 2]) for code, stretch in stretches]

@@ -1,20 +1,18 @@
-"""The answer of `babbitt size`: permitted intervals, and choices, as a table."""
+"""The tables of a size: permitted intervals, choices, preferred numbers."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator, Mapping
 
-from rich.console import Console
-from rich.text import Text
-
-from babbitt.report.bearing_table import engineers_table
-from babbitt.report.table import console
+from babbitt.report.study_values import DASH, Scale, StudyTable, input_scale, percent
 from babbitt.report.text import plain_text
-from babbitt.report.verdict import comparison, margin
-from babbitt.study.permitted import Appraisal
-from babbitt.study.size import ALL_LIMITS, LOGARITHMIC_FROM, RECOMMENDED, Size
-from babbitt.study.size_choices import Choices
-from babbitt.study.sweep_values import SHOWN
+from babbitt.study.appraisal import ALL_LIMITS, RECOMMENDED
+from babbitt.study.permitted import Trial
+from babbitt.study.size import LOGARITHMIC_FROM, Size, size_of
+from babbitt.study.study import Study
+
+__all__ = ["rounded", "size_scale", "size_tables"]
 
 DIGITS = 4
 """Significant digits of an end, rounded into the interval."""
@@ -25,86 +23,86 @@ LIMITS = {
 }
 
 
-def print_size(size: Size, to: Console | None = None) -> None:
-    """Print every permitted interval with what ends it, or the nearest miss where there is none."""
-    to = to or console()
-    unit = SHOWN.get(size.unit, size.unit)
-    to.print(Text(f"{plain_text(size.name)}: {size.path} {_limits(size)}", style="bold"))
-    if size.intervals:
-        table = engineers_table()
-        table.add_column(f"from\n{unit}", justify="right", no_wrap=True)
-        table.add_column(f"to\n{unit}", justify="right", no_wrap=True)
-        table.add_column("below it", overflow="fold")
-        table.add_column("above it", overflow="fold")
-        table.add_column(f"largest margin\nat {unit}".rstrip(), no_wrap=True)
-        for one in size.intervals:
-            table.add_row(
-                rounded(one.lower.value, upward=True),
-                rounded(one.upper.value, upward=False),
-                Text(said(one.below)),
-                Text(said(one.above)),
-                Text(f"{_plain(one.best.value)}: {_margin(one.best)}"),
-            )
-        to.print(table)
-        codes = dict.fromkeys(code for one in size.scan if one.permitted for code in one.remarks)
-        if codes:
-            to.print(Text(f"Permitted values with remarks: {' '.join(codes)}"))
+def size_scale(study: Study) -> Scale:
+    """How the values of the field are shown."""
+    (about,) = study.inputs
+    return input_scale(about)
+
+
+def size_tables(study: Study) -> Iterator[StudyTable]:
+    """Every permitted interval with what ends it, or the nearest miss where there is none; choices likewise."""
+    size, scale = size_of(study), size_scale(study)
+    if size.choices:
+        yield _tried(f"Choices of {size.path} {_limits(size)}", "choice", size.choices)
+    elif size.intervals:
+        yield _intervals(study, size, scale)
     else:
-        to.print(Text("No value of the scan is permitted."))
         miss = size.nearest_miss or size.scan[0]
-        to.print(Text(f"Nearest miss: {_plain(miss.value)} {unit}, {said(miss)} ({_margin(miss)})"))
-    to.print(Text(_scanned(size), style="dim"))
+        row = (scale.text(miss.value), plain_text(f"{miss.bearing}: {miss.reason}"), percent(miss.margin))
+        heads = ((size.path, scale.unit), ("nearest miss", ""), ("margin", ""))
+        title = f"No value of the scan is {_limits(size)}"
+        yield StudyTable(title, heads, (row,), 2, (_scanned(size, scale),))
+    if size.preferred:
+        numbers = {f"{scale.text(one.value)} {scale.unit}".strip(): one for one in size.preferred}
+        yield _tried("Preferred numbers (R20 of ISO 3)", size.path, numbers)
 
 
-def print_choices(choices: Choices, unit: str = "", to: Console | None = None) -> None:
-    """Print every choice with its margin, permitted or not."""
-    to = to or console()
-    to.print(Text(f"{plain_text(choices.name)}: {choices.path} {_limits(choices)}", style="bold"))
-    table = engineers_table()
-    table.add_column("choice", no_wrap=True)
-    table.add_column("permitted", no_wrap=True)
-    table.add_column("least margin", justify="right", no_wrap=True)
-    table.add_column("governing check", overflow="fold")
-    table.add_column("remarks", overflow="fold")
-    for choice, one in choices.appraisals.items():
-        table.add_row(
-            Text(plain_text(f"{choice} {SHOWN.get(unit, unit)}".strip())),
-            "yes" if one.permitted else "no",
-            Text(margin(one.check) if one.check is not None else "–"),
-            Text(said(one)),
-            Text(" ".join(one.remarks)),
+def _intervals(study: Study, size: Size, scale: Scale) -> StudyTable:
+    alone = len(set(study.columns["bearing"]) - {""}) == 1
+    heads = (("from", scale.unit), ("to", scale.unit), ("below it", ""), ("above it", ""))
+    rows = tuple(
+        (
+            rounded(scale.shown(one.lower.value), upward=True),
+            rounded(scale.shown(one.upper.value), upward=False),
+            _said(one.below, alone),
+            _said(one.above, alone),
+            percent(one.best.margin),
+            rounded(scale.shown(one.best.value), upward=one.best is one.lower),
         )
-    to.print(table)
+        for one in size.intervals
+    )
+    codes = dict.fromkeys(code for one in size.scan if one.permitted for code in one.remarks)
+    remarks = (f"Permitted values with remarks: {' '.join(codes)}",) if codes else ()
+    columns = (*heads, ("largest margin", ""), ("at", scale.unit))
+    return StudyTable(f"{size.path} {_limits(size)}", columns, rows, 4, (*remarks, _scanned(size, scale)))
 
 
-def _limits(size: Size | Choices) -> str:
+def _tried(title: str, first: str, trials: Mapping[str, Trial]) -> StudyTable:
+    heads = tuple(
+        (name, "") for name in (first, "permitted", "why not, or remarks", "governed by", "least margin")
+    )
+    rows = tuple(
+        (
+            plain_text(choice),
+            "yes" if one.permitted else "no",
+            plain_text(one.reason or " ".join(one.remarks)),
+            one.code or DASH,
+            percent(one.margin),
+        )
+        for choice, one in trials.items()
+    )
+    return StudyTable(title, heads, rows, 4)
+
+
+def _limits(size: Size) -> str:
     """Which limits count."""
-    (first, *_) = size.limits
-    which = LIMITS.get(first, f"within {', '.join(size.limits)} alone")
+    which = LIMITS.get(size.limits[0], f"within {', '.join(size.limits)} alone")
     return f"{which}, at smallest, mean and largest clearance" if size.over_tolerance else which
 
 
-def _scanned(size: Size) -> str:
+def _scanned(size: Size, scale: Scale) -> str:
     first, last = size.scan[0].value, size.scan[-1].value
     step = "equal ratios" if first > 0.0 and last >= LOGARITHMIC_FROM * first else "equal distances"
-    unit = SHOWN.get(size.unit, size.unit)
-    return (
-        f"Scanned at {len(size.scan)} values from {_plain(first)} to {_plain(last)} {unit} at {step}; "
-        "what is narrower than a step may be missed."
-    )
+    ends = " to ".join(_plain(scale.shown(one)) for one in (first, last))
+    said = f"Scanned at {len(size.scan)} values from {ends} {scale.unit}".rstrip()
+    return f"{said} at {step}; what is narrower than a step may be missed."
 
 
-def said(outside: Appraisal | None) -> str:
-    """Why a value beside an interval is not permitted."""
+def _said(outside: Trial | None, alone: bool) -> str:
+    """Why a value next to an interval is not permitted."""
     if outside is None:
         return "end of the scan"
-    why = comparison(outside.check) if outside.check is not None else outside.reason
-    whose = f"{outside.bearing}: " if outside.bearing else ""
-    return plain_text(f"{outside.code} {whose}{why}".strip())
-
-
-def _margin(one: Appraisal) -> str:
-    return f"{margin(one.check)} ({one.code})" if one.check is not None else "no margin"
+    return plain_text(outside.reason if alone else f"{outside.bearing}: {outside.reason}")
 
 
 def rounded(value: float, *, upward: bool) -> str:

@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.core.result import Verdict
+from babbitt.report.design_table import design_tables
+from babbitt.report.size_table import size_tables
 from babbitt.report.study_values import (
     DASH,
     Scale,
+    StudyTable,
     check_title,
     input_scale,
     output_scale,
@@ -38,29 +41,6 @@ SAMPLING = {"latin_hypercube": "Latin hypercube", "sobol": "Sobol sequence", "ra
 WORDS = {verdict.key: verdict.value for verdict in Verdict}
 
 
-@dataclass(frozen=True)
-class StudyTable:
-    """A table of text.
-
-    Attributes
-    ----------
-    title : str
-    columns : tuple of (str, str)
-        Heading and unit.
-    rows : tuple of tuple of str
-    words : int
-        Columns from the left that hold words; all others hold numbers.
-    notes : tuple of str
-        Below it.
-    """
-
-    title: str
-    columns: tuple[tuple[str, str], ...]
-    rows: tuple[tuple[str, ...], ...]
-    words: int = 1
-    notes: tuple[str, ...] = ()
-
-
 def overview(study: Study) -> str:
     """What was computed, in a sentence."""
     block = study.block
@@ -68,7 +48,7 @@ def overview(study: Study) -> str:
     without = _without_solution(study.columns)
     done = (
         f"{study.rows} of {planned} rows"
-        if not study.complete and block.kind != "optimise"
+        if not study.complete and block.kind not in ("optimise", "size", "design")
         else f"{study.rows} rows"
     )
     drawn = ""
@@ -104,14 +84,34 @@ def _input_table(study: Study) -> StudyTable:
         scale = input_scale(one)
         ends = one["values"] if "values" in one else [scale.text(end) for end in one["support"]]
         first, last = (str(ends[0]), str(ends[-1])) if ends else (DASH, DASH)
-        rows.append((plain_text(one["path"]), one["meaning"], one["law"], one["reason"], first, last, scale.unit))
+        rows.append(
+            (
+                plain_text(one["path"]),
+                _first_words(one["meaning"]),
+                one["law"],
+                one["reason"],
+                first,
+                last,
+                scale.unit,
+            )
+        )
     columns = ("field", "meaning", "values or distribution", "reason", "from", "to", "unit")
     return StudyTable("What varies", tuple((name, "") for name in columns), tuple(rows), 4)
 
 
+def _first_words(meaning: str) -> str:
+    """What a field is, without how it is written.
+
+    >>> _first_words("Method of calculation: the procedure of ISO 7902, or the film")
+    'Method of calculation'
+    """
+    return re.split(r"\. |: |, or |, such as ", meaning, maxsplit=1)[0]
+
+
 def _reasons(study: Study) -> StudyTable | None:
     """Why rows have no answer, the most frequent first; None where all have one."""
-    messages = [str(one) for one in study.columns["message"] if one]
+    lost = study.columns["verdict"] == Verdict.NO_SOLUTION.key
+    messages = [str(one) for one in study.columns["message"][lost] if one]
     if not messages:
         return None
     counts: dict[str, int] = {}
@@ -421,8 +421,10 @@ _OF_KIND: Mapping[str, Callable[[Study], Iterator[StudyTable]]] = {
     "sweep": _sweep,
     "tolerance": _tolerance,
     "map": _map,
+    "size": size_tables,
     "sensitivity": _sensitivity,
     "spectrum": _spectrum,
     "optimise": _optimise,
     "table": _table,
+    "design": design_tables,
 }

@@ -53,6 +53,6 @@ def _table(table: StudyTable) -> dict[str, Any]:
         "columns": [list(column) for column in table.columns],
         "rows": [list(row) for row in table.rows],
         "words": table.words,
-        "long": any(len(cell) > LONG for row in table.rows for cell in row[: table.words]),
+        "long": [any(len(cell) > LONG for cell in column) for column in zip(*table.rows, strict=True)],
         "notes": list(table.notes),
     }

@@ -12,7 +12,10 @@ from numpy.typing import NDArray
 
 from babbitt.core.files.writing import write_files
 from babbitt.core.result import Verdict
+from babbitt.report.design_figure import design_figures
 from babbitt.report.drawing import GREY, INK, PALE, Drawing, Sheet, mathematics, rendered, style
+from babbitt.report.size_output import size_figure
+from babbitt.report.size_table import size_scale
 from babbitt.report.study_content import SAMPLING
 from babbitt.report.study_values import Scale, input_scale, output_scale
 from babbitt.report.text import plain_text
@@ -20,6 +23,7 @@ from babbitt.study.grids import SAMPLE
 from babbitt.study.indices import Indices, indices_of
 from babbitt.study.optimum import optimum_of
 from babbitt.study.rows import Columns
+from babbitt.study.size import size_of
 from babbitt.study.study import Study
 from babbitt.study.yields import WITHIN, tolerance_summary
 
@@ -262,6 +266,16 @@ def _contours(across: Mapping[str, Any], up: Mapping[str, Any], own: Columns) ->
     return figure
 
 
+def _size(study: Study) -> Iterator[Drawn]:
+    size = size_of(study)
+    said = "dashed: what the case has." if size.present is not None else ""
+    if not size.choices:
+        caption = (
+            f"Least margin over {plain_text(size.path)}, with the check that governs; grey: permitted; {said}"
+        )
+        yield "size", caption.rstrip("; "), size_figure(size, size_scale(study))
+
+
 def _sweep(study: Study) -> Iterator[Drawn]:
     numeric = [one for one in study.inputs if "values" not in one]
     if not numeric:
@@ -421,8 +435,10 @@ _OF_KIND: Mapping[str, Callable[[Study], Iterator[Drawn]]] = {
     "tolerance": _tolerance,
     "map": _map,
     "sweep": _sweep,
+    "size": _size,
     "sensitivity": _sensitivity,
     "spectrum": _spectrum,
     "optimise": _optimise,
     "table": lambda _: iter(()),
+    "design": design_figures,
 }

@@ -17,7 +17,11 @@ __all__ = ["STANDARD_OUTPUT", "require_csv", "require_study_outputs", "write_stu
 
 
 def require_study_outputs(
-    inputs: Mapping[Path, str], xlsx: Path | None, report: Path | None, plots: Path | None
+    inputs: Mapping[Path, str],
+    xlsx: Path | None,
+    report: Path | None,
+    plots: Path | None,
+    record: Path | None = None,
 ) -> None:
     """Find out before any work is done whether a study can be written.
 
@@ -27,8 +31,10 @@ def require_study_outputs(
         E007 for a path that cannot be written, an unknown ending, an output that would replace an input, or a
         package that is not installed.
     """
-    outputs = [path for path in (xlsx, report, plots) if path is not None]
+    outputs = [path for path in (xlsx, report, plots, record) if path is not None]
     require_distinct(outputs, inputs)
+    if record is not None:
+        require_writable(record)
     if xlsx is not None:
         if xlsx.suffix.lower() != ".xlsx":
             raise InputError("E007", f"cannot write {printable(xlsx)}: a workbook ends in .xlsx")

@@ -15,7 +15,7 @@ from babbitt.core.quantities import QUANTITIES
 from babbitt.core.units import KINDS
 from babbitt.report.text import plain_text
 
-__all__ = ["Scale", "check_title", "input_scale", "output_scale", "percent", "significant"]
+__all__ = ["Scale", "StudyTable", "check_title", "input_scale", "output_scale", "percent", "significant"]
 
 DASH = "–"
 
@@ -66,6 +66,29 @@ class Scale:
         if not math.isfinite(value):
             return DASH
         return QUANTITIES[self.quantity].format(value) if self.quantity else significant(self.shown(value))
+
+
+@dataclass(frozen=True)
+class StudyTable:
+    """A table of text.
+
+    Attributes
+    ----------
+    title : str
+    columns : tuple of (str, str)
+        Heading and unit.
+    rows : tuple of tuple of str
+    words : int
+        Columns from the left that hold words; all others hold numbers.
+    notes : tuple of str
+        Below it.
+    """
+
+    title: str
+    columns: tuple[tuple[str, str], ...]
+    rows: tuple[tuple[str, ...], ...]
+    words: int = 1
+    notes: tuple[str, ...] = ()
 
 
 def significant(value: float, digits: int = 4) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import csv
 import typing
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -23,12 +23,23 @@ from babbitt.case.suggestions import near_typo
 from babbitt.case.variation import variation_of
 from babbitt.core.files.spreadsheet import read_rows
 from babbitt.core.notices import InputError
-from babbitt.core.units import KINDS, QuantityError, SiField, SiNumber
+from babbitt.core.units import KINDS, QuantityError, SiField, SiNumber, read
+from babbitt.core.units.kinds import Kind
 from babbitt.properties.fits import tolerance_limits
 from babbitt.properties.lubricants import Lubricant, viscosity_index
 from babbitt.study.laws import CUT, Choices, Difference, HalfNormal, Law, Listed, Normal, Triangular, Uniform
 
-__all__ = ["Input", "inputs_of", "meaning_of", "model_of", "numeric_field", "path_in", "unknown_field"]
+__all__ = [
+    "Input",
+    "inputs_of",
+    "meaning_of",
+    "model_of",
+    "numbers_of",
+    "numeric_field",
+    "path_in",
+    "present_quantity",
+    "unknown_field",
+]
 
 VG_SCATTER = 0.1
 """Share by which nu40 may differ from that of its viscosity grade (ISO 3448)."""
@@ -147,11 +158,42 @@ def path_in(case: CaseFile, path: str) -> str:
     return path
 
 
+def numbers_of(case: CaseFile, path: str) -> tuple[Callable[[Any], float], Kind]:
+    """What reads the numbers of a field, as a case file has them, into SI, and what kind of quantity they are.
+
+    Raises
+    ------
+    InputError
+        For a path that leads to no field, or to one that takes no quantity.
+    """
+    _, quantity = numeric_field(_annotations(case, path))
+    if quantity is None:
+        hint = NUMERIC_FORMS.get(path.rpartition(".")[2], "give a list of its values")
+        raise _refused(path, f"takes no quantity, such as a load; {hint}")
+    return _Reader(path, quantity.unit), quantity.kind
+
+
+def present_quantity(case: CaseFile, path: str) -> float | None:
+    """What a case has in a field, in SI; None where it has nothing, or no quantity."""
+    try:
+        _, quantity = numeric_field(_annotations(case, path))
+        given = variation_of(case, path_in(case, path)).present
+        return None if quantity is None or given is None else read(given, quantity.unit)
+    except (InputError, QuantityError):
+        return None
+
+
+def _annotations(case: CaseFile, path: str) -> tuple[Any, ...]:
+    field = path_in(case, path)
+    found = field_annotations(model_of(case), field.split("."))
+    if not found:
+        raise _refused(path, unknown_field(case, field))
+    return found
+
+
 def _input(case: CaseFile, path: str, given: Vary) -> Input:
     field = path_in(case, path)
-    annotations = field_annotations(model_of(case), field.split("."))
-    if not annotations:
-        raise _refused(path, unknown_field(case, field))
+    annotations = _annotations(case, path)
     meaning = meaning_of(case, path, field)
     if given.fit is not None:
         return _fit(case, path, field, given, meaning)
@@ -238,7 +280,8 @@ def _choices(path: str, field: str, given: Vary, meaning: str) -> Input:
 
 def _label(value: Any) -> str:
     if isinstance(value, Mapping):
-        return str(value.get("name") or " ".join(f"{key} {one}" for key, one in value.items()))
+        parts = [str(one) if key == "kind" else f"{key} {one}" for key, one in value.items()]
+        return str(value.get("name") or ", ".join(parts))
     return str(value).lower() if isinstance(value, bool) else str(value)
 
 

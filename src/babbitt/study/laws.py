@@ -210,7 +210,7 @@ class Listed:
     """Numbers, all equally likely, in the order given."""
 
     values: tuple[float, ...]
-    words: str = "values, in joint samples equally likely"
+    words: str = "values"
 
     @property
     def support(self) -> tuple[float, float]:
@@ -227,7 +227,7 @@ class Choices:
     """Words, all equally likely."""
 
     values: tuple[str, ...]
-    words: str = "choices, in joint samples equally likely"
+    words: str = "choices"
 
     def chosen(self, share: Array) -> NDArray[np.object_]:
         """Words at shares of the list, shape (n,)."""

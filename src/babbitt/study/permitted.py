@@ -12,11 +12,9 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import groupby, pairwise
 
-from babbitt.core.progress import ProgressCallback, no_progress
-from babbitt.core.result import Check
 from babbitt.numerics.roots import find_root
 
-__all__ = ["TOLERANCE", "Appraisal", "Interval", "find_permitted"]
+__all__ = ["TOLERANCE", "Interval", "Trial", "find_permitted"]
 
 TOLERANCE = 1e-4
 """Width of the bracket of an end over the end."""
@@ -29,26 +27,24 @@ WITHOUT_MARGIN = -1.0
 
 
 @dataclass(frozen=True)
-class Appraisal:
+class Trial:
     """How a bearing does at one value.
 
     Attributes
     ----------
     value : float
-        In the unit of the range.
+        Of the field; of a choice its place.
     permitted : bool
         Whether all limits asked for are kept.
     margin : float
         The least margin of these limits; NaN where there is no operating point.
     code : str
         Of the check with that margin, or of what fails otherwise: how the solution ended, the warning that leaves
-        no verdict, the refusal of the case.
+        no verdict.
     bearing : str
         Which bearing, operating point and clearance that is.
-    check : Check or None
-        The check of that code.
     reason : str
-        Why the value fails where it does by no check.
+        Why the value fails, with the code.
     remarks : tuple of str
         Codes of the warnings that question the result.
     """
@@ -58,7 +54,6 @@ class Appraisal:
     margin: float
     code: str = ""
     bearing: str = ""
-    check: Check | None = None
     reason: str = ""
     remarks: tuple[str, ...] = ()
 
@@ -76,44 +71,36 @@ class Interval:
 
     Attributes
     ----------
-    lower, upper : Appraisal
+    lower, upper : Trial
         The ends, both permitted.
-    below, above : Appraisal or None
+    below, above : Trial or None
         The nearest values outside, which are not; None where the scan ends.
-    best : Appraisal
+    best : Trial
         The value of the scan with the largest margin.
     """
 
-    lower: Appraisal
-    upper: Appraisal
-    below: Appraisal | None
-    above: Appraisal | None
-    best: Appraisal
+    lower: Trial
+    upper: Trial
+    below: Trial | None
+    above: Trial | None
+    best: Trial
 
 
-def find_permitted(
-    appraise: Callable[[float], Appraisal],
-    values: Sequence[float],
-    progress: ProgressCallback = no_progress,
-) -> tuple[tuple[Interval, ...], tuple[Appraisal, ...]]:
-    """Scan a range and narrow every end of a permitted interval down.
+def find_permitted(scan: Sequence[Trial], tried: Callable[[float], Trial]) -> tuple[Interval, ...]:
+    """Narrow every end of the permitted intervals of a scan down.
 
     Parameters
     ----------
-    appraise : callable
+    scan : sequence of Trial
+        With ascending values.
+    tried : callable
         How a bearing does at a value.
-    values : sequence of float
-        Of the scan, ascending.
-    progress : callable
-        Hands on the places of the values one by one.
 
     Returns
     -------
-    intervals : tuple of Interval
+    tuple of Interval
         Ascending. One that is narrower than a step of the scan may be missed, be it of permitted values or of
         others between them.
-    scan : tuple of Appraisal
-        One for each value.
 
     Raises
     ------
@@ -124,51 +111,41 @@ def find_permitted(
     --------
     >>> def within(value):
     ...     margin = 1.0 - (value - 3.0) ** 2
-    ...     return Appraisal(value, margin >= 0.0, margin)
-    >>> (found,), scan = find_permitted(within, [0.5, 1.5, 2.5, 3.5, 4.5])
+    ...     return Trial(value, margin >= 0.0, margin)
+    >>> (found,) = find_permitted([within(value) for value in (0.5, 1.5, 2.5, 3.5, 4.5)], within)
     >>> round(found.lower.value, 2), round(found.upper.value, 2), found.best.value
     (2.0, 4.0, 2.5)
     """
-    if any(second <= first for first, second in pairwise(values)):
+    if any(second.value <= first.value for first, second in pairwise(scan)):
         raise ValueError("the values of a scan ascend")
-    known: dict[float, Appraisal] = {}
-
-    def asked(value: float) -> Appraisal:
-        if value not in known:
-            known[value] = appraise(value)
-        return known[value]
-
-    scan = tuple(asked(values[place]) for place in progress(range(len(values))))
     intervals = []
     for first, last in _runs(scan):
-        lower, below = (scan[first], None) if first == 0 else _end(asked, scan[first], scan[first - 1])
+        lower, below = (scan[first], None) if first == 0 else _end(tried, scan[first], scan[first - 1])
         last_of_scan = last == len(scan) - 1
-        upper, above = (scan[last], None) if last_of_scan else _end(asked, scan[last], scan[last + 1])
+        upper, above = (scan[last], None) if last_of_scan else _end(tried, scan[last], scan[last + 1])
         best = max((lower, *scan[first : last + 1], upper), key=lambda one: one.margin)
         intervals.append(Interval(lower, upper, below, above, best))
-    return tuple(intervals), scan
+    return tuple(intervals)
 
 
-def _runs(scan: Sequence[Appraisal]) -> list[tuple[int, int]]:
+def _runs(scan: Sequence[Trial]) -> list[tuple[int, int]]:
     """First and last place of every run of permitted values."""
     runs = [[place for place, _ in run] for permitted, run in groupby(enumerate(scan), _permitted) if permitted]
     return [(run[0], run[-1]) for run in runs]
 
 
-def _permitted(numbered: tuple[int, Appraisal]) -> bool:
+def _permitted(numbered: tuple[int, Trial]) -> bool:
     return numbered[1].permitted
 
 
-def _end(
-    appraise: Callable[[float], Appraisal], inside: Appraisal, outside: Appraisal
-) -> tuple[Appraisal, Appraisal]:
+def _end(tried: Callable[[float], Trial], inside: Trial, outside: Trial) -> tuple[Trial, Trial]:
     """The last permitted value between one that is and one that is not, and the first beyond it that is not."""
     way = math.copysign(1.0, outside.value - inside.value)
     while abs(outside.value - inside.value) > TOLERANCE * max(abs(inside.value), abs(outside.value)):
         met = [inside, outside]
 
-        def margin(value: float, met: list[Appraisal] = met) -> float:
-            met.append(appraise(value))
+        def margin(value: float, met: list[Trial] = met) -> float:
+            met.append(tried(value))
             return met[-1].signed
 
         low, high = sorted((inside.value, outside.value))

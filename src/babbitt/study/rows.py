@@ -19,6 +19,7 @@ from babbitt.core.files.reading import Reach
 from babbitt.core.kind import find_kind, imported
 from babbitt.core.notices import InputError
 from babbitt.core.result import ROUND_OFF, Outcome, Result, Verdict
+from babbitt.study.appraisal import ALL_LIMITS, appraised
 from babbitt.study.inputs import Input
 
 __all__ = [
@@ -67,6 +68,9 @@ class RowTask:
         Quantities of the results that are kept.
     codes : tuple of str
         Checks whose margins are kept.
+    limits : tuple of str
+        What counts (`babbitt.study.appraisal.appraised`), where the study says so: messages then tell why a row
+        does not pass. All limits where it does not, and messages of rows without an answer alone.
     """
 
     kind: str
@@ -76,6 +80,7 @@ class RowTask:
     inputs: tuple[Input, ...]
     outputs: tuple[str, ...] = ()
     codes: tuple[str, ...] = ()
+    limits: tuple[str, ...] = ()
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -148,7 +153,7 @@ def solved_rows(task: RowTask, rows: Columns) -> Columns:
 def solved_as_arrays(task: RowTask, rows: Columns) -> Columns | None:
     """Solve rows many at once where the kind can; None where it cannot."""
     kind = find_kind(task.kind)
-    if kind is None or not kind.solve_many:
+    if kind is None or not kind.solve_many or task.limits:
         return None
     many: SolvesMany = imported(kind.solve_many)
     return many(task, rows)
@@ -188,23 +193,23 @@ def _without_answer(status: str, why: str) -> dict[str, Any]:
 
 
 def _answer(task: RowTask, result: Result) -> dict[str, Any]:
-    solved = result.outcome.solved
-    governing = result.governing_check
+    found = appraised(result, task.limits or (ALL_LIMITS,))
+    governing, solved = found.governing, result.outcome.solved
     values = {name: result.values.get(name, math.nan) for name in task.outputs} if solved else {}
     margins: dict[str, float] = {}
-    for check in result.limits if solved else ():
+    for check in found.checks:
         name = margin_name(check.code)
         margins[name] = min(check.margin, margins.get(name, math.inf))
-    missed = dict.fromkeys(check.code for check in result.limits if not check.ok) if solved else {}
+    explained = f"{found.code} {found.reason}".strip() if task.limits else "" if solved else found.reason
     return {
         **values,
         **{name: margin for name, margin in margins.items() if name.removeprefix("margin_") in task.codes},
-        "margin": result.margin,
+        "margin": math.nan if governing is None else governing.margin,
         "status": result.outcome.name.lower(),
-        "verdict": result.verdict.key,
+        "verdict": found.verdict.key,
         "governing_check": governing.code if governing is not None else "",
-        "failed_checks": " ".join(missed),
-        "message": "" if solved else " ".join(result.message.split())[:LONGEST_MESSAGE],
+        "failed_checks": " ".join(found.failed),
+        "message": " ".join(explained.split())[:LONGEST_MESSAGE],
     }
 
 

@@ -3,40 +3,53 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
+from babbitt.case.case_file import CaseFile
 from babbitt.case.kinds import KINDS
-from babbitt.case.variation import CaseVariation
-from babbitt.core.notices import Effect, InputError
-from babbitt.core.progress import ProgressCallback, no_progress
-from babbitt.core.result import Check, Result
-from babbitt.core.units import SiNumber
-from babbitt.solving import solve
-from babbitt.study.permitted import Appraisal, Interval, find_permitted
+from babbitt.case.loading import case_from_dict
+from babbitt.case.parts.study import StudyBlock, Vary
+from babbitt.core.notices import InputError
+from babbitt.core.result import Verdict
+from babbitt.study.appraisal import ALL_LIMITS
+from babbitt.study.inputs import numbers_of, present_quantity
+from babbitt.study.permitted import Interval, Trial, find_permitted
+from babbitt.study.rows import Columns, RowTask, joined
+from babbitt.study.size_choices import preferred_numbers, standard_choices
+
+if TYPE_CHECKING:
+    from babbitt.study.engine import Engine
+    from babbitt.study.study import Study
 
 __all__ = [
-    "ALL_LIMITS",
-    "RECOMMENDED",
-    "Scan",
+    "LOGARITHMIC_FROM",
+    "SCAN_POINTS",
     "Size",
-    "appraisal_of",
-    "at_all_clearances",
-    "find_size",
-    "scan_values",
+    "default_scan",
+    "scan_of",
+    "searched",
+    "size_block",
+    "size_of",
 ]
 
-ALL_LIMITS, RECOMMENDED = "all", "recommended"
-"""All limits; all limits and recommendations."""
+SCAN, END, PREFERRED = "scan", "end", "preferred"
+"""What rows are for."""
 
-MOST_POINTS = 2000
-"""Values of one scan."""
+SCAN_POINTS, MOST_POINTS = 64, 2000
+"""Values of one scan: if nothing is said, and at most."""
 
 LOGARITHMIC_FROM = 20.0
 """Ratio of last and first value from which the values of a scan have equal ratios, else equal distances."""
 
 DECADE = 10.0
 """Factor below and above the value of the case that a scan covers where no range is given."""
+
+PERMITTED = (Verdict.PASS.key, Verdict.REMARKS.key)
 
 
 @dataclass(frozen=True)
@@ -48,7 +61,7 @@ class Size:
     name, path : str
         Of the case; the field.
     unit : str
-        Of all values.
+        Of all values, in SI.
     present : float or None
         What the case itself has in the field.
     limits : tuple of str
@@ -56,8 +69,12 @@ class Size:
     over_tolerance : bool
         Whether the limits hold at the smallest, mean and largest clearance of the tolerances.
     intervals : tuple of Interval
-        Ascending; empty where no value of the scan is permitted.
-    scan : tuple of Appraisal
+        Ascending; empty where no value of the scan is permitted, and for choices.
+    scan : tuple of Trial
+    preferred : tuple of Trial
+        Of the preferred numbers within the intervals, where they were asked for.
+    choices : mapping of str to Trial
+        By the choice as it stands in a case file; empty for numbers.
     """
 
     name: str
@@ -67,178 +84,200 @@ class Size:
     limits: tuple[str, ...]
     over_tolerance: bool
     intervals: tuple[Interval, ...]
-    scan: tuple[Appraisal, ...]
+    scan: tuple[Trial, ...]
+    preferred: tuple[Trial, ...]
+    choices: Mapping[str, Trial]
 
     @property
-    def nearest_miss(self) -> Appraisal | None:
+    def permitted(self) -> bool:
+        """Whether any value or choice is permitted."""
+        return any(one.permitted for one in self.scan)
+
+    @property
+    def nearest_miss(self) -> Trial | None:
         """Of the values that are not permitted the one with the largest margin; None where none has a margin."""
         missed = [one for one in self.scan if not one.permitted and math.isfinite(one.margin)]
         return max(missed, key=lambda one: one.margin, default=None)
 
 
-@dataclass(frozen=True)
-class Scan:
-    """Values at which a field is tried.
-
-    Attributes
-    ----------
-    values : tuple of float
-        Ascending (`scan_values`).
-    unit : str
-        Of all of them.
-    present : float or None
-        What the case has in the field.
-    given : callable
-        Makes what stands in the case of a value.
-    """
-
-    values: tuple[float, ...]
-    unit: str
-    present: float | None
-    given: Callable[[float], str | SiNumber]
+def default_scan(case: CaseFile, block: StudyBlock) -> StudyBlock:
+    """A size with the values that it tries if none are given: choices of the field, or a decade to each side."""
+    if block.field is None:
+        return block
+    vary = size_block(case, block.field).vary
+    return block.model_copy(update={"vary": vary, "field": None})
 
 
-def find_size(
-    variation: CaseVariation,
-    scan: Scan,
-    limits: Sequence[str] = (ALL_LIMITS,),
-    over_tolerance: bool = False,
-    progress: ProgressCallback = no_progress,
-) -> Size:
-    """Find all intervals of a field in which every bearing of a case keeps its limits.
+def scan_of(case: CaseFile, path: str, first: Any = None, last: Any = None, points: int = SCAN_POINTS) -> Vary:
+    """Values of a scan: with equal ratios over a wide range of positive numbers, else with equal distances.
 
     Parameters
     ----------
-    variation : CaseVariation
-        The case and the field.
-    scan : Scan
-    limits : sequence of str
-        "all": every check but recommendations, and a verdict; "recommended": recommendations too; else codes of
-        checks, of which nothing but these counts.
-    over_tolerance : bool
-        At the smallest, mean and largest clearance.
-    progress : callable
-        Hands on the places of the values one by one.
+    case : CaseFile
+    path : str
+    first, last : quantity, optional
+        As a case file has them; one that is not given lies a decade from what the case has in the field.
+    points : int
 
     Raises
     ------
     InputError
-        Where the case refuses every value, what the first is refused for; E005 for a code that no check has; E004
-        for a kind whose clearance has no tolerances.
+        E003 for ends that are no quantities of the field or do not ascend, for fewer than 2 or more than
+        `MOST_POINTS` values, and where an end is needed: the case has no positive number in the field, or a
+        temperature, of which a decade means nothing.
     """
-    if over_tolerance:
-        at_all_clearances(variation)
-    refused: dict[float, InputError] = {}
+    number, kind = numbers_of(case, path)
+    if not 2 <= points <= MOST_POINTS:
+        raise InputError("E003", f"a scan has 2 to {MOST_POINTS} points, not {points}")
+    present = present_quantity(case, path)
+    if (first is None or last is None) and (present is None or present <= 0.0 or kind.offsets):
+        says = "the case has no number in" if present is None else "a decade means nothing about the value of"
+        raise InputError("E003", f"{says} '{path}'; give both ends of a range (--from and --to)")
+    low = number(first) if first is not None else (present or 0.0) / DECADE
+    high = number(last) if last is not None else (present or 0.0) * DECADE
+    if not low < high:
+        raise InputError("E003", f"'{path}': the range begins at {low:g} and ends at {high:g}; give a larger end")
+    name = "log_range" if low > 0.0 and high >= LOGARITHMIC_FROM * low else "range"
+    return Vary.model_validate({name: (f"{low!r} {kind.unit}".strip(), f"{high!r} {kind.unit}".strip(), points)})
 
-    def appraise(value: float) -> Appraisal:
-        try:
-            results = solve(variation.case(scan.given(value))).results
-        except InputError as error:
-            refused[value] = error
-            return Appraisal(value, False, math.nan, error.code, reason=str(error))
-        return appraisal_of(value, results, limits)
 
-    intervals, appraisals = find_permitted(appraise, scan.values, progress)
-    if len(refused) == len(appraisals):
-        raise refused[appraisals[0].value]
-    name = variation.given.get("name", "")
-    return Size(
-        name, variation.path, scan.unit, scan.present, tuple(limits), over_tolerance, intervals, appraisals
+def size_block(
+    case: CaseFile,
+    path: str,
+    first: Any = None,
+    last: Any = None,
+    points: int = SCAN_POINTS,
+    among: Sequence[Any] = (),
+    limits: Sequence[str] = (ALL_LIMITS,),
+    over_tolerance: bool = False,
+    preferred: bool = False,
+) -> StudyBlock:
+    """A study of kind size; arguments are those of `scan_of` and of the block of a case file.
+
+    Raises
+    ------
+    InputError
+        As `scan_of`.
+    """
+    ranged = first is not None or last is not None
+    words = among or (() if ranged else standard_choices(path))
+    vary = Vary(values=tuple(words)) if words else scan_of(case, path, first, last, points)
+    return StudyBlock(
+        kind="size", vary={path: vary}, limits=tuple(limits), over_tolerance=over_tolerance, preferred=preferred
     )
 
 
-def scan_values(first: float, last: float, points: int) -> tuple[float, ...]:
-    """Values of a scan: with equal ratios over a wide range of positive numbers, else with equal distances.
+def searched(task: RowTask, block: StudyBlock, engine: Engine) -> Columns:
+    """Compute the scan, then every end of a permitted interval, then the preferred numbers within."""
+    (one,) = task.inputs
+    values = one.listed if one.is_choice else np.unique(one.listed)
+    parts = [engine.answers({one.path: values}, SCAN)]
+    if one.is_choice:
+        return parts[0]
+
+    def answered(value: float) -> Trial:
+        parts.append(engine.answers({one.path: np.array([value])}, END))
+        return _trials(parts[-1], one.path)[0]
+
+    intervals = _permitted(_trials(parts[0], one.path), answered)
+    numbers = preferred_numbers(intervals, one.unit) if block.preferred else ()
+    if numbers:
+        parts.append(engine.answers({one.path: np.array(numbers)}, PREFERRED))
+    return joined(parts)
+
+
+def size_of(study: Study) -> Size:
+    """The permitted intervals of a study, or its permitted choices.
 
     Raises
     ------
     InputError
-        E003 where they do not ascend, and for fewer than 2 or more than `MOST_POINTS` of them.
-
-    Examples
-    --------
-    >>> scan_values(1.0, 3.0, 3), scan_values(1.0, 100.0, 3)
-    ((1.0, 2.0, 3.0), (1.0, 10.0, 100.0))
+        E007 for a study that was interrupted.
     """
-    if not 2 <= points <= MOST_POINTS:
-        raise InputError("E003", f"a scan has 2 to {MOST_POINTS} points, not {points}")
-    if not first < last:
-        raise InputError("E003", f"the range begins at {first:g} and ends at {last:g}; give a larger end")
-    steps = [place / (points - 1) for place in range(1, points - 1)]
-    if first > 0.0 and last >= LOGARITHMIC_FROM * first:
-        return (first, *(first * (last / first) ** step for step in steps), last)
-    return (first, *(first + (last - first) * step for step in steps), last)
+    (about,) = study.inputs
+    path, block = about["path"], study.block
+    scan = _trials(study.of(SCAN), path)
+    choices = (
+        dict(zip(map(str, dict.fromkeys(study.columns[path])), scan, strict=True)) if "values" in about else {}
+    )
+    ends = {one.value: one for one in _trials(study.of(END), path)}
+    try:
+        intervals = () if choices else _permitted(scan, ends.__getitem__)
+    except KeyError:
+        raise InputError("E007", "the study is not finished; the same command goes on") from None
+    case = case_from_dict(dict(study.description["case"]), study.description["name"])
+    return Size(
+        str(study.description["name"]),
+        path,
+        about["unit"],
+        None if choices else present_quantity(case, path),
+        block.limits,
+        block.over_tolerance,
+        intervals,
+        scan,
+        _trials(study.of(PREFERRED), path),
+        choices,
+    )
 
 
-def appraisal_of(value: float, results: Sequence[Result], limits: Sequence[str]) -> Appraisal:
-    """How the bearings of a case do at a value: the one that does worst decides.
+def _permitted(scan: Sequence[Trial], answered: Callable[[float], Trial]) -> tuple[Interval, ...]:
+    """The permitted intervals; each value is asked for once."""
+    known = {one.value: one for one in scan}
 
-    Raises
-    ------
-    InputError
-        E005 for a code that no check of any bearing has.
-    """
-    made = {check.code for result in results for check in result.checks}
-    made |= {notice.code for result in results for notice in result.not_checked}
-    unknown = [code for code in limits if code not in (ALL_LIMITS, RECOMMENDED, *made)]
-    if unknown and all(result.outcome.solved for result in results):
-        there = ", ".join(sorted(made))
-        raise InputError(
-            "E005", f"no check '{unknown[0]}'; this case has: {there}; or {ALL_LIMITS}, {RECOMMENDED}"
-        )
-    remarks = tuple(dict.fromkeys(code for result in results for code in result.questioning_codes))
-    found = [_of_one(value, result, limits, remarks) for result in results]
-    return min(found, key=_standing)
+    def tried(value: float) -> Trial:
+        if value not in known:
+            known[value] = answered(value)
+        return known[value]
+
+    return find_permitted(scan, tried)
 
 
-def _standing(one: Appraisal) -> tuple[bool, float]:
+def _trials(columns: Columns, path: str) -> tuple[Trial, ...]:
+    """How the bearings of each row do: the one that does worst decides."""
+    lines: dict[int, list[Trial]] = {}
+    places: dict[str, int] = {}
+    for place, row in enumerate(columns["row"].tolist()):
+        value = columns[path][place]
+        at = float(places.setdefault(value, len(places))) if isinstance(value, str) else float(value)
+        lines.setdefault(row, []).append(_of_line(columns, place, at))
+    made = []
+    for found in lines.values():
+        remarks = tuple(dict.fromkeys(code for one in found for code in one.remarks))
+        worst = min(found, key=_standing)
+        made.append(Trial(**{**vars(worst), "remarks": remarks}))
+    return tuple(made)
+
+
+def _of_line(columns: Columns, place: int, value: float) -> Trial:
+    """How one bearing does."""
+    verdict, message = str(columns["verdict"][place]), str(columns["message"][place])
+    permitted, bearing = verdict in PERMITTED, str(columns["bearing"][place])
+    if permitted or verdict == Verdict.FAIL.key:
+        code, margin = str(columns["governing_check"][place]), float(columns["margin"][place])
+        remarks = tuple(message.split()) if permitted else ()
+        return Trial(value, permitted, margin, code, bearing, "" if permitted else message, remarks)
+    code = found[0] if (found := re.match(r"[A-Z]\d{3}\b", message)) else ""
+    return Trial(value, False, math.nan, code, bearing, message)
+
+
+def _standing(one: Trial) -> tuple[bool, float]:
     """What sorts the worst bearing first: one that fails without a margin, then the least margin."""
     return one.permitted, one.margin if math.isfinite(one.margin) else math.inf if one.permitted else -math.inf
 
 
-def _of_one(value: float, result: Result, limits: Sequence[str], remarks: tuple[str, ...]) -> Appraisal:
-    """How one bearing does."""
-    if not result.outcome.solved:
-        return Appraisal(value, False, math.nan, result.outcome.code, result.name, reason=result.outcome.value)
-    checks = _chosen(result, limits)
-    worst = min(checks, key=lambda one: one.margin if math.isfinite(one.margin) else -math.inf, default=None)
-    missed = worst is not None and not all(check.ok for check in checks)
-    if not missed and (code_and_reason := _undecided(result, limits)) is not None:
-        return Appraisal(value, False, math.nan, code_and_reason[0], result.name, reason=code_and_reason[1])
-    if worst is None:
-        return Appraisal(value, True, math.nan, bearing=result.name, remarks=remarks)
-    return Appraisal(value, not missed, worst.margin, worst.code, result.name, worst, remarks=remarks)
+def at_all_clearances(given: Mapping[str, Any]) -> dict[str, Any]:
+    """The case solved at the smallest, the mean and the largest clearance.
 
-
-def _chosen(result: Result, limits: Sequence[str]) -> tuple[Check, ...]:
-    if ALL_LIMITS in limits:
-        return result.limits
-    if RECOMMENDED in limits:
-        return result.checks
-    return tuple(check for check in result.checks if check.code in limits)
-
-
-def _undecided(result: Result, limits: Sequence[str]) -> tuple[str, str] | None:
-    """Code and reason why limits that are kept permit nothing: outside a model's validity, or a check not made."""
-    if ALL_LIMITS not in limits and RECOMMENDED not in limits:
-        lacking = next((one for one in result.not_checked if one.code in limits), None)
-        return None if lacking is None else (lacking.code, f"not checked: {lacking.message}")
-    if result.within_limits:
-        return None
-    for warning in result.warnings:
-        if warning.effect is Effect.NO_VERDICT:
-            return warning.code, warning.message
-    return "", f"not checked: {', '.join(subject.value for subject in result.lacking) or 'any limit'}"
-
-
-def at_all_clearances(variation: CaseVariation) -> None:
-    """Have the case solved at the smallest, mean and largest clearance."""
-    given = variation.given
+    Raises
+    ------
+    InputError
+        E004 for a kind whose clearance has no tolerances.
+    """
     if "clearance_cases" not in KINDS[given["kind"]].model_fields:
-        raise InputError("E004", f"{variation.file}: a clearance of kind {given['kind']!r} has no tolerances")
-    bearings: Sequence[Mapping[str, object]] = given.get("bearings", ())
-    if bearings:
-        given["bearings"] = [
+        raise InputError("E004", f"a clearance of kind {given['kind']!r} has no tolerances")
+    made = {**given, "clearance_cases": "all"}
+    if bearings := given.get("bearings", ()):
+        made["bearings"] = [
             {name: one for name, one in bearing.items() if name != "clearance_cases"} for bearing in bearings
         ]
-    given["clearance_cases"] = "all"
+    return made

@@ -24,10 +24,12 @@ from babbitt.core.nearest_name import unknown_name
 from babbitt.core.notices import InputError
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Result
-from babbitt.study import grids, indices, optimum, spectrum
+from babbitt.study import design, grids, indices, optimum, size, spectrum
+from babbitt.study.appraisal import ALL_LIMITS, counted, require_known
 from babbitt.study.engine import Engine, NoWatch, Watch, chunk_size, timed
 from babbitt.study.examples import Example, first_solved, nominal_example
 from babbitt.study.inputs import Input, inputs_of
+from babbitt.study.laws import Choices, Listed
 from babbitt.study.maps import default_axes
 from babbitt.study.rows import Columns, RowTask
 from babbitt.study.sampling import batch_sizes
@@ -101,7 +103,7 @@ class Plan:
             "name": self.case.name,
             "case_hash": case_hash(self.case),
             "study": self.block.model_dump(exclude_defaults=True, mode="json"),
-            "inputs": [_told(one) for one in self.task.inputs],
+            "inputs": [_told(one, self.block.kind) for one in self.task.inputs],
             "outputs": list(self.task.outputs),
             "checks": list(self.checks),
             "rows": self.rows,
@@ -113,10 +115,11 @@ class Plan:
         }
 
 
-def _told(one: Input) -> dict[str, Any]:
+def _told(one: Input, kind: str) -> dict[str, Any]:
     """An input in words and numbers."""
+    drawn = kind in ("tolerance", "sensitivity") and isinstance(one.law, Listed | Choices)
     told: dict[str, Any] = {"path": one.path, "field": one.field, "unit": one.unit, "meaning": one.meaning}
-    told |= {"law": one.law.words, "reason": one.reason, "form": one.form}
+    told |= {"law": f"{one.law.words}{', equally likely' * drawn}", "reason": one.reason, "form": one.form}
     if one.is_choice:
         return told | {"values": list(one.law.values)}  # type: ignore[union-attr]
     return told | {"support": [float(end) for end in one.law.support]}  # type: ignore[union-attr]
@@ -187,9 +190,16 @@ def plan(case: CaseFile, block: StudyBlock) -> Plan:
     """
     if block.kind == "table":
         return _plan_of_table(case, block, table_in(case, str(block.rows)))
-    block = default_axes(case, block)
+    stated, block = block.vary, _completed(case, block)
     inputs, rows = require_possible(case, block)
+    if block.kind == "design":
+        reasons = design.rules_of(case.kind).REASONS
+        inputs = tuple(one if one.path in stated else replace(one, reason=reasons[one.path]) for one in inputs)
     task = _task(case, inputs)
+    if block.kind == "design" or block.over_tolerance:
+        task = replace(task, given=size.at_all_clearances(task.given))
+    if block.kind == "size":
+        task = replace(task, limits=block.limits)
     return _planned(case, block, task, rows, nominal_example(case, task))
 
 
@@ -209,8 +219,9 @@ def _plan_of_table(case: CaseFile, block: StudyBlock, table: BearingTable) -> Pl
 def _planned(case: CaseFile, block: StudyBlock, task: RowTask, rows: int, example: Example) -> Plan:
     """The plan of rows of which an example was solved."""
     results = example.results
-    outputs = _outputs(block, results)
-    checks = {check.code: check for result in results for check in result.limits}
+    require_known(task.limits, results)
+    outputs = design.rules_of(case.kind).OUTPUTS if block.kind == "design" else _outputs(block, results)
+    checks = {one.code: one for result in results for one in counted(result, task.limits or (ALL_LIMITS,))}
     told = tuple(
         {"code": one.code, "quantity": one.quantity, "limit": one.limit, "bound": one.bound.value}
         for one in checks.values()
@@ -231,13 +242,26 @@ def require_possible(case: CaseFile, block: StudyBlock) -> tuple[tuple[Input, ..
     if block.kind == "table":
         table = table_in(case, str(block.rows))
         return inputs_of_table(case, table)[0], table.count
-    block = default_axes(case, block)
+    block = _completed(case, block)
     inputs = _inputs(case, block)
     indices.require_numeric(block, inputs)
     optimum.require_pymoo(block, inputs)
-    rows = grids.planned(block, inputs)
+    designing = block.kind == "design"
+    rows = design.planned(inputs, block, case.kind) if designing else grids.planned(block, inputs)
     grids.require_bearable(rows, 12 + len(inputs) + len(block.outputs))
     return inputs, rows
+
+
+def _completed(case: CaseFile, block: StudyBlock) -> StudyBlock:
+    """The study with what follows from its case where it says nothing."""
+    return _COMPLETED[block.kind](case, block) if block.kind in _COMPLETED else block
+
+
+_COMPLETED: Mapping[str, Callable[[CaseFile, StudyBlock], StudyBlock]] = {
+    "map": default_axes,
+    "size": size.default_scan,
+    "design": design.rule_choices,
+}
 
 
 def _inputs(case: CaseFile, block: StudyBlock) -> tuple[Input, ...]:
@@ -344,26 +368,46 @@ def case_of(study: Study, row: int) -> CaseFile:
     return made.with_origin(replace(made.origin, given=with_units(made.origin.given, made)))
 
 
-def write_designs(study: Study) -> tuple[Path, ...]:
-    """Write the best designs of an optimisation into its folder, each as a case file that runs; where they are.
+def write_designs(study: Study, folder: Path | None = None) -> tuple[Path, ...]:
+    """Write the best designs of a study, each as a case file that runs; where they are.
 
-    Nothing of another kind, or of a study that is not stored.
+    Parameters
+    ----------
+    study : Study
+        Nothing is written of kinds that seek no designs.
+    folder : Path, optional
+        By default `DESIGNS` in the folder of the study; nothing is written where it is not stored.
     """
-    if study.folder is None or study.kind != "optimise":
+    rows = _best_rows(study)
+    folder = folder or (None if study.folder is None else study.folder / DESIGNS)
+    if folder is None or rows is None:
         return ()
-    files = {}
-    for row in optimum.optimum_of(study).rows:
+    folder.mkdir(parents=True, exist_ok=True)
+    for left in (one for name in rows for one in folder.glob(f"{name.rpartition('-')[0]}-*.yaml")):
+        left.unlink(missing_ok=True)
+    for name, (row, said) in rows.items():
         case = case_of(study, row)
         assert case.origin is not None, "it was read just now"
-        text = case_text(case.origin.given)
-        files[f"design-row-{row}.yaml"] = f"# Row {row} of the study of {case.name}\n{text}".encode()
-    folder = study.folder / DESIGNS
-    folder.mkdir(exist_ok=True)
-    for left in folder.glob("design-row-*.yaml"):
-        left.unlink()
-    for name, content in files.items():
-        replace_synced(folder / name, content)
-    return tuple(folder / name for name in files)
+        heads = "".join(f"# {line}\n" for line in (f"Row {row} of the study of {case.name}", *said))
+        replace_synced(folder / f"{name}.yaml", f"{heads}{case_text(case.origin.given)}".encode())
+    return tuple(folder / f"{name}.yaml" for name in rows)
+
+
+def _best_rows(study: Study) -> dict[str, tuple[int, tuple[str, ...]]] | None:
+    """By the name of a file the row of a best design, and what is said of it; None for kinds without designs."""
+    match study.kind:
+        case "optimise":
+            return {f"design-row-{row}": (row, ()) for row in optimum.optimum_of(study).rows}
+        case "design":
+            found = enumerate(design.designs_of(study).proposals, 1)
+            return {f"proposal-{place}": (one.row, reasons_of(study, one)) for place, (one, _) in found}
+    return None
+
+
+def reasons_of(study: Study, one: design.Candidate) -> tuple[str, ...]:
+    """Why a proposed design is as it is."""
+    limits = {check["code"]: check["limit"] for check in study.description["checks"]}
+    return tuple(design.rules_of(study.description["kind"]).reasons(one.values, limits))
 
 
 DESIGNS = "designs"
@@ -402,6 +446,14 @@ def _spectrum(made: Plan, engine: Engine) -> Columns:
     return engine.answers(*spectrum.rows_of_spectrum(made.task.inputs, made.block))
 
 
+def _size(made: Plan, engine: Engine) -> Columns:
+    return size.searched(made.task, made.block, engine)
+
+
+def _design(made: Plan, engine: Engine) -> Columns:
+    return design.designed(made.task, made.block, engine)
+
+
 def _optimise(made: Plan, engine: Engine) -> Columns:
     return optimum.optimised(made.task, made.block, engine)
 
@@ -412,9 +464,11 @@ GIVEN = "given"
 _ASKED: Mapping[str, Callable[[Plan, Engine], Columns]] = {
     "sweep": _grid,
     "map": _grid,
+    "size": _size,
     "tolerance": _tolerance,
     "sensitivity": _sensitivity,
     "spectrum": _spectrum,
     "optimise": _optimise,
     "table": _table,
+    "design": _design,
 }

@@ -6,7 +6,7 @@ Quantities stand here as they are written: which unit they want is known once th
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Annotated, Any, Literal
 
 from pydantic import Field
@@ -18,7 +18,26 @@ from babbitt.core.units import si
 
 __all__ = ["LoadCase", "StudyBlock", "StudyKind", "Vary", "VaryInput"]
 
-StudyKind = Literal["sweep", "tolerance", "map", "sensitivity", "optimise", "spectrum", "table"]
+StudyKind = Literal["sweep", "size", "tolerance", "map", "sensitivity", "optimise", "design", "spectrum", "table"]
+
+READ_BY: Mapping[str, tuple[str, ...]] = {
+    "samples": ("tolerance", "sensitivity"),
+    "sampling": ("tolerance", "sensitivity"),
+    "minimise": ("optimise",),
+    "maximise": ("optimise",),
+    "population": ("optimise",),
+    "generations": ("optimise",),
+    "load_cases": ("spectrum",),
+    "hours_per_year": ("spectrum",),
+    "field": ("size",),
+    "limits": ("size",),
+    "over_tolerance": ("size",),
+    "preferred": ("size",),
+    "reserve": ("design",),
+    "proposals": ("design",),
+    "rows": ("table",),
+}
+"""Which kinds read a field that not all of them do."""
 
 LAWS = (
     "values",
@@ -151,20 +170,50 @@ class StudyBlock(Part):
         8760.0, description="Of a spectrum: hours of operation that the yearly energy counts."
     )
 
+    field: Name | None = Field(
+        None,
+        description="Of a size without vary: the field that is sought, a decade to each side of what the case "
+        "has, or among its usual choices.",
+    )
+    limits: tuple[Name, ...] = Field(
+        ("all",),
+        min_length=1,
+        description="Of a size: all, recommended (recommendations count too), or codes of the checks that count.",
+    )
+    over_tolerance: bool = Field(
+        False, description="Of a size: whether limits hold at the smallest, mean and largest clearance."
+    )
+    preferred: bool = Field(
+        False, description="Of a size: also try the preferred numbers (R20 of ISO 3) that lie within."
+    )
+    reserve: Annotated[float, si("1", "0", "1")] = Field(
+        0.1,
+        description="Of a design: margin to every limit from which proposals are ranked by their friction power.",
+    )
+    proposals: Annotated[int, WholeNumber(1, 50)] = Field(5, description="Of a design: proposals that are made.")
+
+    @rule
+    def _is_read(self) -> Iterator[Issue]:
+        for name, kinds in READ_BY.items():
+            if is_given(self, name) and self.kind not in kinds:
+                says = f"is not read by a study of kind {self.kind}"
+                yield Issue((name,), says, f"kind: {' or '.join(kinds)}", "remove it")
+
     @rule
     def _has_something_to_vary(self) -> Iterator[Issue]:
-        if self.kind not in ("map", "spectrum", "table") and not self.vary:
+        if self.kind not in ("map", "spectrum", "size", "design", "table") and not self.vary:
             says = f"names no field, and a study of kind {self.kind} varies at least one"
             yield Issue(("vary",), says, "paths of fields with their values", code="E003")
         if self.kind == "map" and self.vary and len(self.vary) != 2:
             says = f"names {len(self.vary)} field{'s' * (len(self.vary) != 1)}, and a map has two axes"
             yield Issue(("vary",), says, "two fields, or none for speed and load")
+        if self.kind == "size" and len(self.vary) + is_given(self, "field") != 1:
+            says = f"names {len(self.vary) + is_given(self, 'field')} fields, and a size is sought of one"
+            yield Issue(("vary",), says, "one field with its values, or field: load", code="E003")
 
     @rule
     def _rows_of_table(self) -> Iterator[Issue]:
         if self.kind != "table":
-            if is_given(self, "rows"):
-                yield Issue(("rows",), f"is not read by a study of kind {self.kind}", "kind: table", "remove it")
             return
         if self.rows is None:
             yield Issue(("rows",), "is missing", "a CSV file or workbook with a bearing in each row", code="E003")
@@ -173,24 +222,16 @@ class StudyBlock(Part):
 
     @rule
     def _objectives(self) -> Iterator[Issue]:
-        if self.kind == "optimise":
-            if not (self.minimise or self.maximise):
-                says = "an optimisation needs an objective"
-                yield Issue(("minimise",), says, "minimise or maximise with quantities", lacks=())
-            for name in (name for name in self.maximise if name in self.minimise):
-                says = f"'{name}' stands under minimise, too: the two contradict each other"
-                yield Issue(("maximise",), says, "each quantity once")
-        for name in ("minimise", "maximise", "population", "generations"):
-            if is_given(self, name) and self.kind != "optimise":
-                yield Issue((name,), f"is not read by a study of kind {self.kind}", "kind: optimise", "remove it")
+        if self.kind == "optimise" and not (self.minimise or self.maximise):
+            says = "an optimisation needs an objective"
+            yield Issue(("minimise",), says, "minimise or maximise with quantities", lacks=())
+        for name in (name for name in self.maximise if name in self.minimise):
+            says = f"'{name}' stands under minimise, too: the two contradict each other"
+            yield Issue(("maximise",), says, "each quantity once")
 
     @rule
     def _spectrum(self) -> Iterator[Issue]:
         if self.kind != "spectrum":
-            for name in ("load_cases", "hours_per_year"):
-                if is_given(self, name):
-                    says = f"is not read by a study of kind {self.kind}"
-                    yield Issue((name,), says, "kind: spectrum", "remove it")
             return
         if not self.load_cases:
             yield Issue(("load_cases",), "is missing", "a list of load cases", code="E003")
@@ -204,11 +245,6 @@ class StudyBlock(Part):
 
     @rule
     def _samples_are_drawn(self) -> Iterator[Issue]:
-        if self.kind not in ("tolerance", "sensitivity"):
-            for name in ("samples", "sampling"):
-                if is_given(self, name):
-                    says = f"is not read by a study of kind {self.kind}"
-                    yield Issue((name,), says, "kind: tolerance or sensitivity", "remove it")
         if self.kind == "sensitivity" and is_given(self, "sampling") and self.sampling != "sobol":
             says = "a sensitivity draws its samples by Saltelli's scheme on a Sobol sequence"
             yield Issue(("sampling",), says, "sobol", "remove it")

@@ -20,6 +20,7 @@ KINDS = (
         comparison=f"{HERE}.compare.comparison:compare",
         vocabulary=f"{HERE}.report.words:JOURNAL_WORDS",
         solve_many=f"{HERE}.study.many_rows:solve_many",
+        first_design=f"{HERE}.study:first_design",
     ),
     Kind(
         name="machine",

@@ -5,10 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 
+from babbitt.core.check_text import written
 from babbitt.core.result import Bound, Check, Result
 from babbitt.core.units import ZERO_CELSIUS
 from babbitt.kinds.thrust.temperature_limits import hottest_of_pads
-from babbitt.report.verdict import governing, written
+from babbitt.report.verdict import governing
 
 __all__ = ["answers"]
 

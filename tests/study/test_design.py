@@ -1,0 +1,175 @@
+"""From a duty to proposals: each keeps its limits, the order is that of the criterion."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+import babbitt as bb
+from babbitt.core.notices import InputError
+from babbitt.study.design import designs_of
+from babbitt.study.study import open_study
+
+DUTY = ("--diameter", "120 mm", "--load", "12 kN", "--speed", "2000 rpm")
+OILS = ("ISO VG 22", "ISO VG 46")
+
+
+def proposed(**changes):
+    given = {"diameter": 0.12, "load": 12e3, "speed": "2000 rpm", "lubricants": OILS, "fits": ("H7/d8",)}
+    return bb.design_bearing(**{**given, **changes})
+
+
+@pytest.fixture(scope="module")
+def found():
+    return proposed(proposals=2)
+
+
+def test_every_proposal_keeps_its_limits_when_it_is_solved_again_by_either_method(found):
+    assert {one.fields["lubricant"] for one, _ in found.answer.proposals} == set(OILS)
+    for one, again in found.answer.proposals:
+        bearing = found.case(one.row)
+        for design, method in ((one, "iso7902"), (again, "film")):
+            results = bearing.solve(method=method).results
+            assert len(results) == 3  # smallest, mean and largest clearance
+            assert all(result.within_limits for result in results)
+            assert min(result.governing_check.margin for result in results) == pytest.approx(
+                design.margin, abs=1e-6
+            )
+        assert max(result.friction_power for result in bearing.solve().results) == pytest.approx(
+            one.power, rel=1e-9
+        )
+
+
+def test_proposals_have_the_reserve_and_follow_by_power(found):
+    proposals = [one for one, _ in found.answer.proposals]
+    assert all(one.margin >= 0.1 for one in proposals)
+    order = [(one.verdict != "pass", one.power) for one in proposals]
+    assert order == sorted(order)
+    for best in proposals:
+        rivals = [one for one in found.answer.tried if one.fields["lubricant"] == best.fields["lubricant"]]
+        rivals = [one for one in rivals if one.verdict == best.verdict and one.margin >= 0.1]
+        assert all(one.power >= best.power for one in rivals)
+
+
+def test_an_oil_is_given_the_same_design_whatever_others_are_offered(found):
+    alone = proposed(lubricants=OILS[:1], proposals=1).answer.proposals[0][0]
+    among = next(one for one, _ in found.answer.proposals if one.fields["lubricant"] == OILS[0])
+    assert (alone.fields, alone.margin, alone.power) == (among.fields, among.margin, among.power)
+
+
+def test_widths_and_pockets_go_together(found):
+    for one in found.answer.tried:
+        feed, width = one.fields["supply_element"], 1e3 * one.fields["width"]
+        assert width % 5.0 == pytest.approx(0.0, abs=1e-9) or width % 5.0 == pytest.approx(5.0, abs=1e-9)
+        assert 0.4 <= one.fields["width"] / 0.12 <= 1.0
+        assert "hole" in feed or f"{0.8 * width:.6g} mm" in feed
+
+
+def test_the_fits_are_those_next_to_the_recommended_clearance():
+    case = bb.parse_case(bb.template("journal"))
+    from babbitt.kinds.journal.study.first_design import choices
+
+    fits = choices(case, {})["clearance"].values
+    wanted = 0.8e-3 * (0.06 * 2000.0 * math.pi / 30.0) ** 0.25
+    means = [case.solve(clearance=fit).relative_clearance for fit in fits]
+    assert means == sorted(means)
+    assert max(abs(math.log(mean / wanted)) for mean in means) < abs(
+        math.log(case.solve(clearance="H7/e8").relative_clearance / wanted)
+    )
+
+
+def test_what_cannot_be_kept_is_told_with_the_nearest_miss():
+    study = proposed(load=250e3, lubricants=("ISO VG 68",))
+    answer = study.answer
+    assert not answer.proposals
+    assert answer.nearest[0].margin == max(one.margin for one in answer.tried if math.isfinite(one.margin))
+    assert answer.nearest[0].margin < 0.0
+    text = study.summary()
+    assert "the nearest misses" in text
+    assert answer.nearest[0].code in text
+    # The specific load alone ends it: 250 kN on 120 x 120 mm are more than the 5 MPa of the metal.
+    assert answer.nearest[0].margin <= 1.0 - 250e3 / (0.12 * 0.12) / 5e6 + 1e-9
+
+
+def test_assumptions_and_rules_are_named(found):
+    text = found.summary()
+    for said in ("supply temperature 45 degC", "Vogelpohl", "of Q₃", "(assumption", "Ranked:", "SnSb8Cu4"):
+        assert said in text
+    stated = bb.design_bearing(
+        "120 mm", "12 kN", "2000 rpm", lubricants=OILS[:1], fits=("H7/d8",), proposals=1,
+        supply_temperature="40 degC", supply_pressure="0.3 MPa", metal="B83",
+    )  # fmt: skip
+    assert "Not given and assumed: shell of C10" in stated.summary()
+
+
+def test_the_command_proposes_writes_and_reports(run, tmp_path):
+    options = ["--lubricant", "ISO VG 32", "--fit", "H7/d8", "--proposals", 1, "--workers", 1]
+    status, out, err = run(
+        "design", *DUTY, *options, "--out", "fan.study", "--out-dir", "fan",
+        "--report", "fan.html", "--plots", "p", "--xlsx", "fan.xlsx",
+    )  # fmt: skip
+    assert (status, err) == (0, "")
+    assert "Proposals" in out
+    assert (tmp_path / "p" / "designs.svg").is_file()
+    assert (tmp_path / "fan.xlsx").is_file()
+    assert "Proposals" in (tmp_path / "fan.html").read_text()
+    status, _, _ = run("solve", "fan/proposal-1.yaml", "--strict")
+    assert status == 0
+    assert run("study", "show", "fan.study")[1].strip() in out
+    ((one, _),) = designs_of(open_study("fan.study")).proposals
+    assert bb.load_case("fan/proposal-1.yaml").width == one.fields["width"]
+
+
+def test_a_design_is_a_study_of_a_case(run, tmp_path):
+    case = {
+        "kind": "journal", "name": "Duty", "diameter": "120 mm", "width": "60 mm", "clearance": "H7/e8",
+        "span": "360 deg", "supply_element": {"kind": "hole", "diameter": "12 mm", "place": "opposite"},
+        "lubricant": "ISO VG 32", "supply": {"temperature": "45 degC", "pressure": "0.2 MPa"},
+        "materials": {"bearing_metal": "SnSb8Cu4", "bearing": "C10", "journal": "42CrMo4"},
+        "load": "12 kN", "speed": "2000 rpm",
+        "study": {"kind": "design", "proposals": 1,
+                  "vary": {"lubricant": ["ISO VG 32"], "clearance": ["H7/d8"], "width": ["60 mm", "80 mm"]}},
+    }  # fmt: skip
+    import yaml
+
+    (tmp_path / "duty.yaml").write_text(yaml.safe_dump(case))
+    status, out, _ = run("study", "duty.yaml", "--out", "d.study", "--workers", 1)
+    assert status == 0
+    assert "stated in the study" in out
+    assert [path.name for path in (tmp_path / "d.study" / "designs").iterdir()] == ["proposal-1.yaml"]
+    ((one, _),) = designs_of(open_study("d.study")).proposals
+    assert one.fields["width"] in (0.06, 0.08)
+
+
+BAD = {
+    "no unit": (("--load", "12"), "load: 12 has no unit"),
+    "no quantity": (("--speed", "fast"), "speed"),
+    "beyond the field": (("--diameter", "30 m"), "diameter"),
+    "no such oil": (("--lubricant", "ISO VG 47"), "ISO VG 46"),
+    "no such fit": (("--fit", "H7/z9"), "z9"),
+    "no such metal": (("--metal", "Unobtainium"), "Unobtainium"),
+    "no rules": (("--kind", "hydrostatic_pad"), "allowed: journal"),
+    "no kind": (("--kind", "jurnal"), "allowed: journal"),
+    "reserve": (("--reserve", "200 %"), "allowed: 0 to 100 %"),
+    "report": (("--report", "a.txt"), "ends in .pdf or .html"),
+}
+
+
+@pytest.mark.parametrize("what", BAD)
+def test_bad_input_is_one_clear_line(run, tmp_path, what):
+    changes, says = BAD[what]
+    status, out, err = run("design", *DUTY, *changes, "--out-dir", "fan")
+    assert (status, out) == (2, "")
+    line, code = err.strip().splitlines()
+    assert says in line
+    assert code.startswith("(E00")
+    assert not list(tmp_path.iterdir())
+
+
+def test_kinds_without_rules_are_refused_in_a_study():
+    case = bb.parse_case(bb.template("hydrostatic_pad"))
+    with pytest.raises(
+        InputError, match="no rules for a first design of kind 'hydrostatic_pad'; allowed: journal"
+    ):
+        case.study("design")
