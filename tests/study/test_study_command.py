@@ -161,6 +161,18 @@ def test_outputs_are_refused_before_any_work(run, tmp_path, what):
     assert [path.name for path in tmp_path.iterdir()] == ["case.yaml"]
 
 
+def test_a_map_needs_no_study_in_the_file(run, tmp_path):
+    (tmp_path / "case.yaml").write_text(yaml.safe_dump(JOURNAL))
+    status, out, err = run("study", "case.yaml", "--kind", "map", "--points", 3, "--workers", 1)
+    assert (status, err) == (0, "")
+    assert "Map of Textbook bearing: load up, speed in rpm across" in " ".join(out.split())
+    assert "C112 Whirl screening" in out
+    for options, words in ((["--kind", "tolerance"], "allowed: map"), (["--points", 3], "--kind map")):
+        status, _, err = run("study", "case.yaml", *options)
+        assert status == 2
+        assert words in err
+
+
 def test_a_file_without_a_study_says_so(run, tmp_path):
     (tmp_path / "case.yaml").write_text(yaml.safe_dump(JOURNAL))
     status, _, err = run("study", "case.yaml")

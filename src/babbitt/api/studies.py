@@ -71,8 +71,8 @@ class Study:
     def table(self) -> pandas.DataFrame:
         """A line for each row and bearing; ``frame.attrs["units"]`` has the units of the columns, SI.
 
-        ``row``, ``group``, ``bearing``, inputs, outputs, ``margin`` and those of all checks, ``status``,
-        ``verdict``, ``governing_check``, ``failed_checks``, ``message``.
+        ``row``, ``group``, ``bearing``, inputs, outputs, ``margin`` and those of all limits and (``advisory_``)
+        recommendations, ``status``, ``verdict``, ``governing_check``, ``failed_checks``, ``message``.
 
         Raises
         ------
@@ -138,7 +138,7 @@ class Study:
         frame = frame[frame["bearing"] != ""]
         several = frame["bearing"].nunique() > 1
         axes = (["bearing"] if several else []) + paths
-        kept = [*self._study.outputs, *(name for name in frame if name.startswith("margin"))]
+        kept = [*self._study.outputs, *(name for name in frame if name.startswith(("margin", "advisory")))]
         kept += ["status", "verdict", "governing_check", "failed_checks"]
         made: xarray.Dataset = package.Dataset.from_dataframe(frame.set_index(axes)[kept])
         units = self._units()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -15,10 +16,14 @@ from babbitt.core.files.printing import printable
 from babbitt.core.notices import InputError
 
 if TYPE_CHECKING:
+    from babbitt.case.study_file import StudiedCase
     from babbitt.study.study import Study
     from babbitt.study.workers import Workers
 
 __all__ = ["study"]
+
+ALONE = ("map",)
+"""Kinds of study that need no fields to be named."""
 
 LONG = 60.0
 """Seconds of work of which is said that they can be kept."""
@@ -33,6 +38,13 @@ def study(
             help="A case file with a study, or a file with study and case; show: a study that is stored.",
         ),
     ],
+    kind: Annotated[
+        str | None,
+        typer.Option(metavar="KIND", help="map, without a study in the file: over the fields of its kind."),
+    ] = None,
+    points: Annotated[
+        int | None, typer.Option(metavar="N", help="Values along each axis of that map.", min=2, max=1000)
+    ] = None,
     out: Annotated[
         Path | None,
         typer.Option(metavar="NAME.study", help="Keep what is finished in a folder; the same command goes on."),
@@ -65,29 +77,46 @@ def study(
         require_study_outputs({Path(words[1]): "a stored study"}, xlsx, report, plots)
         found = open_study(words[1])
     else:
-        found = _computed(Path(words[0]), out, workers, scheduler, (xlsx, report, plots), allow_outside)
+        read = _read(Path(words[0]), kind, points, allow_outside)
+        found = _computed(Path(words[0]), read, out, workers, scheduler, (xlsx, report, plots))
     write_study(found, xlsx, report, plots)
     print_study(found)
     if not (found.columns["status"] == "converged").any():
         raise typer.Exit(NO_SOLUTION)
 
 
+def _read(file: Path, kind: str | None, points: int | None, allow_outside: bool) -> StudiedCase:
+    """The case with the study in its file, or with one that needs nothing but its kind."""
+    from babbitt.case.study_file import load_case_or_study, load_study
+
+    if kind is None:
+        if points is not None:
+            raise InputError("E005", "--points belongs to --kind map")
+        return load_study(file, reach(allow_outside))
+    from babbitt.case.parts.study import StudyBlock
+
+    if kind not in ALONE:
+        says = f"--kind '{kind}' needs to know more; allowed: {', '.join(ALONE)}"
+        raise InputError("E005", f"{says}; write a block `study` for others")
+    read = load_case_or_study(file, reach(allow_outside))
+    given = {"kind": kind} | ({} if points is None else {"points": points})
+    return replace(read, study=StudyBlock.model_validate(given))
+
+
 def _computed(
     file: Path,
+    read: StudiedCase,
     out: Path | None,
     workers: int | None,
     scheduler: str | None,
     outputs: tuple[Path | None, Path | None, Path | None],
-    allow_outside: bool,
 ) -> Study:
     """Plan and compute a study; nothing is written before all of it was found possible."""
-    from babbitt.case.study_file import load_study
     from babbitt.report.study_output import require_study_outputs
     from babbitt.report.study_progress import StudyProgress
     from babbitt.study.engine import InterruptedStudyError
     from babbitt.study.study import plan, run_study, write_designs
 
-    read = load_study(file, reach(allow_outside))
     case, block = read.case, read.study
     assert block is not None, "a file without a study is refused"
     require_study_outputs(dict.fromkeys(read.files, "an input of the run"), *outputs)

@@ -26,6 +26,10 @@ SHIPPED = "babbitt.kinds"
 """Package whose ``KINDS`` are those that ship, and the group of entry points for all others."""
 
 
+SPEED_AND_LOAD = (("speed",), ("load",))
+"""Axes of a map of most kinds."""
+
+
 def imported(path: str) -> Any:
     """Import what a text names: a module and, behind a colon, what stands in it.
 
@@ -85,6 +89,9 @@ class Kind:
     solve_many : str
         A function from a case and columns of values to columns of answers (`babbitt.study.rows.SolvesMany`), as
         ``module:name``; empty where rows are solved case by case.
+    envelope : tuple of tuple of str
+        Fields over which a map is drawn that names none, across and up: of each the first that the case gives.
+        Of ``speed``, ``load`` and ``power`` those of all bearings, gears and operating points go together.
     """
 
     name: str
@@ -100,6 +107,7 @@ class Kind:
     quantities: str = ""
     words: str = ""
     solve_many: str = ""
+    envelope: tuple[tuple[str, ...], tuple[str, ...]] = SPEED_AND_LOAD
 
     def load(self, path: str) -> Any:
         """Import a part that it names.

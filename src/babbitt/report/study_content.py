@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from babbitt.core.result import Verdict
+from babbitt.report.study_map import map_tables
+from babbitt.report.study_table_parts import DASH, StudyTable
 from babbitt.report.study_values import (
-    DASH,
     Scale,
     check_title,
     input_scale,
@@ -35,29 +35,6 @@ MOST_ROWS = 200
 SAMPLING = {"latin_hypercube": "Latin hypercube", "sobol": "Sobol sequence", "random": "random"}
 
 WORDS = {verdict.key: verdict.value for verdict in Verdict}
-
-
-@dataclass(frozen=True)
-class StudyTable:
-    """A table of text.
-
-    Attributes
-    ----------
-    title : str
-    columns : tuple of (str, str)
-        Heading and unit.
-    rows : tuple of tuple of str
-    words : int
-        Columns from the left that hold words; all others hold numbers.
-    notes : tuple of str
-        Below it.
-    """
-
-    title: str
-    columns: tuple[tuple[str, str], ...]
-    rows: tuple[tuple[str, ...], ...]
-    words: int = 1
-    notes: tuple[str, ...] = ()
 
 
 def overview(study: Study) -> str:
@@ -254,37 +231,6 @@ def _signed(share: float) -> str:
     return f"{100.0 * share:.1f}" if math.isfinite(share) else DASH
 
 
-def _map(study: Study) -> Iterator[StudyTable]:
-    across, up = study.inputs
-    for bearing in _bearings(study.columns):
-        own = study.columns["bearing"] == bearing
-        columns = {name: column[own] for name, column in study.columns.items()}
-        scales = [input_scale(one, _numbers(study, one)) for one in (across, up)]
-        axes = [list(dict.fromkeys(study.columns[one["path"]].tolist())) for one in (across, up)]
-        letters = {
-            (columns[across["path"]][place], columns[up["path"]][place]): _letter(columns, place)
-            for place in range(columns["row"].size)
-        }
-        rows = tuple((scales[1].text(y), *(letters.get((x, y), "–") for x in axes[0])) for y in reversed(axes[1]))
-        heads = ((scales[1].heading, ""), *((scales[0].text(x), "") for x in axes[0]))
-        title = f"Map of {plain_text(bearing)}: {scales[1].name} up, {scales[0].heading} across"
-        note = (
-            "○ within all limits; a code: the check that governs where one is missed; ? no verdict; – no solution."
-        )
-        yield StudyTable(title, heads, rows, 1, (note,))
-
-
-def _letter(columns: Columns, place: int) -> str:
-    match str(columns["verdict"][place]):
-        case "pass" | "remarks":
-            return "○"
-        case "fail":
-            return str(columns["governing_check"][place])
-        case "no_verdict":
-            return "?"
-    return "–"
-
-
 def _sensitivity(study: Study) -> Iterator[StudyTable]:
     several = _several(study)
     paths = [one["path"] for one in study.inputs]
@@ -373,7 +319,7 @@ def _optimise(study: Study) -> Iterator[StudyTable]:
 _OF_KIND: Mapping[str, Callable[[Study], Iterator[StudyTable]]] = {
     "sweep": _sweep,
     "tolerance": _tolerance,
-    "map": _map,
+    "map": map_tables,
     "sensitivity": _sensitivity,
     "spectrum": _spectrum,
     "optimise": _optimise,

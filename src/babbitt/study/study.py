@@ -22,7 +22,7 @@ from babbitt.core.files.writing import replace_synced
 from babbitt.core.nearest_name import unknown_name
 from babbitt.core.notices import InputError
 from babbitt.core.quantities import QUANTITIES
-from babbitt.core.result import Result
+from babbitt.core.result import Check, Result
 from babbitt.study import grids, indices, optimum, spectrum
 from babbitt.study.engine import Engine, NoWatch, Watch, chunk_size, timed
 from babbitt.study.inputs import Input, inputs_of
@@ -65,8 +65,10 @@ class Plan:
     rows : int
     seconds_a_row : float
         Measured on the nominal case.
-    checks : tuple of dict
-        Code, quantity, limit and bound of the checks of the nominal case.
+    checks, advisories : tuple of dict
+        Code, quantity, limit and bound of the limits of the nominal case, and of what is recommended or screened.
+    not_checked : tuple of dict
+        Code and message of the checks for which the nominal case lacks data.
     """
 
     case: CaseFile
@@ -75,6 +77,8 @@ class Plan:
     rows: int
     seconds_a_row: float
     checks: tuple[dict[str, Any], ...]
+    advisories: tuple[dict[str, Any], ...]
+    not_checked: tuple[dict[str, str], ...]
 
     @property
     def work(self) -> float:
@@ -97,6 +101,8 @@ class Plan:
             "inputs": [_told(one) for one in self.task.inputs],
             "outputs": list(self.task.outputs),
             "checks": list(self.checks),
+            "advisories": list(self.advisories),
+            "not_checked": list(self.not_checked),
             "rows": self.rows,
             "rows_in_chunk": chunk_size(self.seconds_a_row),
             "batches": batch_sizes(grids.samples_of(self.block), self.block.sampling),
@@ -104,6 +110,10 @@ class Plan:
             "case": json.loads(json.dumps(dict(self.task.given), default=str)),
             "text": self.case.text,
         }
+
+
+def _described(one: Check) -> dict[str, Any]:
+    return {"code": one.code, "quantity": one.quantity, "limit": one.limit, "bound": one.bound.value}
 
 
 def _told(one: Input) -> dict[str, Any]:
@@ -184,14 +194,19 @@ def plan(case: CaseFile, block: StudyBlock) -> Plan:
     results = _results_of_nominal(case, task)
     outputs = _outputs(block, results)
     checks = {check.code: check for result in results for check in result.limits}
-    told = tuple(
-        {"code": one.code, "quantity": one.quantity, "limit": one.limit, "bound": one.bound.value}
-        for one in checks.values()
-    )
-    task = RowTask(task.kind, task.given, task.file, task.reach, inputs, outputs, tuple(checks))
+    advisories = {
+        check.code: check
+        for result in results
+        for check in result.checks
+        if check.advisory and check.code not in checks
+    }
+    lacks = {notice.code: notice.message for result in results for notice in result.not_checked}
+    task = replace(task, outputs=outputs, codes=tuple(checks), advisories=tuple(advisories))
     values, groups = grids.nominal(inputs)
     seconds = timed(task, {"row": np.array([0]), "group": groups, **values})
-    return Plan(case, block, task, rows, seconds, told)
+    not_checked = tuple({"code": code, "message": said} for code, said in lacks.items() if code not in checks)
+    told = (tuple(map(_described, each.values())) for each in (checks, advisories))
+    return Plan(case, block, task, rows, seconds, *told, not_checked)
 
 
 def require_possible(case: CaseFile, block: StudyBlock) -> tuple[tuple[Input, ...], int]:

@@ -146,6 +146,10 @@ class StudyBlock(Part):
         8760.0, description="Of a spectrum: hours of operation that the yearly energy counts."
     )
 
+    points: Annotated[int, WholeNumber(2, 1000)] = Field(
+        19, description="Of a map that names no fields: values along each axis."
+    )
+
     @rule
     def _has_something_to_vary(self) -> Iterator[Issue]:
         if self.kind not in ("map", "spectrum") and not self.vary:
@@ -153,7 +157,11 @@ class StudyBlock(Part):
             yield Issue(("vary",), says, "paths of fields with their values", code="E003")
         if self.kind == "map" and self.vary and len(self.vary) != 2:
             says = f"names {len(self.vary)} field{'s' * (len(self.vary) != 1)}, and a map has two axes"
-            yield Issue(("vary",), says, "two fields, or none for speed and load")
+            yield Issue(("vary",), says, "two fields, or none for those of the kind, speed and load of most")
+        if is_given(self, "points") and (self.kind != "map" or self.vary):
+            yield Issue(
+                ("points",), "belongs to a map that names no fields", "kind: map without vary", "remove it"
+            )
 
     @rule
     def _objectives(self) -> Iterator[Issue]:
