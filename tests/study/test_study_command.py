@@ -17,6 +17,7 @@ STUDIES = {
         "kind": "sweep",
         "vary": {"load": {"range": ["10 kN", "30 kN", 3]}, "lubricant": ["ISO VG 32", "ISO VG 46"]},
     },
+    "corners": {"kind": "corners", "vary": {"supply.temperature": ["45 degC", "58 degC", "65 degC"]}},
     "tolerance": {
         "kind": "tolerance",
         "samples": 20,
@@ -55,6 +56,7 @@ STUDIES = {
 }
 TITLES = {
     "sweep": "Results",
+    "corners": "Corners",
     "tolerance": "Yield",
     "map": "Map of",
     "sensitivity": "Sobol indices",
@@ -64,7 +66,8 @@ TITLES = {
 
 
 def written(path, study):
-    path.write_text(yaml.safe_dump({**JOURNAL, "study": study}, sort_keys=False))
+    band = {"clearance": {"kind": "fit", "bore": "H7", "journal": "e8"}} if study["kind"] == "corners" else {}
+    path.write_text(yaml.safe_dump({**JOURNAL, **band, "study": study}, sort_keys=False))
     return path
 
 

@@ -59,7 +59,7 @@ class Study:
 
     @property
     def kind(self) -> str:
-        """What was asked: ``sweep``, ``tolerance``, ``map``, ``sensitivity``, ``spectrum`` or ``optimise``."""
+        """What was asked, as the block of a case file says it: ``sweep``, ``tolerance``, ``map``, ..."""
         return self._study.kind
 
     @property
@@ -86,7 +86,7 @@ class Study:
 
     @property
     def answer(self) -> ToleranceSummary | tuple[Indices, ...] | tuple[SpectrumSummary, ...] | Optimum | None:
-        """What the study comes to, in SI; None for a sweep and a map, whose answer is the table."""
+        """What the study comes to, in SI; None for a sweep, map and corners, whose answer is the table."""
         match self.kind:
             case "tolerance":
                 return tolerance_summary(self._study)
@@ -120,7 +120,7 @@ class Study:
         return self._public(engine.case_of(self._study, row))
 
     def to_xarray(self) -> xarray.Dataset:
-        """A sweep or map over its fields, bearings along a dimension of their own where there are several.
+        """A sweep, map or corners over its fields; several bearings are along a dimension of their own.
 
         Raises
         ------
@@ -130,7 +130,7 @@ class Study:
         from babbitt.core.notices import InputError
         from babbitt.report.fields import require_package
 
-        if self.kind not in ("sweep", "map"):
+        if self.kind not in ("sweep", "map", "corners"):
             raise InputError("E004", f"a study of kind {self.kind} is no grid; .table has its rows")
         package = require_package("xarray")
         paths = [one["path"] for one in self._study.inputs]

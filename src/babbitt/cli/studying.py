@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 __all__ = ["study"]
 
-ALONE = ("map",)
+ALONE = ("map", "corners")
 """Kinds of study that need no fields to be named."""
 
 LONG = 60.0
@@ -40,7 +40,10 @@ def study(
     ],
     kind: Annotated[
         str | None,
-        typer.Option(metavar="KIND", help="map, without a study in the file: over the fields of its kind."),
+        typer.Option(
+            metavar="KIND",
+            help="Without a study in the file: map, over the fields of its kind; corners, of clearance and oil.",
+        ),
     ] = None,
     points: Annotated[
         int | None, typer.Option(metavar="N", help="Values along each axis of that map.", min=2, max=1000)
@@ -64,7 +67,7 @@ def study(
     plots: Annotated[Path | None, typer.Option(metavar="DIR", help="Write the figures into a folder.")] = None,
     allow_outside: AllowOutside = False,
 ) -> None:
-    """Study many variants of a case: sweep, tolerance, map, sensitivity, optimise, spectrum."""
+    """Study many variants of a case: sweep, corners, tolerance, map, sensitivity, optimise, spectrum."""
     from babbitt.report.study_output import require_study_outputs, write_study
     from babbitt.report.study_table import print_study
 

@@ -143,6 +143,15 @@ def _sweep(study: Study) -> Iterator[StudyTable]:
     yield line_table(study, study.columns, "Results")
 
 
+def _corners(study: Study) -> Iterator[StudyTable]:
+    """All corners of one bearing below each other."""
+    names = _bearings(study.columns)
+    places = [names.index(str(one)) if one else len(names) for one in study.columns["bearing"]]
+    order = np.argsort(places, kind="stable")
+    columns = {name: column[order] for name, column in study.columns.items()}
+    yield line_table(study, columns, "Corners")
+
+
 def _tolerance(study: Study) -> Iterator[StudyTable]:
     found = tolerance_summary(study)
     heads = ("", "samples", "within limits", "yield", "95 % from", "to", "unsolved", "interval by")
@@ -318,6 +327,7 @@ def _optimise(study: Study) -> Iterator[StudyTable]:
 
 _OF_KIND: Mapping[str, Callable[[Study], Iterator[StudyTable]]] = {
     "sweep": _sweep,
+    "corners": _corners,
     "tolerance": _tolerance,
     "map": map_tables,
     "sensitivity": _sensitivity,

@@ -194,6 +194,25 @@ def _sweep(study: Study) -> Iterator[Drawn]:
         )
 
 
+def _corners(study: Study) -> Iterator[Drawn]:
+    numeric = [one for one in study.inputs if "values" not in one]
+    names = bearings_of(study)
+    if not numeric or not names:
+        return
+    along, others = numeric[0], [one for one in study.inputs if one is not numeric[0]]
+    drawn_together = [names[first : first + 3] for first in range(0, len(names), 3)]
+    said = "".join(f", for each {plain_text(one['path'])}" for one in others)
+    for number, together in enumerate(drawn_together, 1):
+        chosen = np.isin(study.columns["bearing"], together)
+        own = {name: column[chosen] for name, column in study.columns.items()}
+        by_name = {"path": "bearing", "values": together, "support": []}
+        yield (
+            "corners" if len(drawn_together) == 1 else f"corners-{number}",
+            f"Clearances by temperature of the oil{said}. Open circles: beyond a limit.",
+            _curves(study, along, [by_name, *others], own),
+        )
+
+
 def _curves(study: Study, along: Mapping[str, Any], others: list[dict[str, Any]], own: Columns) -> Figure:
     names = [name for name in study.outputs if np.isfinite(own[name]).any()][:MOST_PANELS]
     figure, panels = panels_for(max(1, len(names)), sharex=True)
@@ -335,6 +354,7 @@ _OF_KIND: Mapping[str, Callable[[Study], Iterator[Drawn]]] = {
     "tolerance": _tolerance,
     "map": map_figures,
     "sweep": _sweep,
+    "corners": _corners,
     "sensitivity": _sensitivity,
     "spectrum": _spectrum,
     "optimise": _optimise,

@@ -11,7 +11,7 @@ from babbitt.core.notices import InputError
 from babbitt.core.units import QuantityError, SiField, read
 from babbitt.study.shares import EVERYWHERE, SHARED, places_of
 
-__all__ = ["default_axes"]
+__all__ = ["FROM", "TO", "default_axes"]
 
 FROM, TO = 0.2, 2.0
 """Of what the case itself has: the ends of an axis."""

@@ -23,10 +23,10 @@ from babbitt.core.nearest_name import unknown_name
 from babbitt.core.notices import InputError
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Check, Result
-from babbitt.study import grids, indices, optimum, spectrum
+from babbitt.study import corners, grids, indices, optimum, spectrum
 from babbitt.study.engine import Engine, NoWatch, Watch, chunk_size, timed
 from babbitt.study.inputs import Input, inputs_of
-from babbitt.study.maps import default_axes
+from babbitt.study.maps import FROM, TO, default_axes
 from babbitt.study.rows import Columns, RowTask
 from babbitt.study.sampling import batch_sizes
 from babbitt.study.store import FORMAT, Store
@@ -48,6 +48,12 @@ KEY_RESULTS = (
 
 FEWEST_KEY_RESULTS, MOST_OUTPUTS = 3, 12
 """Of a method that gives fewer of them its first results are kept, at most so many."""
+
+ASSUMED = {
+    "map": f"{FROM:g} to {TO:g} times what the case has (assumption)",
+    "corners": f"{corners.COLDER:g} K below and {corners.HOTTER:g} K above what the case has (assumption)",
+}
+"""Reasons of what varies where nothing is named."""
 
 SHORT = 3.0
 """Seconds of work for which no process is started: starting takes as long."""
@@ -188,9 +194,12 @@ def plan(case: CaseFile, block: StudyBlock) -> Plan:
     InputError
         For all that makes the study impossible.
     """
-    block = default_axes(case, block)
+    reason = ASSUMED.get(block.kind, "") if not block.vary else ""
+    block = _with_defaults(case, block)
     inputs, rows = require_possible(case, block)
-    task = _task(case, inputs)
+    if reason:
+        inputs = tuple(replace(one, reason=reason) if one.path in block.vary else one for one in inputs)
+    task = _task(case, inputs, block)
     results = _results_of_nominal(case, task)
     outputs = _outputs(block, results)
     checks = {check.code: check for result in results for check in result.limits}
@@ -217,7 +226,7 @@ def require_possible(case: CaseFile, block: StudyBlock) -> tuple[tuple[Input, ..
     InputError
         For all that makes the study impossible, but for outputs that the results lack.
     """
-    block = default_axes(case, block)
+    block = _with_defaults(case, block)
     inputs = _inputs(case, block)
     indices.require_numeric(block, inputs)
     optimum.require_pymoo(block, inputs)
@@ -226,17 +235,27 @@ def require_possible(case: CaseFile, block: StudyBlock) -> tuple[tuple[Input, ..
     return inputs, rows
 
 
+def _with_defaults(case: CaseFile, block: StudyBlock) -> StudyBlock:
+    """A study with the fields that its kind varies where it names none."""
+    return corners.default_oil(case, default_axes(case, block))
+
+
 def _inputs(case: CaseFile, block: StudyBlock) -> tuple[Input, ...]:
-    return spectrum.inputs_of_spectrum(case, block) if block.kind == "spectrum" else inputs_of(case, block)
+    if block.kind == "spectrum":
+        return spectrum.inputs_of_spectrum(case, block)
+    clearance = corners.clearance_input(case) if block.kind == "corners" else None
+    return (*(() if clearance is None else (clearance,)), *inputs_of(case, block))
 
 
-def _task(case: CaseFile, inputs: tuple[Input, ...]) -> RowTask:
+def _task(case: CaseFile, inputs: tuple[Input, ...], block: StudyBlock) -> RowTask:
     """The case as workers get it: the files that it names in their place."""
     origin = case.origin
     if origin is None:
         raise InputError("E005", f"{case.name}: only a case from a file, a text or a dictionary can be varied")
     model = KINDS[case.kind]
     given = model.with_named_files(dict(origin.given), NamedFiles(origin.file.parent, origin.reach))
+    if block.kind == "corners":
+        given = corners.at_all_clearances(given, model.model_fields)
     return RowTask(case.kind, given, origin.file, origin.reach, inputs)
 
 
@@ -260,7 +279,8 @@ def _outputs(block: StudyBlock, results: Sequence[Result]) -> tuple[str, ...]:
             raise InputError("E005", f"study.{where}: {unknown_name(name, there, 'a quantity of these results')}")
     if block.outputs:
         return asked
-    key = [name for name in KEY_RESULTS if name in there]
+    wanted = corners.CORNER_RESULTS if block.kind == "corners" else KEY_RESULTS
+    key = [name for name in wanted if name in there]
     if len(key) < FEWEST_KEY_RESULTS:
         key = [name for name in there if name not in ("wall_time", "iterations")][:MOST_OUTPUTS]
     return tuple(dict.fromkeys((*key, *asked)))
@@ -333,7 +353,7 @@ def case_of(study: Study, row: int) -> CaseFile:
     given = dict(study.description["case"])
     case = case_from_dict(given, study.description["name"])
     inputs = _inputs(case, study.block)
-    task = _task(case, inputs)
+    task = _task(case, inputs, study.block)
     made = task.case({one.path: study.columns[one.path][places[0]] for one in inputs})
     assert made.origin is not None, "it was read just now"
     return made.with_origin(replace(made.origin, given=with_units(made.origin.given, made)))
@@ -400,6 +420,7 @@ def _optimise(made: Plan, engine: Engine) -> Columns:
 _ASKED: Mapping[str, Callable[[Plan, Engine], Columns]] = {
     "sweep": _grid,
     "map": _grid,
+    "corners": _grid,
     "tolerance": _tolerance,
     "sensitivity": _sensitivity,
     "spectrum": _spectrum,

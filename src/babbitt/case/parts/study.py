@@ -18,7 +18,7 @@ from babbitt.core.units import si
 
 __all__ = ["LoadCase", "StudyBlock", "StudyKind", "Vary", "VaryInput"]
 
-StudyKind = Literal["sweep", "tolerance", "map", "sensitivity", "optimise", "spectrum"]
+StudyKind = Literal["sweep", "tolerance", "map", "sensitivity", "optimise", "spectrum", "corners"]
 
 LAWS = (
     "values",
@@ -152,7 +152,7 @@ class StudyBlock(Part):
 
     @rule
     def _has_something_to_vary(self) -> Iterator[Issue]:
-        if self.kind not in ("map", "spectrum") and not self.vary:
+        if self.kind not in ("map", "spectrum", "corners") and not self.vary:
             says = f"names no field, and a study of kind {self.kind} varies at least one"
             yield Issue(("vary",), says, "paths of fields with their values", code="E003")
         if self.kind == "map" and self.vary and len(self.vary) != 2:
