@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from babbitt.case.case_file import CaseFile
 from babbitt.case.loading import build_case
 from babbitt.case.named_files import NamedFiles
+from babbitt.core.files.printing import printable
 from babbitt.core.files.reading import Reach
 from babbitt.core.kind import find_kind, imported
 from babbitt.core.notices import InputError
@@ -30,6 +31,7 @@ __all__ = [
     "empty_answers",
     "joined",
     "margin_name",
+    "answered",
     "solved_rows",
 ]
 
@@ -98,10 +100,19 @@ class RowTask:
         InputError
             For a value that the case does not take.
         """
+        return self.titled(values, "")
+
+    def titled(self, values: Mapping[str, Any], title: str) -> CaseFile:
+        """The case as `case` gives it; `title` stands behind its name in messages."""
         given = dict(self.given)
         for one in self.inputs:
             given = given_with(one, given, self.file, self.reach, values[one.path])
-        return build_case(given, self.file.name, NamedFiles(self.file.parent, self.reach))
+        name = f"{printable(self.file)}{title}" if title else self.file.name
+        return build_case(given, name, NamedFiles(self.file.parent, self.reach))
+
+    def answers(self, rows: Columns) -> Columns:
+        """Answer rows."""
+        return solved_rows(self, rows)
 
 
 class SolvesMany(Protocol):
@@ -119,6 +130,11 @@ def margin_name(code: str) -> str:
 def advisory_name(code: str) -> str:
     """Name of the column with the margin of a recommendation or screening indicator."""
     return f"advisory_{code}"
+
+
+def answered(task: RowTask, rows: Columns) -> Columns:
+    """Answer rows: what a worker is given to do."""
+    return task.answers(rows)
 
 
 def solved_rows(task: RowTask, rows: Columns) -> Columns:
