@@ -495,6 +495,28 @@ def test_a_sweep_of_a_machine_names_its_bearings(run):
     assert "First-stage" not in out
 
 
+def test_a_sweep_of_two_fields_by_two_processes_with_columns_of_choice(run, tmp_path):
+    (tmp_path / "case.yaml").write_text(template("journal"))
+    fields = ("load", "4 kN:16 kN:3:log", "lubricant", "ISO VG 32, ISO VG 68")
+    options = ("--columns", "friction_power, total_flow", "--engineering", "--plot", "a.png")
+    status, out, err = run("sweep", "case.yaml", *fields, *options, "--csv", "a.csv")
+    assert (status, err) == (0, "")
+    assert run("sweep", "case.yaml", *fields, *options, "--csv", "b.csv", "--workers", "2")[:2] == (status, out)
+    assert (tmp_path / "a.csv").read_text() == (tmp_path / "b.csv").read_text()
+    rows = list(csv.DictReader((tmp_path / "a.csv").read_text().splitlines()))
+    assert [float(row["load [kN]"]) for row in rows] == pytest.approx([4.0, 4.0, 8.0, 8.0, 16.0, 16.0])
+    assert [row["lubricant"] for row in rows] == ["ISO VG 32", "ISO VG 68"] * 3
+    for thin, thick in zip(rows[::2], rows[1::2], strict=True):
+        assert float(thin["friction_power [kW]"]) < float(thick["friction_power [kW]"])
+    heavy = template("journal").replace("load: 12 kN", "load: 16 kN").replace("ISO VG 46", "ISO VG 68")
+    result = solve(parse_case(heavy)).results[0]
+    assert float(rows[-1]["friction_power [kW]"]) == pytest.approx(1e-3 * result.friction_power, rel=1e-9)
+    assert float(rows[-1]["margin"]) == pytest.approx(result.margin, rel=1e-9)
+    assert (rows[-1]["governing_check"], rows[-1]["verdict"]) == (result.governing_check.code, result.verdict.key)
+    assert "h_min" not in out
+    assert (tmp_path / "a.png").read_bytes().startswith(b"\x89PNG")
+
+
 def test_values_of_a_sweep_may_be_negative(run, tmp_path):
     (tmp_path / "film.yaml").write_text(GROOVED)
     status, out, err = run("sweep", "film.yaml", "load_angle", "-120 deg:-60 deg:3")
@@ -514,6 +536,11 @@ def test_values_of_a_sweep_may_be_negative(run, tmp_path):
         (("load", "1 kN", "--csv", "film.yaml"), "a case file"),
         (("load", "1 kN", "--csv", "x.svg", "--plot", "x.svg"), "another output"),
         (("load", "1 kN", "--csv", "none/x.csv"), "does not exist"),
+        (("load", "1 kN", "speed"), "'speed' has none"),
+        (("load", "1 kN", "load", "2 kN"), "named twice"),
+        (("load", "1 kN:9 kN:30", "speed", "1 rpm:9 rpm:30"), "900 rows"),
+        (("load", "-1 kN:9 kN:3:log"), "equal ratios"),
+        (("load", "1 kN", "--columns", "friction_powr"), "did you mean 'friction_power'"),
     ],
 )
 def test_mistakes_in_a_sweep_are_told_and_nothing_is_written(run, tmp_path, arguments, words):

@@ -17,7 +17,7 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 
 def test_broken_lines_are_where_states_are_not_stable():
     variation = case_variation(EXAMPLES / "pump_footstep.yaml", "clearance")
-    sweep = sweep_case(variation, values_of("15 um:30 um:6"))
+    sweep = sweep_case([(variation, values_of("15 um:30 um:6"))])
     stable = {
         (result.name, place): result.settings["stable"] == "yes" for place, result in sweep.rows()
     }  # fmt: skip
@@ -41,7 +41,7 @@ def test_broken_lines_are_where_states_are_not_stable():
 @pytest.mark.parametrize("name", ["pump_footstep_metal.yaml"])
 def test_where_all_states_are_stable_the_legend_says_nothing_of_it(name):
     variation = case_variation(EXAMPLES / name, "clearance")
-    sweep = sweep_case(variation, values_of("20 um:30 um:2"))
+    sweep = sweep_case([(variation, values_of("20 um:30 um:2"))])
     assert all(result.settings["stable"] == "yes" for _, result in sweep.rows())
     for legend in sweep_figure(sweep).legends:
         assert all("stable" not in text.get_text() for text in legend.get_texts())

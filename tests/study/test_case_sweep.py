@@ -9,9 +9,10 @@ import pytest
 from rich.console import Console
 
 from babbitt.case import CaseError, parse_case, template
+from babbitt.case.case_hash import case_hash
 from babbitt.case.variation import case_variation
 from babbitt.core.notices import InputError
-from babbitt.core.result import Verdict
+from babbitt.core.result import Result, Verdict
 from babbitt.report.sweep_table import codes_of, print_sweep, sweep_csv, sweep_rows
 from babbitt.solving import solve
 from babbitt.study.case_sweep import sweep_case
@@ -54,31 +55,33 @@ def film(tmp_path):
     ],
 )
 def test_each_answer_is_that_of_the_file_with_the_value_in_it(film, path, values, was, becomes):
-    found = sweep_case(case_variation(film, path), values_of(values))
+    found = sweep_case([(case_variation(film, path), values_of(values))])
     assert FILM.count(was) == 1
     by_hand = solve(parse_case(FILM.replace(was, becomes)))
-    assert found.machines[1].case_hash == by_hand.case_hash
+    assert case_hash(found.case(1)) == by_hand.case_hash
     wanted = by_hand.results[0]
-    answer = found.machines[1].results[0]
+    answer = found.answers[1][0]
     assert answer.minimum_film_thickness == pytest.approx(wanted.minimum_film_thickness, rel=1e-12)
     assert answer.rotor_mass == wanted.rotor_mass
 
 
 def test_what_the_file_has_is_known_in_the_unit_of_the_values(film):
-    assert sweep_case(case_variation(film, "load"), values_of("10000 N, 50 kN")).present == pytest.approx(30000.0)
-    assert sweep_case(case_variation(film, "rotor_mass"), values_of("2 t")).present is None
+    assert sweep_case([(case_variation(film, "load"), values_of("10000 N, 50 kN"))]).fields[
+        0
+    ].present == pytest.approx(30000.0)
+    assert sweep_case([(case_variation(film, "rotor_mass"), values_of("2 t"))]).fields[0].present is None
 
 
 def test_a_value_that_leaves_no_film_is_a_status_and_stops_nothing(film):
-    found = sweep_case(case_variation(film, "load"), values_of("90 MN, 30 kN"))
-    assert [machine.solved for machine in found.machines] == [False, True]
+    found = sweep_case([(case_variation(film, "load"), values_of("90 MN, 30 kN"))])
+    assert [result.outcome.solved for _, result in found.rows()] == [False, True]
     assert not found.solved
 
 
 def test_the_checks_that_were_not_made_stand_below_the_verdicts(film, capsys):
     """Passing rows keep only the limits for which the case has data."""
-    found = sweep_case(case_variation(film, "load"), values_of("20 kN, 30 kN"))
-    missing = {notice.code for machine in found.machines for notice in machine.results[0].not_checked}
+    found = sweep_case([(case_variation(film, "load"), values_of("20 kN, 30 kN"))])
+    missing = {notice.code for _, result in found.rows() for notice in result.not_checked}
     print_sweep(found)
     told = [line for line in capsys.readouterr().out.splitlines() if line.startswith("Not checked: ")]
     assert missing
@@ -87,19 +90,23 @@ def test_the_checks_that_were_not_made_stand_below_the_verdicts(film, capsys):
 
 def test_a_shared_field_of_a_machine_changes_every_bearing_and_a_bearing_can_stand_alone():
     gear = EXAMPLES / "marine_reverse_gear.yaml"
-    shared = sweep_case(case_variation(gear, "supply.temperature"), values_of("45 degC, 50 degC"))
+    shared = sweep_case([(case_variation(gear, "supply.temperature"), values_of("45 degC, 50 degC"))])
     assert len(shared.names) == 11
     assert len(list(shared.rows())) == 22
-    one = sweep_case(case_variation(gear, "clearance.mean", "Output wheel"), values_of("0.8 permille, 1 permille"))
+    one = sweep_case(
+        [(case_variation(gear, "clearance.mean", "Output wheel"), values_of("0.8 permille, 1 permille"))]
+    )
     assert one.names == ("Output wheel",)
-    assert one.path == "clearance.mean"
-    assert one.machines[0].results[0].relative_clearance == pytest.approx(0.8e-3)
+    assert one.fields[0].path == "clearance.mean"
+    assert one.answers[0][0].relative_clearance == pytest.approx(0.8e-3)
 
 
 def test_operating_points_are_reached_by_their_number(tmp_path):
     points = "operating_points:\n  - {name: slow, speed: 500 rpm}\n  - {name: fast, speed: 2000 rpm}\n"
     (tmp_path / "points.yaml").write_text(template("journal") + points)
-    found = sweep_case(case_variation(tmp_path / "points.yaml", "operating_points.0.speed"), values_of("600 rpm"))
+    found = sweep_case(
+        [(case_variation(tmp_path / "points.yaml", "operating_points.0.speed"), values_of("600 rpm"))]
+    )
     assert [result.angular_speed for _, result in found.rows()] == pytest.approx([62.83, 209.44], rel=1e-3)
 
 
@@ -115,20 +122,20 @@ def test_operating_points_are_reached_by_their_number(tmp_path):
 )
 def test_a_path_that_leads_nowhere_is_told(film, path, words):
     with pytest.raises(InputError, match=words) as told:
-        sweep_case(case_variation(film, path), values_of("1, 2"))
+        sweep_case([(case_variation(film, path), values_of("1, 2"))])
     assert told.value.code == "E005"
 
 
 def test_a_list_without_that_place_is_told(film):
     with pytest.raises(InputError, match=r"no 'grooves\.7'; the list has 0 to 1"):
-        sweep_case(case_variation(film, "grooves.7"), values_of("1, 2"))
+        sweep_case([(case_variation(film, "grooves.7"), values_of("1, 2"))])
 
 
 def test_unknown_fields_bad_values_and_unknown_bearings_are_told(film):
     with pytest.raises(CaseError, match="did you mean 'load'"):
-        sweep_case(case_variation(film, "laod"), values_of("1 kN, 2 kN"))
+        sweep_case([(case_variation(film, "laod"), values_of("1 kN, 2 kN"))])
     with pytest.raises(CaseError, match="load: '2 m' is a length"):
-        sweep_case(case_variation(film, "load"), values_of("2 m, 3 m"))
+        sweep_case([(case_variation(film, "load"), values_of("2 m, 3 m"))])
     with pytest.raises(InputError, match="no bearing 'Nobody'; there are: Grooved"):
         case_variation(film, "load", "Nobody")
     with pytest.raises(CaseError, match="no such file"):
@@ -137,8 +144,8 @@ def test_unknown_fields_bad_values_and_unknown_bearings_are_told(film):
 
 def test_a_value_that_is_refused_stops_nothing(film, capsys):
     """Its row tells so in table and CSV, its reason below; the others are as without it."""
-    found = sweep_case(case_variation(film, "load"), values_of("1 kN, 3 m, 2 kN"))
-    alone = sweep_case(case_variation(film, "load"), values_of("1 kN, 2 kN"))
+    found = sweep_case([(case_variation(film, "load"), values_of("1 kN, 3 m, 2 kN"))])
+    alone = sweep_case([(case_variation(film, "load"), values_of("1 kN, 2 kN"))])
     assert [place for place, _ in found.rows()] == [0, 2]
     assert [one.values["minimum_film_thickness"] for _, one in found.rows()] == [
         one.values["minimum_film_thickness"] for _, one in alone.rows()
@@ -163,7 +170,7 @@ def test_the_table_of_a_sweep_names_the_codes_of_its_verdicts(film, monkeypatch,
         "roughness_journal: 2 um}"
     )
     path.write_text(FILM.replace("journal: C45}", metal).replace("effective_temperature: 60 degC\n", ""))
-    found = sweep_case(case_variation(path, "load"), values_of("5 kN, 30 kN, 300 kN, 90 MN"))
+    found = sweep_case([(case_variation(path, "load"), values_of("5 kN, 30 kN, 300 kN, 90 MN"))])
     print_sweep(found)
     shown = capsys.readouterr().out
     heading, *rows = sweep_rows(found)
@@ -179,13 +186,13 @@ def test_the_table_of_a_sweep_names_the_codes_of_its_verdicts(film, monkeypatch,
 
 def test_a_sweep_keeps_results_and_no_films(tmp_path):
     (tmp_path / "case.yaml").write_text(template("journal"), encoding="utf-8")
-    machines = sweep_case(case_variation(tmp_path / "case.yaml", "load"), values_of("8 kN, 9 kN")).machines
-    assert len(machines) == 2
-    assert all(one.state is None for machine in machines for one in machine.solutions)
+    found = sweep_case([(case_variation(tmp_path / "case.yaml", "load"), values_of("8 kN, 9 kN"))])
+    assert len(found.answers) == 2
+    assert all(isinstance(result, Result) for results in found.answers.values() for result in results)
 
 
 def test_columns_are_left_out_only_where_the_table_would_be_too_wide(film):
-    found = sweep_case(case_variation(film, "load"), values_of("20 kN, 30 kN"))
+    found = sweep_case([(case_variation(film, "load"), values_of("20 kN, 30 kN"))])
 
     def printed(width):
         paper = io.StringIO()
@@ -201,7 +208,7 @@ def test_units_stand_as_engineers_write_them(film):
     pytest.importorskip("matplotlib")
     from babbitt.report.sweep_plot import sweep_figure
 
-    found = sweep_case(case_variation(film, "effective_temperature"), values_of("50 degC, 60 degC"))
+    found = sweep_case([(case_variation(film, "effective_temperature"), values_of("50 degC, 60 degC"))])
     assert sweep_figure(found).axes[2].get_xlabel() == "effective_temperature in °C"
     paper = io.StringIO()
     print_sweep(found, Console(file=paper, width=200, highlight=False))

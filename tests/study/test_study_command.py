@@ -17,6 +17,7 @@ STUDIES = {
         "kind": "sweep",
         "vary": {"load": {"range": ["10 kN", "30 kN", 3]}, "lubricant": ["ISO VG 32", "ISO VG 46"]},
     },
+    "corners": {"kind": "corners", "vary": {"supply.temperature": ["45 degC", "58 degC", "65 degC"]}},
     "tolerance": {
         "kind": "tolerance",
         "samples": 20,
@@ -56,6 +57,7 @@ STUDIES = {
 }
 TITLES = {
     "sweep": "Results",
+    "corners": "Corners",
     "tolerance": "Yield",
     "map": "Map of",
     "sensitivity": "Sobol indices",
@@ -66,7 +68,8 @@ TITLES = {
 
 
 def written(path, study):
-    path.write_text(yaml.safe_dump({**JOURNAL, "study": study}, sort_keys=False))
+    band = {"clearance": {"kind": "fit", "bore": "H7", "journal": "e8"}} if study["kind"] == "corners" else {}
+    path.write_text(yaml.safe_dump({**JOURNAL, **band, "study": study}, sort_keys=False))
     return path
 
 
@@ -161,6 +164,18 @@ def test_outputs_are_refused_before_any_work(run, tmp_path, what):
     assert (status, out) == (2, "")
     assert "E007" in err
     assert [path.name for path in tmp_path.iterdir()] == ["case.yaml"]
+
+
+def test_a_map_needs_no_study_in_the_file(run, tmp_path):
+    (tmp_path / "case.yaml").write_text(yaml.safe_dump(JOURNAL))
+    status, out, err = run("study", "case.yaml", "--kind", "map", "--points", 3, "--workers", 1)
+    assert (status, err) == (0, "")
+    assert "Map of Textbook bearing: load up, speed in rpm across" in " ".join(out.split())
+    assert "C112 Whirl screening" in out
+    for options, words in ((["--kind", "tolerance"], "allowed: map"), (["--points", 3], "--kind map")):
+        status, _, err = run("study", "case.yaml", *options)
+        assert status == 2
+        assert words in err
 
 
 def test_a_file_without_a_study_says_so(run, tmp_path):

@@ -320,7 +320,7 @@ class Case(SolvesTables, CaseFile):
         workers: int | Executor | str = 1,
         **options: Any,
     ) -> Study:
-        """Study many variants: a sweep, tolerance, map, sensitivity, spectrum or optimisation.
+        """Study many variants: a sweep, map, tolerance, sensitivity, spectrum or optimisation, or the corners.
 
         Parameters
         ----------

@@ -74,8 +74,8 @@ class Study:
     def table(self) -> pandas.DataFrame:
         """A line for each row and bearing; ``frame.attrs["units"]`` has the units of the columns, SI.
 
-        ``row``, ``group``, ``bearing``, inputs, outputs, ``margin`` and those of all checks, ``status``,
-        ``verdict``, ``governing_check``, ``failed_checks``, ``message``.
+        ``row``, ``group``, ``bearing``, inputs, outputs, ``margin`` and those of all limits and (``advisory_``)
+        recommendations, ``status``, ``verdict``, ``governing_check``, ``failed_checks``, ``message``.
 
         Raises
         ------
@@ -91,7 +91,7 @@ class Study:
     def answer(
         self,
     ) -> ToleranceSummary | tuple[Indices, ...] | tuple[SpectrumSummary, ...] | Optimum | Designs | Size | None:
-        """What the study comes to, in SI; None for a sweep and a map, whose answer is the table."""
+        """What the study comes to, in SI; None for a sweep, map and corners, whose answer is the table."""
         match self.kind:
             case "tolerance":
                 return tolerance_summary(self._study)
@@ -129,7 +129,7 @@ class Study:
         return self._public(engine.case_of(self._study, row))
 
     def to_xarray(self) -> xarray.Dataset:
-        """A sweep or map over its fields, bearings along a dimension of their own where there are several.
+        """A sweep, map or corners over its fields; several bearings are along a dimension of their own.
 
         Raises
         ------
@@ -139,7 +139,7 @@ class Study:
         from babbitt.core.notices import InputError
         from babbitt.report.fields import require_package
 
-        if self.kind not in ("sweep", "map"):
+        if self.kind not in ("sweep", "map", "corners"):
             raise InputError("E004", f"a study of kind {self.kind} is no grid; .table has its rows")
         package = require_package("xarray")
         paths = [one["path"] for one in self._study.inputs]
@@ -147,7 +147,7 @@ class Study:
         frame = frame[frame["bearing"] != ""]
         several = frame["bearing"].nunique() > 1
         axes = (["bearing"] if several else []) + paths
-        kept = [*self._study.outputs, *(name for name in frame if name.startswith("margin"))]
+        kept = [*self._study.outputs, *(name for name in frame if name.startswith(("margin", "advisory")))]
         kept += ["status", "verdict", "governing_check", "failed_checks"]
         made: xarray.Dataset = package.Dataset.from_dataframe(frame.set_index(axes)[kept])
         units = self._units()

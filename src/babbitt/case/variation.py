@@ -61,6 +61,8 @@ class CaseVariation:
 
     Attributes
     ----------
+    field : str
+        The path from the top of the file.
     inputs : tuple of Path
         The other files that the case as it stands names.
     """
@@ -75,6 +77,7 @@ class CaseVariation:
         inputs: tuple[Path, ...] = (),
     ) -> None:
         self.file, self.path, self.reach, self.inputs = file, path, reach, inputs
+        self.field = ".".join((*start, path))
         self._model, steps = KINDS[given["kind"]], (*start, *path.split("."))
         self.given: dict[str, Any] = in_todays_words(self._model, given)
         self._steps, self._scale = todays_field(self._model, steps)

@@ -189,14 +189,13 @@ def compare(
 @app.command(context_settings={"ignore_unknown_options": True})  # VALUES may begin with a minus sign
 def sweep(
     file: Annotated[Path, typer.Argument(metavar="FILE", help="A case file.")],
-    path: Annotated[
-        str,
+    fields: Annotated[
+        list[str],
         typer.Argument(
-            metavar="PATH", help="Field that changes: load, clearance.mean, operating_points.0.speed, ..."
+            metavar="PATH VALUES ...",
+            help="Fields that change, such as load or clearance.mean, each with its values: '1 kN, 2 kN', "
+            "first:last:number as '1 kN:10 kN:10', or at equal ratios '1 kN:100 kN:7:log'.",
         ),
-    ],
-    values: Annotated[
-        str, typer.Argument(metavar="VALUES", help="'1 kN, 2 kN', or first:last:number, as '1 kN:10 kN:10'.")
     ],
     bearing: Annotated[
         str | None, typer.Option(metavar="NAME", help="One bearing of a machine; PATH begins at it.")
@@ -208,34 +207,49 @@ def sweep(
             help="Write all results in SI: OUT.csv or OUT.xlsx; - is standard output, as CSV.",
         ),
     ] = None,
+    engineering: Annotated[
+        bool, typer.Option("--engineering", help="Write them in the units of the table, such as µm and °C.")
+    ] = False,
+    columns: Annotated[
+        str | None,
+        typer.Option(metavar="NAMES", help="Results in table, files and plot: 'friction_power, total_flow'."),
+    ] = None,
     plot: Annotated[
         Path | None, typer.Option(metavar="OUT", help="Draw the key results: OUT.png, OUT.svg or OUT.pdf.")
     ] = None,
+    workers: Annotated[int, typer.Option(metavar="N", help="Processes of this machine.", min=1)] = 1,
     allow_outside: AllowOutside = False,
 ) -> None:
-    """Solve a case for several values of one field and print the key results."""
+    """Solve a case for several values of some fields and print the key results."""
     from babbitt.case.variation import case_variation
+    from babbitt.core.notices import InputError
     from babbitt.report.outputs import STANDARD_OUTPUT
-    from babbitt.report.progress import shown
+    from babbitt.report.study_progress import StudyProgress
     from babbitt.report.sweep_output import require_outputs, write_outputs
-    from babbitt.report.sweep_table import print_sweep
+    from babbitt.report.sweep_table import in_engineers_units, in_si, print_sweep
     from babbitt.study.case_sweep import sweep_case
     from babbitt.study.sweep_values import values_of
+    from babbitt.study.workers import Alone, Processes
 
-    given = values_of(values)
-    variation = case_variation(file, path, bearing, reach(allow_outside))
-    require_outputs(variation, csv, plot)
+    if len(fields) % 2:
+        raise InputError("E005", f"sweep takes each PATH with its VALUES; '{fields[-1]}' has none")
+    given = [values_of(values) for values in fields[1::2]]
+    variations = [case_variation(file, path, bearing, reach(allow_outside)) for path in fields[::2]]
+    chosen = [name.strip() for name in columns.split(",")] if columns is not None else []
+    require_outputs(variations[0], csv, plot, chosen)
     try:
-        with raised_interrupts():
-            found = sweep_case(variation, given, shown(f"{printable(file)}: {path}"))
+        with raised_interrupts(), StudyProgress(f"{printable(file)}: {', '.join(fields[::2])}") as watch:
+            hands = Alone() if workers == 1 else Processes(workers)
+            found = sweep_case(list(zip(variations, given, strict=True)), hands, watch)
     except KeyboardInterrupt:
         print("interrupted", file=sys.stderr)
         raise typer.Exit(INTERRUPTED) from None
-    write_outputs(found, csv, plot)
+    write_outputs(found, csv, plot, in_engineers_units if engineering else in_si, chosen)
     if str(csv) != STANDARD_OUTPUT:
-        print_sweep(found)
+        print_sweep(found, chosen=chosen)
     if found.interrupted:
-        print(f"interrupted; {len(found.places)} of {len(given.texts)} values are kept", file=sys.stderr)
+        done = len(found.answers) + len(found.refused)
+        print(f"interrupted; {done} of {found.count} values are kept", file=sys.stderr)
         raise typer.Exit(INTERRUPTED)
     if not found.solved:
         raise typer.Exit(NO_SOLUTION)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -17,10 +18,14 @@ from babbitt.core.notices import InputError
 if TYPE_CHECKING:
     from babbitt.case.case_file import CaseFile
     from babbitt.case.parts.study import StudyBlock
+    from babbitt.case.study_file import StudiedCase
     from babbitt.study.study import Study
     from babbitt.study.workers import Workers
 
 __all__ = ["Kept", "PlotFolder", "Processes", "Report", "Scheduler", "Workbook", "computed", "study"]
+
+ALONE = ("map", "corners")
+"""Kinds of study that need no fields to be named."""
 
 LONG = 60.0
 """Seconds of work of which is said that they can be kept."""
@@ -52,6 +57,16 @@ def study(
             help="A case file with a study, or a file with study and case; show: a study that is stored.",
         ),
     ],
+    kind: Annotated[
+        str | None,
+        typer.Option(
+            metavar="KIND",
+            help="Without a study in the file: map, over the fields of its kind; corners, of clearance and oil.",
+        ),
+    ] = None,
+    points: Annotated[
+        int | None, typer.Option(metavar="N", help="Values along each axis of that map.", min=2, max=1000)
+    ] = None,
     out: Kept = None,
     workers: Processes = None,
     scheduler: Scheduler = None,
@@ -60,7 +75,7 @@ def study(
     plots: PlotFolder = None,
     allow_outside: AllowOutside = False,
 ) -> None:
-    """Study many variants of a case: sweep, size, tolerance, map, sensitivity, optimise, design, spectrum."""
+    """Study many variants of a case: sweep, size, tolerance, map, corners, sensitivity, optimise, spectrum."""
     from babbitt.report.study_output import require_study_outputs, write_study
     from babbitt.report.study_table import print_study
 
@@ -73,9 +88,7 @@ def study(
         require_study_outputs({Path(words[1]): "a stored study"}, xlsx, report, plots)
         found = open_study(words[1])
     else:
-        from babbitt.case.study_file import load_study
-
-        read = load_study(Path(words[0]), reach(allow_outside))
+        read = _read(Path(words[0]), kind, points, allow_outside)
         assert read.study is not None, "a file without a study is refused"
         require_study_outputs(dict.fromkeys(read.files, "an input of the run"), xlsx, report, plots)
         found = computed(words[0], read.case, read.study, out, workers, scheduler)
@@ -83,6 +96,24 @@ def study(
     print_study(found)
     if not (found.columns["status"] == "converged").any():
         raise typer.Exit(NO_SOLUTION)
+
+
+def _read(file: Path, kind: str | None, points: int | None, allow_outside: bool) -> StudiedCase:
+    """The case with the study in its file, or with one that needs nothing but its kind."""
+    from babbitt.case.study_file import load_case_or_study, load_study
+
+    if kind is None:
+        if points is not None:
+            raise InputError("E005", "--points belongs to --kind map")
+        return load_study(file, reach(allow_outside))
+    from babbitt.case.parts.study import StudyBlock
+
+    if kind not in ALONE:
+        says = f"--kind '{kind}' needs to know more; allowed: {', '.join(ALONE)}"
+        raise InputError("E005", f"{says}; write a block `study` for others")
+    read = load_case_or_study(file, reach(allow_outside))
+    given = {"kind": kind} | ({} if points is None else {"points": points})
+    return replace(read, study=StudyBlock.model_validate(given))
 
 
 def computed(

@@ -26,6 +26,10 @@ SHIPPED = "babbitt.kinds"
 """Package whose ``KINDS`` are those that ship, and the group of entry points for all others."""
 
 
+SPEED_AND_LOAD = (("speed",), ("load",))
+"""Axes of a map of most kinds."""
+
+
 def imported(path: str) -> Any:
     """Import what a text names: a module and, behind a colon, what stands in it.
 
@@ -88,6 +92,9 @@ class Kind:
     first_design : str
         What it says of first designs from a duty (`babbitt.study.design.FirstDesign`), as ``package:module``;
         empty where it has no rules for them.
+    envelope : tuple of tuple of str
+        Fields over which a map is drawn that names none, across and up: of each the first that the case gives.
+        Of ``speed``, ``load`` and ``power`` those of all bearings, gears and operating points go together.
     """
 
     name: str
@@ -104,6 +111,7 @@ class Kind:
     words: str = ""
     solve_many: str = ""
     first_design: str = ""
+    envelope: tuple[tuple[str, ...], tuple[str, ...]] = SPEED_AND_LOAD
 
     def load(self, path: str) -> Any:
         """Import a part that it names.

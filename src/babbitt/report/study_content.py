@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from babbitt.core.result import Verdict
 from babbitt.report.design_table import design_tables
 from babbitt.report.size_table import size_tables
+from babbitt.report.study_map import map_tables
 from babbitt.report.study_values import (
     DASH,
     Scale,
@@ -213,6 +214,15 @@ def _names(columns: Columns) -> NDArray[np.object_]:
     return np.array([str(one) or str(name) or f"row {row}" for one, name, row in lines], object)
 
 
+def _corners(study: Study) -> Iterator[StudyTable]:
+    """All corners of one bearing below each other."""
+    names = _bearings(study.columns)
+    places = [names.index(str(one)) if one else len(names) for one in study.columns["bearing"]]
+    order = np.argsort(places, kind="stable")
+    columns = {name: column[order] for name, column in study.columns.items()}
+    yield line_table(study, columns, "Corners")
+
+
 def _tolerance(study: Study) -> Iterator[StudyTable]:
     found = tolerance_summary(study)
     heads = ("", "samples", "within limits", "yield", "95 % from", "to", "unsolved", "interval by")
@@ -299,37 +309,6 @@ def _tornado_table(
 
 def _signed(share: float) -> str:
     return f"{100.0 * share:.1f}" if math.isfinite(share) else DASH
-
-
-def _map(study: Study) -> Iterator[StudyTable]:
-    across, up = study.inputs
-    for bearing in _bearings(study.columns):
-        own = study.columns["bearing"] == bearing
-        columns = {name: column[own] for name, column in study.columns.items()}
-        scales = [input_scale(one, _numbers(study, one)) for one in (across, up)]
-        axes = [list(dict.fromkeys(study.columns[one["path"]].tolist())) for one in (across, up)]
-        letters = {
-            (columns[across["path"]][place], columns[up["path"]][place]): _letter(columns, place)
-            for place in range(columns["row"].size)
-        }
-        rows = tuple((scales[1].text(y), *(letters.get((x, y), "–") for x in axes[0])) for y in reversed(axes[1]))
-        heads = ((scales[1].heading, ""), *((scales[0].text(x), "") for x in axes[0]))
-        title = f"Map of {plain_text(bearing)}: {scales[1].name} up, {scales[0].heading} across"
-        note = (
-            "○ within all limits; a code: the check that governs where one is missed; ? no verdict; – no solution."
-        )
-        yield StudyTable(title, heads, rows, 1, (note,))
-
-
-def _letter(columns: Columns, place: int) -> str:
-    match str(columns["verdict"][place]):
-        case "pass" | "remarks":
-            return "○"
-        case "fail":
-            return str(columns["governing_check"][place])
-        case "no_verdict":
-            return "?"
-    return "–"
 
 
 def _sensitivity(study: Study) -> Iterator[StudyTable]:
@@ -419,8 +398,9 @@ def _optimise(study: Study) -> Iterator[StudyTable]:
 
 _OF_KIND: Mapping[str, Callable[[Study], Iterator[StudyTable]]] = {
     "sweep": _sweep,
+    "corners": _corners,
     "tolerance": _tolerance,
-    "map": _map,
+    "map": map_tables,
     "size": size_tables,
     "sensitivity": _sensitivity,
     "spectrum": _spectrum,

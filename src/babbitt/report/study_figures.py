@@ -17,7 +17,19 @@ from babbitt.report.drawing import GREY, INK, PALE, Drawing, Sheet, mathematics,
 from babbitt.report.size_output import size_figure
 from babbitt.report.size_table import size_scale
 from babbitt.report.study_content import SAMPLING
-from babbitt.report.study_values import Scale, input_scale, output_scale
+from babbitt.report.study_map import map_figures
+from babbitt.report.study_panels import (
+    WIDTH,
+    Drawn,
+    axis_text,
+    bearings_of,
+    file_name,
+    lines_of,
+    of_bearing,
+    panels_for,
+    scaled,
+)
+from babbitt.report.study_values import input_scale, output_scale
 from babbitt.report.text import plain_text
 from babbitt.study.grids import SAMPLE
 from babbitt.study.indices import Indices, indices_of
@@ -34,17 +46,10 @@ if TYPE_CHECKING:
 __all__ = ["study_drawings", "write_study_plots"]
 
 Array = NDArray[np.float64]
-Drawn = tuple[str, str, "Figure"]
-"""Name, caption and figure."""
-
 MOST_PANELS = 6
-MOST_BEARINGS = 12
 MOST_CURVES = 8
 MOST_LINES = 400
 """Designs that parallel coordinates show, the first ones."""
-
-WIDTH = 166.0
-"""mm."""
 
 CLASSES = 30
 
@@ -78,40 +83,18 @@ def write_study_plots(study: Study, folder: Path) -> tuple[Path, ...]:
     return write_files(folder, files)
 
 
-def _bearings(study: Study) -> list[str]:
-    return [str(one) for one in dict.fromkeys(study.columns["bearing"]) if one][:MOST_BEARINGS]
-
-
-def _lines_of(columns: Columns, bearing: str) -> Columns:
-    chosen = columns["bearing"] == bearing
-    return {name: column[chosen] for name, column in columns.items()}
-
-
-def _file_name(what: str, bearing: str, bearings: list[str]) -> str:
-    return what if len(bearings) == 1 else f"{what}-{bearings.index(bearing) + 1}"
-
-
-def _of(bearing: str, bearings: list[str]) -> str:
-    return "" if len(bearings) == 1 else f" of {plain_text(bearing)}"
-
-
-def _label(scale: Scale) -> str:
-    name = mathematics(scale.name) if scale.quantity else scale.name.replace("$", r"\$")
-    return f"{name} in {scale.unit}" if scale.unit else name
-
-
 def _tolerance(study: Study) -> Iterator[Drawn]:
-    bearings = _bearings(study)
+    bearings = bearings_of(study)
     summary = tolerance_summary(study)
     drawn = SAMPLING[study.block.sampling]
     for bearing in bearings:
-        own = _lines_of(study.of(SAMPLE), bearing)
-        of = _of(bearing, bearings)
+        own = lines_of(study.of(SAMPLE), bearing)
+        of = of_bearing(bearing, bearings)
         caption = (
             f"Scatter of the results{of} over {own['row'].size} samples ({drawn}); limits broken, where one is "
         )
         yield (
-            _file_name("histograms", bearing, bearings),
+            file_name("histograms", bearing, bearings),
             caption + "the same in all samples that of the medians; hatched: beyond a limit of this result.",
             _histograms(study, own),
         )
@@ -119,28 +102,16 @@ def _tolerance(study: Study) -> Iterator[Drawn]:
         if any(shares.values()):
             caption = f"What drives the scatter{of}: squared rank correlation of each field with each result; "
             caption += "pale: the result falls as the field rises."
-            yield _file_name("tornado", bearing, bearings), caption, _tornado(shares)
+            yield file_name("tornado", bearing, bearings), caption, _tornado(shares)
         pairs = [one for one in study.inputs if "values" not in one][:4]
         if len(pairs) > 1:
             caption = f"Samples{of} within all limits (pale) and outside (crosses), over pairs of fields."
-            yield _file_name("pairs", bearing, bearings), caption, _pairs(pairs, own)
-
-
-def _panels(count: int, height: float = 46.0, **settings: Any) -> tuple[Figure, list[Axes]]:
-    across = min(3, count)
-    rows = math.ceil(count / across)
-    sheet = Sheet(WIDTH, rows * height, rows, across, left=13.0, bottom=10.0, across=12.0, between=13.0)
-    figure, axes = sheet.panels(**settings)
-    figure.subplots_adjust(top=1.0 - 6.0 / (rows * height))
-    panels = list(axes.ravel())
-    for panel in panels[count:]:
-        panel.set_axis_off()
-    return figure, panels[:count]
+            yield file_name("pairs", bearing, bearings), caption, _pairs(pairs, own)
 
 
 def _histograms(study: Study, own: Columns) -> Figure:
     names = [name for name in study.outputs if np.isfinite(own[name]).any()][:MOST_PANELS]
-    figure, panels = _panels(max(1, len(names)))
+    figure, panels = panels_for(max(1, len(names)))
     for panel, name in zip(panels, names, strict=False):
         scale = output_scale(name)
         values = scale.shown(own[name][np.isfinite(own[name])])
@@ -161,7 +132,7 @@ def _histograms(study: Study, own: Columns) -> Figure:
         width = edges[1] - edges[0]
         panel.bar(middle[~beyond], counts[~beyond], width, color=PALE)
         panel.bar(middle[beyond], counts[beyond], width, color="white", edgecolor=INK, linewidth=0.3, hatch="////")
-        panel.set_xlabel(_label(scale))
+        panel.set_xlabel(axis_text(scale))
         panel.set_ylabel("samples")
     return figure
 
@@ -169,7 +140,7 @@ def _histograms(study: Study, own: Columns) -> Figure:
 def _tornado(shares: Mapping[str, Mapping[str, float]]) -> Figure:
     varying = [name for name, by in shares.items() if any(map(math.isfinite, by.values()))]
     names = sorted(varying, key=lambda name: name != "margin")[:MOST_PANELS]
-    figure, panels = _panels(max(1, len(names)), sharex=True)
+    figure, panels = panels_for(max(1, len(names)), sharex=True)
     for panel, name in zip(panels, names, strict=False):
         by = {path: share for path, share in shares[name].items() if math.isfinite(share)}
         order = sorted(by, key=lambda path: abs(by[path]))
@@ -194,75 +165,16 @@ def _named_bars(panel: Axes, names: Sequence[str]) -> None:
 
 def _pairs(inputs: list[dict[str, Any]], own: Columns) -> Figure:
     couples = [(one, other) for place, one in enumerate(inputs) for other in inputs[place + 1 :]][:MOST_PANELS]
-    figure, panels = _panels(len(couples))
+    figure, panels = panels_for(len(couples))
     within = np.isin(own["verdict"], WITHIN)
     few = slice(0, 4000)  # more points only blacken the panel
     for panel, (one, other) in zip(panels, couples, strict=True):
-        x, y = (_scaled(each, own)[few] for each in (one, other))
+        x, y = (scaled(each, own)[few] for each in (one, other))
         kept = within[few]
         panel.plot(x[kept], y[kept], ".", color=PALE, markersize=2.0, rasterized=True)
         panel.plot(x[~kept], y[~kept], "x", color=INK, markersize=2.0, markeredgewidth=0.5, rasterized=True)
-        panel.set_xlabel(_label(input_scale(one)))
-        panel.set_ylabel(_label(input_scale(other)))
-    return figure
-
-
-def _scaled(one: Mapping[str, Any], own: Columns) -> Array:
-    return np.asarray(input_scale(one).shown(own[one["path"]].astype(float)))
-
-
-def _map(study: Study) -> Iterator[Drawn]:
-    across, up = study.inputs
-    if "values" in across or "values" in up:
-        return
-    bearings = _bearings(study)
-    for bearing in bearings:
-        own = _lines_of(study.columns, bearing)
-        caption = (
-            f"Region{_of(bearing, bearings)} within all limits (white) over {plain_text(across['path'])} and "
-        )
-        caption += (
-            f"{plain_text(up['path'])}, with contours of the governing margin in percent. Bold: margin zero. "
-        )
-        caption += (
-            "Broken: margin zero of a single check, by its code. Grey: beyond a limit; crosses: no solution."
-        )
-        yield _file_name("map", bearing, bearings), caption, _contours(across, up, own)
-
-
-def _contours(across: Mapping[str, Any], up: Mapping[str, Any], own: Columns) -> Figure:
-    x, y = (np.unique(_scaled(one, own)) for one in (across, up))
-    at_x = np.searchsorted(x, _scaled(across, own))
-    at_y = np.searchsorted(y, _scaled(up, own))
-
-    def field(name: str) -> Array:
-        made = np.full((y.size, x.size), np.nan)
-        made[at_y, at_x] = own[name]
-        return made
-
-    figure, axes = Sheet(120.0, 84.0, left=16.0, bottom=11.0).panels()
-    panel = axes[0][0]
-    margin = field("margin")
-    if np.isfinite(margin).any() and min(margin.shape) > 1:
-        least, most = np.nanmin(margin), np.nanmax(margin)
-        if least < 0.0:
-            panel.contourf(x, y, margin, levels=[min(least, -1e-9), 0.0], colors=["0.85"])
-        levels = [level for level in (-0.5, -0.2, 0.1, 0.2, 0.3, 0.4, 0.6, 0.8) if least < level < most]
-        if levels:
-            lines = panel.contour(x, y, margin, levels=levels, colors=GREY, linewidths=0.6)
-            panel.clabel(lines, fmt=lambda value: f"{100.0 * value:.0f}", fontsize=6)
-        if least < 0.0 < most:
-            panel.contour(x, y, margin, levels=[0.0], colors=INK, linewidths=1.4)
-        for name in (name for name in own if name.startswith("margin_")):
-            single = field(name)
-            if np.isfinite(single).any() and np.nanmin(single) < 0.0 < np.nanmax(single):
-                drawn = panel.contour(x, y, single, levels=[0.0], colors=INK, linewidths=0.7, linestyles="dashed")
-                code = name.removeprefix("margin_")
-                panel.clabel(drawn, fmt=lambda _, code=code: code, fontsize=6)
-    lost = own["verdict"] == Verdict.NO_SOLUTION.key
-    panel.plot(x[at_x[lost]], y[at_y[lost]], "x", color=INK, markersize=3.0, markeredgewidth=0.6)
-    panel.set_xlabel(_label(input_scale(across)))
-    panel.set_ylabel(_label(input_scale(up)))
+        panel.set_xlabel(axis_text(input_scale(one)))
+        panel.set_ylabel(axis_text(input_scale(other)))
     return figure
 
 
@@ -281,39 +193,58 @@ def _sweep(study: Study) -> Iterator[Drawn]:
     if not numeric:
         return
     along = numeric[0]
-    bearings = _bearings(study)
+    bearings = bearings_of(study)
     for bearing in bearings:
-        own = _lines_of(study.columns, bearing)
+        own = lines_of(study.columns, bearing)
         others = [one for one in study.inputs if one is not along]
-        caption = f"Results{_of(bearing, bearings)} over {plain_text(along['path'])}"
+        caption = f"Results{of_bearing(bearing, bearings)} over {plain_text(along['path'])}"
         caption += (
             f", a curve for each {' and '.join(plain_text(one['path']) for one in others)}" if others else ""
         )
         yield (
-            _file_name("sweep", bearing, bearings),
+            file_name("sweep", bearing, bearings),
             f"{caption}. Open circles: beyond a limit.",
             _curves(study, along, others, own),
         )
 
 
+def _corners(study: Study) -> Iterator[Drawn]:
+    numeric = [one for one in study.inputs if "values" not in one]
+    names = bearings_of(study)
+    if not numeric or not names:
+        return
+    along, others = numeric[0], [one for one in study.inputs if one is not numeric[0]]
+    drawn_together = [names[first : first + 3] for first in range(0, len(names), 3)]
+    said = "".join(f", for each {plain_text(one['path'])}" for one in others)
+    for number, together in enumerate(drawn_together, 1):
+        chosen = np.isin(study.columns["bearing"], together)
+        own = {name: column[chosen] for name, column in study.columns.items()}
+        by_name = {"path": "bearing", "values": together, "support": []}
+        yield (
+            "corners" if len(drawn_together) == 1 else f"corners-{number}",
+            f"Clearances by temperature of the oil{said}. Open circles: beyond a limit.",
+            _curves(study, along, [by_name, *others], own),
+        )
+
+
 def _curves(study: Study, along: Mapping[str, Any], others: list[dict[str, Any]], own: Columns) -> Figure:
     names = [name for name in study.outputs if np.isfinite(own[name]).any()][:MOST_PANELS]
-    figure, panels = _panels(max(1, len(names)), sharex=True)
+    figure, panels = panels_for(max(1, len(names)), sharex=True)
     keys = list(zip(*(own[one["path"]] for one in others), strict=True)) if others else [()] * own["row"].size
     curves = list(dict.fromkeys(keys))[:MOST_CURVES]
     for panel, name in zip(panels, names, strict=False):
         scale = output_scale(name)
         for place, key in enumerate(curves):
             chosen = np.array([one == key for one in keys])
-            x, values = _scaled(along, own)[chosen], scale.shown(own[name][chosen])
+            x, values = scaled(along, own)[chosen], scale.shown(own[name][chosen])
             order = np.argsort(x)
             colour = str(0.7 * place / max(1, len(curves) - 1))
             said = ", ".join(input_scale(one).text(part) for one, part in zip(others, key, strict=True))
             panel.plot(x[order], values[order], "-", color=colour, linewidth=0.9, label=said)
             missed = ~np.isin(own["verdict"][chosen], WITHIN)
             panel.plot(x[missed], values[missed], "o", color=colour, markerfacecolor="white", markersize=2.5)
-        panel.set_xlabel(_label(input_scale(along)))
-        panel.set_ylabel(_label(scale))
+        panel.set_xlabel(axis_text(input_scale(along)))
+        panel.set_ylabel(axis_text(scale))
     if others and panels:
         panels[0].legend(frameon=False, fontsize=5.5, handlelength=1.5)
     return figure
@@ -321,17 +252,19 @@ def _curves(study: Study, along: Mapping[str, Any], others: list[dict[str, Any]]
 
 def _sensitivity(study: Study) -> Iterator[Drawn]:
     found = indices_of(study)
-    bearings = _bearings(study)
+    bearings = bearings_of(study)
     for bearing in bearings:
         varying = [one for one in found if one.bearing == bearing and any(map(math.isfinite, one.total))]
         own = varying[:MOST_PANELS]
         if own:
-            caption = f"Sobol indices{_of(bearing, bearings)}: first order (black), total (pale), 95 % intervals."
-            yield _file_name("indices", bearing, bearings), caption, _bars(own)
+            caption = (
+                f"Sobol indices{of_bearing(bearing, bearings)}: first order (black), total (pale), 95 % intervals."
+            )
+            yield file_name("indices", bearing, bearings), caption, _bars(own)
 
 
 def _bars(found: list[Indices]) -> Figure:
-    figure, panels = _panels(len(found), sharex=True)
+    figure, panels = panels_for(len(found), sharex=True)
     for panel, one in zip(panels, found, strict=True):
         places = np.arange(len(one.inputs), dtype=float)
         bars: dict[str, Any] = {"height": 0.2, "error_kw": {"elinewidth": 0.5, "ecolor": GREY}}
@@ -347,10 +280,10 @@ def _bars(found: list[Indices]) -> Figure:
 def _spectrum(study: Study) -> Iterator[Drawn]:
     shares = np.array([one.share for one in study.block.load_cases])
     names = [str(one) for one in dict.fromkeys(study.columns["group"])]
-    bearings = _bearings(study)
-    figure, panels = _panels(1, 60.0)
+    bearings = bearings_of(study)
+    figure, panels = panels_for(1, 60.0)
     for place, bearing in enumerate(bearings):
-        own = _lines_of(study.columns, bearing)
+        own = lines_of(study.columns, bearing)
         look: dict[str, Any] = {
             "color": str(0.7 * place / max(1, len(bearings) - 1)),
             "marker": "o",
@@ -376,13 +309,13 @@ def _optimise(study: Study) -> Iterator[Drawn]:
         panel = axes[0][0]
         kept = np.isin(study.columns["verdict"], (*WITHIN, Verdict.NO_VERDICT.key))
         x, y = (scale.shown(study.columns[name]) for scale, name in zip(goals, found.objectives, strict=False))
-        if len(_bearings(study)) == 1:
+        if len(bearings_of(study)) == 1:
             panel.plot(x[kept], y[kept], ".", color=PALE, markersize=3.0)
         front = [scale.shown(found.values[:, place]) for place, scale in enumerate(goals[:2])]
         order = np.argsort(front[0])
         panel.plot(front[0][order], front[1][order], "o-", color=INK, markersize=3.5, linewidth=0.8)
-        panel.set_xlabel(_label(goals[0]))
-        panel.set_ylabel(_label(goals[1]))
+        panel.set_xlabel(axis_text(goals[0]))
+        panel.set_ylabel(axis_text(goals[1]))
         said = f"Pareto front: of {found.feasible} designs within all limits (pale) no other is better in both."
         yield "pareto", said, figure
     caption = "Designs within all limits in parallel coordinates, each axis from its least to its largest value; "
@@ -391,7 +324,7 @@ def _optimise(study: Study) -> Iterator[Drawn]:
 
 def _parallel(study: Study, best: tuple[int, ...]) -> Figure:
     """Parallel coordinates of fields and objectives of the first bearing."""
-    own = _lines_of(study.columns, _bearings(study)[0])
+    own = lines_of(study.columns, bearings_of(study)[0])
     kept = np.flatnonzero(np.isin(own["verdict"], (*WITHIN, Verdict.NO_VERDICT.key)))[-MOST_LINES:]
     scales = {one["path"]: input_scale(one) for one in study.inputs}
     scales |= {name: output_scale(name) for name in (*study.block.minimise, *study.block.maximise)}
@@ -433,9 +366,10 @@ def _parallel(study: Study, best: tuple[int, ...]) -> Figure:
 
 _OF_KIND: Mapping[str, Callable[[Study], Iterator[Drawn]]] = {
     "tolerance": _tolerance,
-    "map": _map,
+    "map": map_figures,
     "sweep": _sweep,
     "size": _size,
+    "corners": _corners,
     "sensitivity": _sensitivity,
     "spectrum": _spectrum,
     "optimise": _optimise,

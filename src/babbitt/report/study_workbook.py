@@ -56,7 +56,7 @@ def study_rows(study: Study) -> list[list[Cell]]:
     scales = {one["path"]: input_scale(one) for one in study.inputs}
     scales |= {name: output_scale(name) for name in study.outputs}
     words = ("group", "bearing", "verdict", "governing_check", "failed_checks", "status", "message")
-    names = ["row", *scales, *(name for name in columns if name.startswith("margin")), *words]
+    names = ["row", *scales, *(name for name in columns if name.startswith(("margin", "advisory"))), *words]
     count = min(columns["row"].size, MOST_LINES)
     made = [_column(name, columns[name][:count], scales.get(name)) for name in names]
     heading: list[Cell] = [_heading(name, scales.get(name)) for name in names]

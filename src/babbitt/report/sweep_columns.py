@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Result
-from babbitt.report.columns import Column, column_of, filled
+from babbitt.report.columns import ABSENT, Column, column_of, filled, reading_of
 from babbitt.report.machine_table import columns_of
 from babbitt.report.view import view_of
 
@@ -27,6 +28,18 @@ FILM_PANELS = (
 """Of kinds that name none, one panel each: of the quantities in a row the first that some answer has."""
 
 
+def _needed(result: Result) -> str:
+    """The flow that the supply is held against."""
+    limits = [check.limit for check in result.checks if check.quantity == "supply_capacity"]
+    return QUANTITIES["supply_capacity"].format(max(limits)) if limits else ABSENT
+
+
+SUPPLIED = Column(
+    "{symbol} / needed", "", (reading_of("supply_capacity"), _needed), 4, " / ", quantity="supply_capacity"
+)
+"""The flow that the supply delivers, and the flow that the film needs of it."""
+
+
 def sweep_columns(results: Sequence[Result]) -> tuple[Column, ...]:
     """Columns in which some answer has a number: those that its view names, else those of a machine.
 
@@ -42,7 +55,7 @@ def sweep_columns(results: Sequence[Result]) -> tuple[Column, ...]:
 def _columns_of_one_view(results: Sequence[Result]) -> tuple[Column, ...]:
     names = view_of(results[0]).sweep
     if not names:
-        return (*columns_of(results), *filled([column_of("relative_load", 3)], results))
+        return (*columns_of(results), *filled([column_of("relative_load", 3), SUPPLIED], results))
     return filled([column_of(name, rank) for rank, name in enumerate(names)], results)
 
 

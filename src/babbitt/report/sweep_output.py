@@ -3,21 +3,27 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 
 from babbitt.case.variation import CaseVariation
 from babbitt.core.files.printing import printable
 from babbitt.core.files.spreadsheet import openpyxl_library, rows_text, workbook
 from babbitt.core.files.writing import require_distinct, require_writable, write_file
+from babbitt.core.nearest_name import nearest_names
 from babbitt.core.notices import InputError
+from babbitt.core.quantities import QUANTITIES
 from babbitt.report.outputs import STANDARD_OUTPUT, inputs_of
+from babbitt.report.sweep_table import Units, in_si, sweep_rows
 from babbitt.study.case_sweep import CaseSweep
 
 ENDINGS = (".csv", ".xlsx")
 """Of a table of results."""
 
 
-def require_outputs(variation: CaseVariation, table: Path | None, plot: Path | None) -> None:
+def require_outputs(
+    variation: CaseVariation, table: Path | None, plot: Path | None, chosen: Sequence[str] = ()
+) -> None:
     """Find out before any work is done whether a sweep can be written.
 
     Parameters
@@ -27,13 +33,21 @@ def require_outputs(variation: CaseVariation, table: Path | None, plot: Path | N
     table : Path or None
         Ends in ``.csv`` or ``.xlsx``, or is ``-``.
     plot : Path or None
+    chosen : sequence of str
+        Names of quantities.
 
     Raises
     ------
     InputError
         E007 for a path that cannot be written, an unknown ending, one path for two outputs, an output that would
-        replace an input or a file that is no output of Babbitt, or a package that is not installed.
+        replace an input or a file that is no output of Babbitt, or a package that is not installed; E005 for a
+        name that no quantity has.
     """
+    for name in chosen:
+        if name not in QUANTITIES:
+            near = nearest_names(name, QUANTITIES)
+            hint = f"did you mean '{near[0]}'?" if near else "the names are those of the CSV, without their unit"
+            raise InputError("E005", f"--columns: '{name}' is no quantity of results; {hint}")
     outputs = [output for output in (table, plot) if output is not None and str(output) != STANDARD_OUTPUT]
     require_distinct(outputs, inputs_of([variation.file], variation.inputs))
     if table is not None and str(table) != STANDARD_OUTPUT:
@@ -49,8 +63,14 @@ def require_outputs(variation: CaseVariation, table: Path | None, plot: Path | N
             pass
 
 
-def write_outputs(sweep: CaseSweep, table: Path | None, plot: Path | None) -> None:
-    """Write a sweep as a table and as a plot, as far as asked for.
+def write_outputs(
+    sweep: CaseSweep,
+    table: Path | None,
+    plot: Path | None,
+    units: Units = in_si,
+    chosen: Sequence[str] = (),
+) -> None:
+    """Write a sweep as a table and as a plot, as far as asked for; the last two as in `sweep_rows`.
 
     Raises
     ------
@@ -58,9 +78,7 @@ def write_outputs(sweep: CaseSweep, table: Path | None, plot: Path | None) -> No
         E007 when a file cannot be written.
     """
     if table is not None:
-        from babbitt.report.sweep_table import sweep_rows
-
-        rows = sweep_rows(sweep)
+        rows = sweep_rows(sweep, units, chosen)
         if str(table) == STANDARD_OUTPUT:
             sys.stdout.write(rows_text(rows))
         elif table.suffix.lower() == ".xlsx":
@@ -70,7 +88,7 @@ def write_outputs(sweep: CaseSweep, table: Path | None, plot: Path | None) -> No
     if plot is not None:
         from babbitt.report.sweep_plot import write_sweep_plot
 
-        write_sweep_plot(sweep, plot)
+        write_sweep_plot(sweep, plot, chosen)
 
 
 def _require_ending(table: Path) -> None:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -12,6 +14,7 @@ from numpy.typing import NDArray
 from babbitt.core.files.writing import write_file
 from babbitt.core.notices import InputError
 from babbitt.core.quantities import QUANTITIES
+from babbitt.core.result import Result
 from babbitt.report.drawing import FORMATS, GREY, INK, Sheet, axis_label, in_engineers_unit, rendered, style
 from babbitt.report.sweep_columns import panels_of
 from babbitt.report.text import plain_text
@@ -38,6 +41,10 @@ MARKERS = ("o", "s", "^")
 MOST_MARKED = 25
 """Points of a curve that are still marked one by one."""
 
+LIMIT: dict[str, Any] = {"color": GREY, "linewidth": 0.7, "linestyle": (0, (1, 1.2)), "zorder": 1}
+MOST_LIMITS = 6
+"""Lines of limits in a panel."""
+
 NOT_STABLE: dict[str, Any] = {"linestyle": (0, (3.5, 1.5))}
 """Where steady states are stable or not, broken lines say just that; colours and markers tell the states."""
 
@@ -54,8 +61,8 @@ def require_plot(path: Path) -> None:
         raise InputError("E007", f"cannot write {path}: a plot is .png, .svg or .pdf")
 
 
-def write_sweep_plot(sweep: CaseSweep, path: Path) -> None:
-    """Draw the key results over the field and write the figure.
+def write_sweep_plot(sweep: CaseSweep, path: Path, chosen: Sequence[str] = ()) -> None:
+    """Draw results over the first field and write the figure; the key results, or those that are chosen.
 
     Raises
     ------
@@ -64,31 +71,50 @@ def write_sweep_plot(sweep: CaseSweep, path: Path) -> None:
     """
     require_plot(path)
     with style():
-        image = rendered(sweep_figure(sweep), path.suffix.lower().removeprefix("."))
+        image = rendered(sweep_figure(sweep, chosen), path.suffix.lower().removeprefix("."))
     write_file(path, image)
 
 
-def sweep_figure(sweep: CaseSweep) -> Figure:
-    """At most four panels over the field, a line per bearing; what the file itself has in the field is marked."""
-    names, shows_stability = sweep.names, _shows_stability(sweep)
-    entries = len(names) + shows_stability
+@dataclass(frozen=True)
+class Curve:
+    """Results of one bearing over the first field, all other fields at one value.
+
+    Attributes
+    ----------
+    label : str
+    results : mapping of int to Result
+        By the place of the value of the first field; solved ones alone.
+    """
+
+    label: str
+    results: Mapping[int, Result]
+
+
+def sweep_figure(sweep: CaseSweep, chosen: Sequence[str] = ()) -> Figure:
+    """At most four panels over the first field, a line per bearing and value of the others, and limits.
+
+    What the file itself has in the field is marked.
+    """
+    curves, shows_stability = _curves(sweep), _shows_stability(sweep)
+    entries = len(curves) + shows_stability
     legend = 4.5 * math.ceil(entries / 3) if entries > 1 else 0.0
     height = 100.0 + legend
     figure, axes = Sheet(166.0, height, 2, 2, across=16.0, between=5.0).panels(sharex=True)
     figure.subplots_adjust(top=1.0 - (5.0 + legend) / height)
-    shown = panels_of([result for _, result in sweep.rows()])
+    shown = tuple((name,) for name in chosen[:4]) or panels_of([result for _, result in sweep.rows()])
     for panel in axes.ravel()[len(shown) :]:
         panel.set_axis_off()
     for panel, choice in zip(axes.ravel(), shown, strict=False):
-        _panel(panel, sweep, choice, titled=panel in axes[0])
+        _panel(panel, sweep, curves, choice, titled=panel in axes[0])
     for panel in axes[1]:
-        unit = sweep.values.unit_shown
-        panel.set_xlabel(f"{sweep.path} in {unit}" if unit else sweep.path)
+        field = sweep.fields[0]
+        unit = field.values.unit_shown
+        panel.set_xlabel(f"{field.path} in {unit}" if unit else field.path)
     if legend:
         from matplotlib.lines import Line2D
 
-        handles = axes[0][0].get_lines()[: len(names)]
-        labels = [plain_text(name).replace("$", r"\$") for name in names]
+        handles = axes[0][0].get_lines()[: len(curves)]
+        labels = [plain_text(curve.label).replace("$", r"\$") for curve in curves]
         if shows_stability:
             handles = [
                 *handles,
@@ -99,41 +125,122 @@ def sweep_figure(sweep: CaseSweep) -> Figure:
     return figure
 
 
-def _panel(panel: Axes, sweep: CaseSweep, choice: tuple[str, ...], *, titled: bool) -> None:
-    there = {name for _, result in sweep.rows() if result.outcome.solved for name in result.values}
+def _curves(sweep: CaseSweep) -> list[Curve]:
+    found: dict[tuple[str, tuple[str, ...]], dict[int, Result]] = {}
+    for row, result in sweep.rows():
+        texts = sweep.texts(row)[1:]
+        points = found.setdefault((result.name, texts), {})
+        if result.outcome.solved:
+            points[sweep.places(row)[0]] = result
+    alone = len(sweep.names) == 1
+    return [
+        Curve(", ".join(texts if alone and texts else (name, *texts)), points)
+        for (name, texts), points in found.items()
+    ]
+
+
+def _panel(
+    panel: Axes, sweep: CaseSweep, curves: Sequence[Curve], choice: tuple[str, ...], *, titled: bool
+) -> None:
+    there = {name for curve in curves for result in curve.results.values() for name in result.values}
     name = next((one for one in choice if one in there), choice[-1])
-    numbers = sweep.values.numbers
-    x = np.arange(len(sweep.values.texts), dtype=float) if numbers is None else np.array(numbers)
+    values, present = sweep.fields[0].values, sweep.fields[0].present
+    numbers = values.numbers
+    x = np.arange(len(values.texts), dtype=float) if numbers is None else np.array(numbers)
     if numbers is None:
-        panel.set_xticks(x, sweep.values.texts)
+        panel.set_xticks(x, values.texts)
+    if values.logarithmic:
+        panel.set_xscale("log")
+        _label_plainly(panel)
     order, shows_stability = np.argsort(x), _shows_stability(sweep)
-    curves = [_curve(sweep, bearing, name, order) for bearing in sweep.names]
-    for line, (y, lasts) in enumerate(curves):
+    drawn = [_curve(curve, name, order) for curve in curves]
+    for line, (y, lasts) in enumerate(drawn):
         panel.plot(x[order], np.where(lasts, y, np.nan), **_look(line, x.size, shows_stability=shows_stability))
-    for line, (y, lasts) in enumerate(curves):
+    for line, (y, lasts) in enumerate(drawn):
         if lasts.all():
             continue
         beside = np.convolve(~lasts, (1, 1, 1), mode="same") > 0
         own = _look(line, x.size, shows_stability=shows_stability)
         panel.plot(x[order], np.where(beside, y, np.nan), **{**own, **NOT_STABLE, "marker": ""})
         panel.plot(x[order], np.where(lasts, np.nan, y), **{**own, "linestyle": "", "markerfacecolor": "white"})
-    if sweep.present is not None and x.min() <= sweep.present <= x.max():
-        panel.axvline(sweep.present, color=GREY, linewidth=0.6, linestyle=(0, (1, 2)), zorder=0)
+    if present is not None and x.min() <= present <= x.max():
+        panel.axvline(present, color=GREY, linewidth=0.6, linestyle=(0, (1, 2)), zorder=0)
         if titled:
             panel.annotate(
-                "as in the file", (sweep.present, 1.0), xycoords=("data", "axes fraction"), xytext=(0, 2),
+                "as in the file", (present, 1.0), xycoords=("data", "axes fraction"), xytext=(0, 2),
                 textcoords="offset points", fontsize=6, color="0.4", ha="center",
             )  # fmt: skip
+    _draw_limits(panel, curves, name, x[order], order)
     panel.set_ylabel(axis_label(QUANTITIES[name]))
 
 
-def _curve(sweep: CaseSweep, bearing: str, name: str, order: Order) -> tuple[Array, Flags]:
-    """A result of one bearing in the order of the field, and where its state is not said to be unstable."""
+def _label_plainly(panel: Axes) -> None:
+    """Ticks of a logarithmic axis at 1, 2 and 5 of each decade, as plain numbers."""
+    from matplotlib.ticker import LogLocator, NullFormatter, StrMethodFormatter
+
+    panel.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+    panel.xaxis.set_major_formatter(StrMethodFormatter("{x:g}"))
+    panel.xaxis.set_minor_formatter(NullFormatter())
+
+
+def _draw_limits(panel: Axes, curves: Sequence[Curve], name: str, x: Array, order: Order) -> None:
+    """The limits of a quantity that lie near its curves, by their codes.
+
+    Of the flow also what is supplied and needed, where there is one curve: of several, such lines would hide them.
+    """
+    heights = np.concatenate([_curve(curve, name, order)[0] for curve in curves] or [np.empty(0)])
+    if not np.isfinite(heights).any():
+        return
+    low, high = float(np.nanmin(heights)), float(np.nanmax(heights))
+    room = max(high - low, 0.5 * abs(high))
+    found: dict[tuple[str, bytes], Array] = {}
+    for curve in curves:
+        flows = _flows(curve) if name == "total_flow" and len(curves) == 1 else {}
+        for label, by_place in (_limits(curve, name) | flows).items():
+            y = np.full(order.shape, np.nan)
+            for place, limit in by_place.items():
+                y[place] = limit
+            y = in_engineers_unit(name, y[order])
+            near = np.isfinite(y) & (y >= low - room) & (y <= high + room)
+            if near.any():
+                found[label, np.round(y, 9).tobytes()] = np.where(near, y, np.nan)
+    for number, ((label, _), y) in enumerate(list(found.items())[:MOST_LIMITS]):
+        panel.plot(x, y, **LIMIT)
+        side = -1 if number % 2 == 0 else 0
+        end = int(np.flatnonzero(np.isfinite(y))[side])
+        panel.annotate(
+            label, (x[end], y[end]), xytext=(-1, 1.5), textcoords="offset points", fontsize=6, color="0.3",
+            ha="left" if side == 0 else "right",
+        )  # fmt: skip
+
+
+def _limits(curve: Curve, name: str) -> dict[str, dict[int, float]]:
+    """Limits of a quantity by the code of their check and the place along the curve."""
+    found: dict[str, dict[int, float]] = {}
+    for place, result in curve.results.items():
+        for check in result.limits:
+            if check.quantity.removeprefix("starved_") == name:
+                found.setdefault(check.code, {})[place] = check.limit
+    return found
+
+
+def _flows(curve: Curve) -> dict[str, dict[int, float]]:
+    """Flow that the supply delivers, and that the film needs of it, by the place along the curve."""
+    found: dict[str, dict[int, float]] = {}
+    for place, result in curve.results.items():
+        for check in result.checks:
+            if check.quantity == "supply_capacity":
+                found.setdefault("supplied", {})[place] = check.value
+                found.setdefault("needed", {})[place] = check.limit
+    return found
+
+
+def _curve(curve: Curve, name: str, order: Order) -> tuple[Array, Flags]:
+    """A result of one curve in the order of the field, and where its state is not said to be unstable."""
     y, lasts = np.full(order.shape, np.nan), np.full(order.shape, True)
-    for place, result in sweep.rows():
-        if result.name == bearing and result.outcome.solved:
-            y[place] = result.values.get(name, math.nan)
-            lasts[place] = result.settings.get("stable") != "no"
+    for place, result in curve.results.items():
+        y[place] = result.values.get(name, math.nan)
+        lasts[place] = result.settings.get("stable") != "no"
     return in_engineers_unit(name, y[order]), lasts[order]
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from rich.console import Console
 from rich.table import Table
@@ -14,27 +14,34 @@ from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Result, Verdict
 from babbitt.export.unit_names import static_column
 from babbitt.report.bearing_table import STYLES, engineers_table
-from babbitt.report.columns import Column, footnote
+from babbitt.report.columns import ABSENT, Column, column_of, footnote
 from babbitt.report.findings import not_checked
 from babbitt.report.sweep_columns import sweep_columns
-from babbitt.report.table import console_for, fitting, measured
+from babbitt.report.table import NAME_WIDTH, console_for, fitting, measured
 from babbitt.report.text import plain_text
-from babbitt.report.verdict import missed_codes
-from babbitt.study.case_sweep import CaseSweep
+from babbitt.report.verdict import margin, missed_codes
+from babbitt.study.case_sweep import CaseSweep, SweptField
 
 REFUSED = "refused"
 NOT_REPORTED = ("wall_time", "iterations")
 """Results about the run, which differ from run to run."""
 
 
-def print_sweep(sweep: CaseSweep, to: Console | None = None) -> None:
-    """Print one line a value and bearing: the key results in the engineer's units, the verdict and its codes.
+def print_sweep(sweep: CaseSweep, to: Console | None = None, chosen: Sequence[str] = ()) -> None:
+    """Print one line a row and bearing: results in the engineer's units, margin, governing check, verdict, codes.
 
     A verdict counts only what was checked, so the checks that were not made stand below.
+
+    Parameters
+    ----------
+    sweep : CaseSweep
+    to : Console, optional
+    chosen : sequence of str
+        Quantities that are shown; the key results if none are named.
     """
     rows = list(sweep.rows())
     results = [result for _, result in rows]
-    every = sweep_columns(results)
+    every = tuple(column_of(name, 1) for name in chosen) or sweep_columns(results)
     to = to or console_for(_table(sweep, every))
     columns, hidden = fitting(every, results, to.width - measured(_table(sweep, ())).minimum)
     to.print(_table(sweep, columns))
@@ -44,9 +51,11 @@ def print_sweep(sweep: CaseSweep, to: Console | None = None) -> None:
         to.print(
             Text(f"Left out for want of width: {', '.join(column.heading for column in hidden)}", style="dim")
         )
-    for place, result in rows:
+    for row, result in rows:
         if result.verdict is Verdict.NO_SOLUTION:
-            to.print(Text(f"{sweep.path} {sweep.values.texts[place]}, {result.name}: {result.outcome.value}"))
+            of = zip(sweep.fields, sweep.texts(row), strict=True)
+            where = ", ".join(f"{field.path} {text}" for field, text in of)
+            to.print(Text(f"{where}, {result.name}: {result.outcome.value}"))
     for group in not_checked(results):
         to.print(Text(f"Not checked: {group.code}  {group.title}: {group.message}"))
     for reason in sweep.refused.values():
@@ -54,39 +63,56 @@ def print_sweep(sweep: CaseSweep, to: Console | None = None) -> None:
 
 
 def _table(sweep: CaseSweep, columns: Sequence[Column]) -> Table:
-    """A row for each value and bearing: the field, some columns, the verdict and its codes."""
+    """A row for each row and bearing: the fields, some columns, margin, governing check, verdict and its codes."""
     rows = list(sweep.rows())
     results = [result for _, result in rows]
-    named, shown = len(sweep.names) > 1, _shown(sweep)
-    table = engineers_table(title=Text(plain_text(sweep.machines[0].name), style="bold"), title_justify="left")
-    table.add_column(Text(f"{sweep.path}\n{sweep.values.unit_shown}"), justify="right", no_wrap=True)
+    named = len(sweep.names) > 1
+    table = engineers_table(title=Text(plain_text(sweep.name), style="bold"), title_justify="left")
+    for field in sweep.fields:
+        table.add_column(Text(f"{field.path}\n{field.values.unit_shown}"), justify="right", no_wrap=True)
     if named:
-        table.add_column(Text("Bearing"), overflow="fold")
+        longest = max(len(plain_text(name)) for name in sweep.names)
+        table.add_column(Text("Bearing"), overflow="fold", min_width=min(longest, NAME_WIDTH))
     for column in columns:
         table.add_column(Text(f"{column.heading}\n{column.unit}"), justify="right", no_wrap=True)
+    judged = any(result.governing_check is not None for result in results)
+    if judged:
+        table.add_column(Text("margin"), justify="right", no_wrap=True)
+        table.add_column(Text("by"), no_wrap=True)
     table.add_column(Text("verdict"), no_wrap=True)
     codes = [codes_of(result) for result in results]
     coded = any(codes)
     if coded:
         table.add_column(Text("codes"), overflow="fold")
     cells = list(zip(*(column.cells(results) for column in columns), strict=True)) or [()] * len(results)
-    answered = zip(rows, cells, codes, strict=True)
     lines = [
-        (place, result.name, line, result.verdict.value, STYLES[result.verdict], said)
-        for (place, result), line, said in answered
+        (
+            row,
+            result.name,
+            (*line, *_governing(result, judged)),
+            result.verdict.value,
+            STYLES[result.verdict],
+            said,
+        )
+        for (row, result), line, said in zip(rows, cells, codes, strict=True)
     ]
-    none = ("",) * len(columns)
-    lines += [(place, "", none, REFUSED, STYLES[Verdict.NO_SOLUTION], ()) for place in sweep.refused]
-    for place, bearing, line, word, style, said in sorted(lines, key=lambda one: one[0]):
-        name = (Text(plain_text(bearing)),) if named else ()
+    none = ("",) * (len(columns) + 2 * judged)
+    lines += [(row, "", none, REFUSED, STYLES[Verdict.NO_SOLUTION], ()) for row in sweep.refused]
+    for row, bearing, line, word, style, said in sorted(lines, key=lambda one: one[0]):
         table.add_row(
-            Text(plain_text(shown[place])),
-            *name,
+            *(Text(plain_text(text)) for text in _shown(sweep, row)),
+            *((Text(plain_text(bearing)),) if named else ()),
             *map(Text, line),
             Text(word, style=style),
-            *_cell_of(said, coded),
+            *((Text(" ".join(said)),) if coded else ()),
         )
     return table
+
+
+def _governing(result: Result, shown: bool) -> tuple[str, ...]:
+    """Margin and code of the governing check."""
+    check = result.governing_check
+    return () if not shown else (ABSENT, "") if check is None else (margin(check), check.code)
 
 
 def codes_of(result: Result) -> tuple[str, ...]:
@@ -95,8 +121,23 @@ def codes_of(result: Result) -> tuple[str, ...]:
     return tuple(dict.fromkeys([*ended, *missed_codes(result), *result.questioning_codes]))
 
 
-def _cell_of(codes: Sequence[str], shown: bool) -> tuple[Text, ...]:
-    return (Text(" ".join(codes)),) if shown else ()
+Units = Callable[[str], tuple[str, Callable[[float], float]]]
+"""By the name of a quantity the heading of its column, and how a value in SI stands in it."""
+
+
+def in_si(name: str) -> tuple[str, Callable[[float], float]]:
+    """Columns in SI, the unit in their name.
+
+    >>> in_si("load")[0], in_engineers_units("load")[0], in_engineers_units("load")[1](12e3)
+    ('load_N', 'load [kN]', 12.0)
+    """
+    return static_column(name), float
+
+
+def in_engineers_units(name: str) -> tuple[str, Callable[[float], float]]:
+    """Columns in the units of tables and reports."""
+    label = QUANTITIES[name].display.label
+    return f"{name} [{label}]" if label else name, QUANTITIES[name].shown
 
 
 def sweep_csv(sweep: CaseSweep) -> str:
@@ -104,49 +145,76 @@ def sweep_csv(sweep: CaseSweep) -> str:
     return rows_text(sweep_rows(sweep))
 
 
-def sweep_rows(sweep: CaseSweep) -> list[list[Cell]]:
-    """The answers as rows: one a value and bearing, results in SI with the unit in every column name.
+def sweep_rows(sweep: CaseSweep, units: Units = in_si, chosen: Sequence[str] = ()) -> list[list[Cell]]:
+    """The answers as rows: one a row and bearing, results with the unit in every column name.
 
-    The first row names the columns. The first column is the field; its unit, where the values have one, stands in
-    its name. A row without an operating point has no results; the status of a value that the case does not take is
-    ``refused``. The last column names the codes on which the verdict rests.
+    The first row names the columns. The first columns are the fields; their unit, where the values have one,
+    stands in their name. A row without an operating point has no results; the status of one that the case does not
+    take is ``refused``. The last columns are the verdict, the governing check, its margin (a share of the limit),
+    and the codes on which the verdict rests. A result that a field says already is left out.
+
+    Parameters
+    ----------
+    sweep : CaseSweep
+    units : callable
+        `in_si` or `in_engineers_units`.
+    chosen : sequence of str
+        Quantities that are written; all if none are named.
     """
     rows = list(sweep.rows())
-    quantities = dict.fromkeys(
-        name
-        for _, result in rows
-        if result.outcome.solved
-        for name in result.values
-        if name in QUANTITIES and name not in NOT_REPORTED
-    )
-    unit = f" [{sweep.values.unit}]" if sweep.values.unit and sweep.values.numbers is not None else ""
-    heading: list[Cell] = [f"{sweep.path}{unit}", "bearing", "status"]
-    heading += [*(static_column(name) for name in quantities), "codes"]
-    exact = sweep.values.numbers
-    given: Sequence[Cell] = sweep.values.texts if exact is None else [float(f"{number:.12g}") for number in exact]
-    lines: list[tuple[int, list[Cell]]] = [
-        (place, [given[place], None, REFUSED, *([None] * len(quantities)), None]) for place in sweep.refused
-    ]
-    for place, result in rows:
-        solved = result.outcome.solved
-        numbers = [result.values.get(name, math.nan) if solved else math.nan for name in quantities]
-        values = [float(number) if math.isfinite(number) else None for number in numbers]
-        lines.append(
-            (
-                place,
-                [
-                    given[place],
-                    result.name,
-                    result.outcome.name.lower(),
-                    *values,
-                    " ".join(codes_of(result)) or None,
-                ],
-            )
+    quantities = tuple(chosen) or tuple(
+        dict.fromkeys(
+            name
+            for _, result in rows
+            if result.outcome.solved
+            for name in result.values
+            if name in QUANTITIES and name not in NOT_REPORTED
         )
+    )
+    fields = [_field_heading(field) for field in sweep.fields]
+    columns = {name: column for name in quantities if (column := units(name))[0] not in fields}
+    heading: list[Cell] = [*fields, "bearing", "status"]
+    heading += [*(title for title, _ in columns.values()), "verdict", "governing_check", "margin", "codes"]
+    lines: list[tuple[int, list[Cell]]] = [
+        (row, [*_given(sweep, row), None, REFUSED, *([None] * (len(columns) + 4))]) for row in sweep.refused
+    ]
+    for row, result in rows:
+        solved = result.outcome.solved
+        numbers = [result.values.get(name, math.nan) if solved else math.nan for name in columns]
+        values = zip(numbers, columns.values(), strict=True)
+        check = result.governing_check
+        cells: list[Cell] = [
+            *_given(sweep, row),
+            result.name,
+            result.outcome.name.lower(),
+            *(in_unit(number) if math.isfinite(number) else None for number, (_, in_unit) in values),
+            result.verdict.key,
+            None if check is None else check.code,
+            float(result.margin) if math.isfinite(result.margin) else None,
+            " ".join(codes_of(result)) or None,
+        ]
+        lines.append((row, cells))
     return [heading, *(line for _, line in sorted(lines, key=lambda one: one[0]))]
 
 
-def _shown(sweep: CaseSweep) -> tuple[str, ...]:
+def _field_heading(field: SweptField) -> str:
+    values = field.values
+    return f"{field.path} [{values.unit}]" if values.unit and values.numbers is not None else field.path
+
+
+def _given(sweep: CaseSweep, row: int) -> list[Cell]:
+    """The values of a row, numbers as numbers."""
+    cells: list[Cell] = []
+    for field, place in zip(sweep.fields, sweep.places(row), strict=True):
+        exact = field.values.numbers
+        cells.append(field.values.texts[place] if exact is None else float(f"{exact[place]:.12g}"))
+    return cells
+
+
+def _shown(sweep: CaseSweep, row: int) -> tuple[str, ...]:
     """Values without their unit, which stands in the heading; words as they are."""
-    numbers = sweep.values.numbers
-    return sweep.values.texts if numbers is None else tuple(f"{number:.6g}" for number in numbers)
+    of = zip(sweep.fields, sweep.places(row), strict=True)
+    return tuple(
+        field.values.texts[place] if field.values.numbers is None else f"{field.values.numbers[place]:.6g}"
+        for field, place in of
+    )

@@ -57,11 +57,13 @@ class InterruptedStudyError(PicklableError):
     ----------
     done, rows : int
         Rows that are finished, of all.
+    finished : Columns or None
+        Their answers; None where there is none.
     """
 
-    def __init__(self, done: int, rows: int) -> None:
+    def __init__(self, done: int, rows: int, finished: Columns | None = None) -> None:
         super().__init__(f"{done} of {rows} rows are finished")
-        self.done, self.rows = done, rows
+        self.done, self.rows, self.finished = done, rows, finished
 
 
 def chunk_size(seconds_a_row: float) -> int:
@@ -158,9 +160,12 @@ class Engine:
                     self._start_again(running, lost, chunks)
                 self._fill(running, waiting)
         except KeyboardInterrupt:
+            for future in [one for one in running if one.done() and not one.cancelled()]:
+                self._take(future, running, done)
             self.workers.stop()
-            finished_rows = sum(np.unique(one["row"]).size for one in done.values())
-            raise InterruptedStudyError(finished_rows, count) from None
+            finished = joined([done[number] for number in sorted(done)]) if done else None
+            rows = 0 if finished is None else np.unique(finished["row"]).size
+            raise InterruptedStudyError(rows, count, finished) from None
 
     def _fill(self, running: dict[Future[Columns], int], waiting: Iterator[tuple[int, Columns]]) -> None:
         """Keep a few more chunks at the workers than they compute at once, not all, which would take memory."""

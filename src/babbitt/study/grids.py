@@ -68,7 +68,7 @@ def planned(block: StudyBlock, inputs: Sequence[Input]) -> int:
         E003 for a grid of what has no values.
     """
     match block.kind:
-        case "sweep" | "map" | "size":
+        case "sweep" | "map" | "corners" | "size":
             return int(np.prod([float(one.listed.size) for one in inputs]))
         case "tolerance":
             return 1 + samples_of(block) + _corner_count(inputs)

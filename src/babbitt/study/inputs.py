@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import csv
 import typing
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from pathlib import Path as FilePath
 from typing import Any
 
 import numpy as np
@@ -14,13 +15,16 @@ from numpy.typing import NDArray
 from babbitt.case.aliases import parts_in
 from babbitt.case.case_file import CaseFile
 from babbitt.case.field_types import attributes_of_field, field_annotations, quantity_in
+from babbitt.case.loading import build_case
 from babbitt.case.named_files import NamedFiles, TableError
 from babbitt.case.part import Part
 from babbitt.case.parts.clearance import FitClearance
 from babbitt.case.parts.fields import WholeNumber
 from babbitt.case.parts.study import StudyBlock, Vary
 from babbitt.case.suggestions import near_typo
-from babbitt.case.variation import variation_of
+from babbitt.case.variation import CaseVariation, variation_of
+from babbitt.core.files.printing import printable
+from babbitt.core.files.reading import Reach
 from babbitt.core.files.spreadsheet import read_rows
 from babbitt.core.notices import InputError
 from babbitt.core.units import KINDS, QuantityError, SiField, SiNumber, read
@@ -28,9 +32,11 @@ from babbitt.core.units.kinds import Kind
 from babbitt.properties.fits import tolerance_limits
 from babbitt.properties.lubricants import Lubricant, viscosity_index
 from babbitt.study.laws import CUT, Choices, Difference, HalfNormal, Law, Listed, Normal, Triangular, Uniform
+from babbitt.study.shares import EVERYWHERE, SHARED, places_of, share_of
 
 __all__ = [
     "Input",
+    "given_with",
     "inputs_of",
     "meaning_of",
     "model_of",
@@ -73,10 +79,11 @@ class Input:
     table : str
         File whose rows the law has in common with other fields; empty where it stands alone.
     form : str
-        What a value of the column is: ``quantity``, ``number``, ``choice``, ``clearance`` (on the diameter) or
-        ``viscosity`` (nu40 of the oil).
+        What a value of the column is: ``quantity``, ``number``, ``choice``, ``clearance`` (on the diameter),
+        ``viscosity`` (nu40 of the oil) or ``share`` (of what the case has in several fields).
     given : mapping
-        By the word of a choice, what stands in the case for it; of an oil, its data but nu40.
+        By the word of a choice, what stands in the case for it; of an oil, its data but nu40; of a share, by the
+        path of each field what the case has there, in SI.
     """
 
     path: str
@@ -111,6 +118,13 @@ class Input:
             return np.array(self.law.values, object if self.is_choice else float)
         says = f"a grid needs values, and this is a distribution ({self.law.words})"
         raise _refused(self.path, f"{says}; give a list, range or log_range, or ask for kind: tolerance")
+
+    def places(self, value: Any) -> Iterator[tuple[str, Any]]:
+        """Every field that a value of the column sets, and what stands in it."""
+        if self.form == "share":
+            yield from ((field, share_of(one, float(value))) for field, one in (self.given or {}).items())
+        else:
+            yield self.field, self.in_case(value)
 
     def in_case(self, value: Any) -> Any:
         """What stands in the case for a value of the column."""
@@ -192,6 +206,8 @@ def _annotations(case: CaseFile, path: str) -> tuple[Any, ...]:
 
 
 def _input(case: CaseFile, path: str, given: Vary) -> Input:
+    if path.startswith(EVERYWHERE):
+        return _share(case, path, given)
     field = path_in(case, path)
     annotations = _annotations(case, path)
     meaning = meaning_of(case, path, field)
@@ -218,6 +234,20 @@ def numeric_field(annotations: Sequence[Any]) -> tuple[str, SiField | None]:
 def meaning_of(case: CaseFile, path: str, field: str) -> str:
     """What a field means, in words."""
     return attributes_of_field(model_of(case), field.split(".")).get("long_name", path)
+
+
+def _share(case: CaseFile, path: str, given: Vary) -> Input:
+    """A quantity in all places where the case gives it, by its share of what stands there."""
+    name = path.removeprefix(EVERYWHERE)
+    there = ", ".join(f"{EVERYWHERE}{one}" for one in SHARED)
+    if name not in SHARED:
+        raise _refused(path, f"names nothing that is varied everywhere; there are: {there}")
+    places = places_of(case, name)
+    if not places:
+        raise _refused(path, f"the case gives no {' or '.join(SHARED[name])}")
+    law, reason = _law(case, path, given, "1")
+    meaning = f"Share of {', '.join(places)} of the case"
+    return Input(path, path, law, "", meaning, reason, given.table or "", "share", places)
 
 
 def _law(case: CaseFile, path: str, given: Vary, unit: str) -> tuple[Law, str]:
@@ -383,12 +413,13 @@ def _column(case: CaseFile, path: str, name: str, number: _Reader) -> tuple[floa
 
 def _require_possible(case: CaseFile, one: Input) -> None:
     """Refuse a distribution that reaches beyond what the field takes, and a list of which nothing is taken."""
-    variation = variation_of(case, one.field)
+    first = next(iter(one.given or {})) if one.form == "share" else one.field
+    variation = variation_of(case, first)
     if isinstance(one.law, Listed | Choices) and not one.table:
         refusals = []
         for value in one.listed:
             try:
-                variation.case(one.in_case(value))
+                _case_with(variation, one, value)
                 return
             except InputError as error:
                 refusals.append(error)
@@ -396,11 +427,31 @@ def _require_possible(case: CaseFile, one: Input) -> None:
     low, high = one.law.support  # type: ignore[union-attr]
     for value, side in ((low, "smallest"), (high, "largest")):
         try:
-            variation.case(one.in_case(value))
+            _case_with(variation, one, value)
         except InputError as error:
             shown = f"{value:.6g} {one.unit}".strip()
             says = f"the {side} value {shown} of its distribution ({one.law.words}) is not possible"
             raise _refused(one.path, f"{says}: {error.message}") from None
+
+
+def given_with(one: Input, given: dict[str, Any], file: FilePath, reach: Reach, value: Any) -> dict[str, Any]:
+    """What stands in a case, with a value of an input in all its fields.
+
+    Raises
+    ------
+    InputError
+        E005 where a path leads through something that is no mapping or list.
+    """
+    for field, each in one.places(value):
+        given = CaseVariation(file, given, field, reach=reach).given_with(each)
+    return given
+
+
+def _case_with(variation: CaseVariation, one: Input, value: Any) -> None:
+    """Build the case with a value of an input; what it is refused for is raised."""
+    given = given_with(one, variation.given, variation.file, variation.reach, value)
+    title = f"{printable(variation.file)} with {one.path}: {value}"
+    build_case(given, title, NamedFiles(variation.file.parent, variation.reach))
 
 
 def _require_order(path: str, law: str, given: Sequence[Any], holds: bool, allowed: str = "rising values") -> None:

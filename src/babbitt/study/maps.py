@@ -1,39 +1,50 @@
-"""The axes of a map that names none: speed and load, without a speed supply pressure and load."""
+"""The axes of a map that names none: those of its kind, speed and load of most."""
 
 from __future__ import annotations
 
 from babbitt.case.case_file import CaseFile
 from babbitt.case.parts.study import StudyBlock, Vary
+from babbitt.core.kind import SPEED_AND_LOAD, find_kind
 from babbitt.core.notices import InputError
 from babbitt.study.inputs import numbers_of, present_quantity
+from babbitt.study.shares import EVERYWHERE, SHARED, places_of
 
-__all__ = ["default_axes"]
+__all__ = ["FROM", "TO", "default_axes"]
 
-AXES = (("speed", "surface_speed", "supply.pressure"), ("load", "specific_load"))
-"""Of each axis the first that the case gives."""
-
-FROM, TO, POINTS = 0.2, 2.0, 19
-"""Of what the case itself has: the ends of an axis, and its values."""
+FROM, TO = 0.2, 2.0
+"""Of what the case itself has: the ends of an axis."""
 
 
 def default_axes(case: CaseFile, block: StudyBlock) -> StudyBlock:
-    """A map with the two axes that it has if none are named.
+    """A map with the two axes of its kind, for one that names none.
 
     Raises
     ------
     InputError
-        E003 where the case gives no speed, load or supply pressure to begin with.
+        E003 where the case gives nothing from which an axis follows.
     """
     if block.vary:
         return block
+    kind = find_kind(case.kind)
     vary = {}
-    for names in AXES:
-        found = next((one for one in names if present_quantity(case, one) is not None), None)
+    for names in kind.envelope if kind is not None else SPEED_AND_LOAD:
+        found = next((axis for name in names if (axis := _axis(case, name, block.points)) is not None), None)
         if found is None:
             says = f"{case.name} gives no {' or '.join(names)} from which an axis follows"
             raise InputError("E003", f"study.vary: {says}; name two fields with their values")
-        value, unit = present_quantity(case, found), numbers_of(case, found)[1].unit
-        vary[found] = Vary.model_validate(
-            {"range": (f"{FROM * (value or 0.0)!r} {unit}", f"{TO * (value or 0.0)!r} {unit}", POINTS)}
-        )
-    return block.model_copy(update={"vary": vary})
+        vary |= found
+    made: StudyBlock = block.model_copy(update={"vary": vary, "points": StudyBlock.model_fields["points"].default})
+    return made
+
+
+def _axis(case: CaseFile, name: str, points: int) -> dict[str, Vary] | None:
+    """An axis about what the case has, in one place or as a share of it in all; None where it has nothing."""
+    places = places_of(case, name) if name in SHARED else {}
+    path = next(iter(places), name)
+    if len(places) > 1 or isinstance(places.get(path), dict):
+        return {f"{EVERYWHERE}{name}": Vary(range=(FROM, TO, points))}
+    value = present_quantity(case, path)
+    if not value:
+        return None
+    unit = numbers_of(case, path)[1].unit
+    return {path: Vary.model_validate({"range": (f"{FROM * value!r} {unit}", f"{TO * value!r} {unit}", points)})}

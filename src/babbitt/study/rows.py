@@ -14,22 +14,25 @@ from numpy.typing import NDArray
 from babbitt.case.case_file import CaseFile
 from babbitt.case.loading import build_case
 from babbitt.case.named_files import NamedFiles
-from babbitt.case.variation import CaseVariation
+from babbitt.core.files.printing import printable
 from babbitt.core.files.reading import Reach
 from babbitt.core.kind import find_kind, imported
 from babbitt.core.notices import InputError
 from babbitt.core.result import ROUND_OFF, Outcome, Result, Verdict
+from babbitt.core.result_name import ResultName
 from babbitt.study.appraisal import ALL_LIMITS, appraised
-from babbitt.study.inputs import Input
+from babbitt.study.inputs import Input, given_with
 
 __all__ = [
     "Columns",
     "RowTask",
     "SolvesMany",
+    "advisory_name",
     "answers_of_arrays",
     "empty_answers",
     "joined",
     "margin_name",
+    "answered",
     "solved_as_arrays",
     "solved_one_by_one",
     "solved_rows",
@@ -67,7 +70,9 @@ class RowTask:
     outputs : tuple of str
         Quantities of the results that are kept.
     codes : tuple of str
-        Checks whose margins are kept.
+        Limits whose margins are kept.
+    advisories : tuple of str
+        Recommendations and screening indicators whose margins are kept.
     limits : tuple of str
         What counts (`babbitt.study.appraisal.appraised`), where the study says so: messages then tell why a row
         does not pass. All limits where it does not, and messages of rows without an answer alone.
@@ -80,12 +85,13 @@ class RowTask:
     inputs: tuple[Input, ...]
     outputs: tuple[str, ...] = ()
     codes: tuple[str, ...] = ()
+    advisories: tuple[str, ...] = ()
     limits: tuple[str, ...] = ()
 
     @property
     def names(self) -> tuple[str, ...]:
         """Names of all columns, in their order."""
-        margins = tuple(margin_name(code) for code in self.codes)
+        margins = (*map(margin_name, self.codes), *map(advisory_name, self.advisories))
         inputs = tuple(one.path for one in self.inputs)
         return ("row", "group", "bearing", *inputs, *self.outputs, *margins, "margin", *WORDS[2:])
 
@@ -101,13 +107,20 @@ class RowTask:
         InputError
             For a value that the case does not take.
         """
+        return self.titled(values, "")
+
+    def titled(self, values: Mapping[str, Any], title: str) -> CaseFile:
+        """The case as `case` gives it; `title` stands behind its name in messages."""
         given = dict(self.given)
         for one in self.inputs:
-            if is_empty(values[one.path]):
-                continue
-            variation = CaseVariation(self.file, given, one.field, reach=self.reach)
-            given = variation.given_with(one.in_case(values[one.path]))
-        return build_case(given, self.file.name, NamedFiles(self.file.parent, self.reach))
+            if not is_empty(values[one.path]):
+                given = given_with(one, given, self.file, self.reach, values[one.path])
+        name = f"{printable(self.file)}{title}" if title else self.file.name
+        return build_case(given, name, NamedFiles(self.file.parent, self.reach))
+
+    def answers(self, rows: Columns) -> Columns:
+        """Answer rows."""
+        return solved_rows(self, rows)
 
 
 class SolvesMany(Protocol):
@@ -129,6 +142,16 @@ def is_empty(value: Any) -> bool:
 def margin_name(code: str) -> str:
     """Name of the column with the margin of a check."""
     return f"margin_{code}"
+
+
+def advisory_name(code: str) -> str:
+    """Name of the column with the margin of a recommendation or screening indicator."""
+    return f"advisory_{code}"
+
+
+def answered(task: RowTask, rows: Columns) -> Columns:
+    """Answer rows: what a worker is given to do."""
+    return task.answers(rows)
 
 
 def solved_rows(task: RowTask, rows: Columns) -> Columns:
@@ -170,14 +193,16 @@ def _at(rows: Columns, place: int) -> dict[str, Any]:
 
 
 def _lines(task: RowTask, row: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
-    """The answers of one row."""
+    """The answers of one row; problems of one name are set apart by their `variant`."""
     try:
         calculations = task.case(row).calculations()
     except InputError as error:
         yield {**row, **_without_answer(REFUSED, error.message)}
         return
-    for one in calculations:
-        name = str(one.problem.name)
+    names = [str(one.problem.name) for one in calculations]
+    for one, name in zip(calculations, names, strict=True):
+        if names.count(name) > 1:
+            name = str(ResultName(name, state=one.problem.variant))
         try:
             # Of several steady states the first, as everywhere that one answer is asked for.
             yield {**row, "bearing": name, **_answer(task, one.solve()[0].result)}
@@ -197,13 +222,14 @@ def _answer(task: RowTask, result: Result) -> dict[str, Any]:
     governing, solved = found.governing, result.outcome.solved
     values = {name: result.values.get(name, math.nan) for name in task.outputs} if solved else {}
     margins: dict[str, float] = {}
-    for check in found.checks:
-        name = margin_name(check.code)
+    advisories = [one for one in result.checks if solved and one.advisory and one not in found.checks]
+    for check in (*found.checks, *advisories):
+        name = advisory_name(check.code) if check in advisories else margin_name(check.code)
         margins[name] = min(check.margin, margins.get(name, math.inf))
     explained = f"{found.code} {found.reason}".strip() if task.limits else "" if solved else found.reason
     return {
         **values,
-        **{name: margin for name, margin in margins.items() if name.removeprefix("margin_") in task.codes},
+        **margins,
         "margin": math.nan if governing is None else governing.margin,
         "status": result.outcome.name.lower(),
         "verdict": found.verdict.key,
@@ -233,6 +259,7 @@ def answers_of_arrays(
     values: Mapping[str, NDArray[Any]],
     margins: Mapping[str, NDArray[Any]],
     verdicts: NDArray[Any],
+    advisories: Mapping[str, NDArray[Any]] | None = None,
 ) -> Columns:
     """The columns of rows that were solved as arrays, one bearing a row; what `SolvesMany` gives back.
 
@@ -251,6 +278,8 @@ def answers_of_arrays(
     verdicts : ndarray of str
         Keys of `babbitt.core.result.Verdict`, shape (n,). Rows without a solution have their reason from
         elsewhere: such a chunk is better left to the rows one by one.
+    advisories : mapping, optional
+        By the code of each recommendation or screening indicator its margin, shape (n,).
     """
     count = rows["row"].size
     codes = np.array([*margins, ""], object)
@@ -259,6 +288,7 @@ def answers_of_arrays(
     least = np.where(np.isfinite(table), table, np.inf).argmin(axis=0)
     found: Columns = {**rows, "bearing": np.full(count, bearing, object), **values}
     found |= {margin_name(code): margins[code] for code in margins}
+    found |= {advisory_name(code): margin for code, margin in (advisories or {}).items()}
     found["margin"] = np.where(made, table[least, np.arange(count)], np.nan)
     found["status"] = np.full(count, Outcome.CONVERGED.name.lower(), object)
     found["verdict"] = verdicts

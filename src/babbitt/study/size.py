@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from babbitt.case.case_file import CaseFile
-from babbitt.case.kinds import KINDS
 from babbitt.case.loading import case_from_dict
 from babbitt.case.parts.study import StudyBlock, Vary
 from babbitt.core.notices import InputError
@@ -263,21 +262,3 @@ def _of_line(columns: Columns, place: int, value: float) -> Trial:
 def _standing(one: Trial) -> tuple[bool, float]:
     """What sorts the worst bearing first: one that fails without a margin, then the least margin."""
     return one.permitted, one.margin if math.isfinite(one.margin) else math.inf if one.permitted else -math.inf
-
-
-def at_all_clearances(given: Mapping[str, Any]) -> dict[str, Any]:
-    """The case solved at the smallest, the mean and the largest clearance.
-
-    Raises
-    ------
-    InputError
-        E004 for a kind whose clearance has no tolerances.
-    """
-    if "clearance_cases" not in KINDS[given["kind"]].model_fields:
-        raise InputError("E004", f"a clearance of kind {given['kind']!r} has no tolerances")
-    made = {**given, "clearance_cases": "all"}
-    if bearings := given.get("bearings", ()):
-        made["bearings"] = [
-            {name: one for name, one in bearing.items() if name != "clearance_cases"} for bearing in bearings
-        ]
-    return made

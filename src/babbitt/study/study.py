@@ -23,14 +23,14 @@ from babbitt.core.files.writing import replace_synced
 from babbitt.core.nearest_name import unknown_name
 from babbitt.core.notices import InputError
 from babbitt.core.quantities import QUANTITIES
-from babbitt.core.result import Result
-from babbitt.study import design, grids, indices, optimum, size, spectrum
+from babbitt.core.result import Check, Result
+from babbitt.study import corners, design, grids, indices, optimum, size, spectrum
 from babbitt.study.appraisal import ALL_LIMITS, counted, require_known
 from babbitt.study.engine import Engine, NoWatch, Watch, chunk_size, timed
 from babbitt.study.examples import Example, first_solved, nominal_example
 from babbitt.study.inputs import Input, inputs_of
 from babbitt.study.laws import Choices, Listed
-from babbitt.study.maps import default_axes
+from babbitt.study.maps import FROM, TO, default_axes
 from babbitt.study.rows import Columns, RowTask
 from babbitt.study.sampling import batch_sizes
 from babbitt.study.store import FORMAT, Store
@@ -55,6 +55,12 @@ KEY_RESULTS = (
 FEWEST_KEY_RESULTS, MOST_OUTPUTS = 3, 12
 """Of a method that gives fewer of them its first results are kept, at most so many."""
 
+ASSUMED = {
+    "map": f"{FROM:g} to {TO:g} times what the case has (assumption)",
+    "corners": f"{corners.COLDER:g} K below and {corners.HOTTER:g} K above what the case has (assumption)",
+}
+"""Reasons of what varies where nothing is named."""
+
 SHORT = 3.0
 """Seconds of work for which no process is started: starting takes as long."""
 
@@ -71,8 +77,10 @@ class Plan:
     rows : int
     seconds_a_row : float
         Measured on the nominal case.
-    checks : tuple of dict
-        Code, quantity, limit and bound of the checks of the nominal case.
+    checks, advisories : tuple of dict
+        Code, quantity, limit and bound of the limits of the nominal case, and of what is recommended or screened.
+    not_checked : tuple of dict
+        Code and message of the checks for which the nominal case lacks data.
     given : mapping
         By the path of each input of a table its values; of other studies nothing.
     """
@@ -83,6 +91,8 @@ class Plan:
     rows: int
     seconds_a_row: float
     checks: tuple[dict[str, Any], ...]
+    advisories: tuple[dict[str, Any], ...]
+    not_checked: tuple[dict[str, str], ...]
     given: Mapping[str, NDArray[Any]] = field(default_factory=dict)
 
     @property
@@ -106,6 +116,8 @@ class Plan:
             "inputs": [_told(one, self.block.kind) for one in self.task.inputs],
             "outputs": list(self.task.outputs),
             "checks": list(self.checks),
+            "advisories": list(self.advisories),
+            "not_checked": list(self.not_checked),
             "rows": self.rows,
             "rows_in_chunk": chunk_size(self.seconds_a_row),
             "batches": batch_sizes(grids.samples_of(self.block), self.block.sampling),
@@ -113,6 +125,10 @@ class Plan:
             "case": json.loads(json.dumps(dict(self.task.given), default=str)),
             "text": self.case.text,
         }
+
+
+def _described(one: Check) -> dict[str, Any]:
+    return {"code": one.code, "quantity": one.quantity, "limit": one.limit, "bound": one.bound.value}
 
 
 def _told(one: Input, kind: str) -> dict[str, Any]:
@@ -192,15 +208,23 @@ def plan(case: CaseFile, block: StudyBlock) -> Plan:
         return _plan_of_table(case, block, table_in(case, str(block.rows)))
     stated, block = block.vary, _completed(case, block)
     inputs, rows = require_possible(case, block)
-    if block.kind == "design":
-        reasons = design.rules_of(case.kind).REASONS
-        inputs = tuple(one if one.path in stated else replace(one, reason=reasons[one.path]) for one in inputs)
-    task = _task(case, inputs)
-    if block.kind == "design" or block.over_tolerance:
-        task = replace(task, given=size.at_all_clearances(task.given))
+    followed = block.vary.keys() - stated.keys()
+    inputs = tuple(
+        replace(one, reason=_reason(case, block, one)) if one.path in followed else one for one in inputs
+    )
+    task = _task(case, inputs, block)
     if block.kind == "size":
         task = replace(task, limits=block.limits)
     return _planned(case, block, task, rows, nominal_example(case, task))
+
+
+def _with_reason(case: CaseFile, block: StudyBlock, one: Input) -> Input:
+    """A field that the study does not name, with why it varies as it does."""
+    if one.path not in block.vary:
+        return one
+    if block.kind == "design":
+        return replace(one, reason=str(design.rules_of(case.kind).REASONS[one.path]))
+    return replace(one, reason=ASSUMED.get(block.kind, one.reason))
 
 
 def plan_table(case: CaseFile, table: BearingTable, outputs: Sequence[str] = ()) -> Plan:
@@ -212,7 +236,7 @@ def plan_table(case: CaseFile, table: BearingTable, outputs: Sequence[str] = ())
 def _plan_of_table(case: CaseFile, block: StudyBlock, table: BearingTable) -> Plan:
     inputs, values = inputs_of_table(case, table)
     grids.require_bearable(table.count, 12 + len(inputs) + len(block.outputs))
-    task = _task(case, inputs)
+    task = _task(case, inputs, block)
     return replace(_planned(case, block, task, table.count, first_solved(case, task, values)), given=values)
 
 
@@ -222,13 +246,18 @@ def _planned(case: CaseFile, block: StudyBlock, task: RowTask, rows: int, exampl
     require_known(task.limits, results)
     outputs = design.rules_of(case.kind).OUTPUTS if block.kind == "design" else _outputs(block, results)
     checks = {one.code: one for result in results for one in counted(result, task.limits or (ALL_LIMITS,))}
-    told = tuple(
-        {"code": one.code, "quantity": one.quantity, "limit": one.limit, "bound": one.bound.value}
-        for one in checks.values()
-    )
-    task = replace(task, outputs=outputs, codes=tuple(checks))
+    advisories = {
+        check.code: check
+        for result in results
+        for check in result.checks
+        if check.advisory and check.code not in checks
+    }
+    lacks = {notice.code: notice.message for result in results for notice in result.not_checked}
+    task = replace(task, outputs=outputs, codes=tuple(checks), advisories=tuple(advisories))
     seconds = timed(task, {"row": np.array([0]), "group": np.array([grids.NOMINAL], object), **example.values})
-    return Plan(case, block, task, rows, seconds, told)
+    not_checked = tuple({"code": code, "message": said} for code, said in lacks.items() if code not in checks)
+    told = (tuple(map(_described, each.values())) for each in (checks, advisories))
+    return Plan(case, block, task, rows, seconds, *told, not_checked)
 
 
 def require_possible(case: CaseFile, block: StudyBlock) -> tuple[tuple[Input, ...], int]:
@@ -259,22 +288,30 @@ def _completed(case: CaseFile, block: StudyBlock) -> StudyBlock:
 
 _COMPLETED: Mapping[str, Callable[[CaseFile, StudyBlock], StudyBlock]] = {
     "map": default_axes,
+    "corners": corners.default_oil,
     "size": size.default_scan,
     "design": design.rule_choices,
 }
 
 
 def _inputs(case: CaseFile, block: StudyBlock) -> tuple[Input, ...]:
-    return spectrum.inputs_of_spectrum(case, block) if block.kind == "spectrum" else inputs_of(case, block)
+    if block.kind == "spectrum":
+        return spectrum.inputs_of_spectrum(case, block)
+    clearance = corners.clearance_input(case) if block.kind == "corners" else None
+    return (*(() if clearance is None else (clearance,)), *inputs_of(case, block))
 
 
-def _task(case: CaseFile, inputs: tuple[Input, ...]) -> RowTask:
+def _task(case: CaseFile, inputs: tuple[Input, ...], block: StudyBlock) -> RowTask:
     """The case as workers get it: the files that it names in their place."""
     origin = case.origin
     if origin is None:
         raise InputError("E005", f"{case.name}: only a case from a file, a text or a dictionary can be varied")
     model = KINDS[case.kind]
     given = model.with_named_files(dict(origin.given), NamedFiles(origin.file.parent, origin.reach))
+    if block.over_tolerance and corners.CASES not in model.model_fields:
+        raise InputError("E004", f"a clearance of kind {case.kind!r} has no tolerances")
+    if block.over_tolerance or block.kind in ("corners", "design"):
+        given = corners.at_all_clearances(given, model.model_fields)
     return RowTask(case.kind, given, origin.file, origin.reach, inputs)
 
 
@@ -288,7 +325,8 @@ def _outputs(block: StudyBlock, results: Sequence[Result]) -> tuple[str, ...]:
             raise InputError("E005", f"study.{where}: {unknown_name(name, there, 'a quantity of these results')}")
     if block.outputs:
         return asked
-    key = [name for name in KEY_RESULTS if name in there]
+    wanted = corners.CORNER_RESULTS if block.kind == "corners" else KEY_RESULTS
+    key = [name for name in wanted if name in there]
     if len(key) < FEWEST_KEY_RESULTS:
         key = [name for name in there if name not in ("wall_time", "iterations")][:MOST_OUTPUTS]
     return tuple(dict.fromkeys((*key, *asked)))
@@ -362,7 +400,7 @@ def case_of(study: Study, row: int) -> CaseFile:
     case = case_from_dict(given, study.description["name"])
     told = study.description["inputs"]
     inputs = inputs_as_told(told) if study.kind == "table" else _inputs(case, study.block)
-    task = _task(case, inputs)
+    task = _task(case, inputs, study.block)
     made = task.case({one.path: study.columns[one.path][places[0]] for one in inputs})
     assert made.origin is not None, "it was read just now"
     return made.with_origin(replace(made.origin, given=with_units(made.origin.given, made)))
@@ -464,6 +502,7 @@ GIVEN = "given"
 _ASKED: Mapping[str, Callable[[Plan, Engine], Columns]] = {
     "sweep": _grid,
     "map": _grid,
+    "corners": _grid,
     "size": _size,
     "tolerance": _tolerance,
     "sensitivity": _sensitivity,

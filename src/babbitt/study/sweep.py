@@ -12,9 +12,9 @@ from babbitt.case.case_file import CaseFile
 from babbitt.case.variation import variation_of
 from babbitt.core.notices import InputError
 from babbitt.core.result import Outcome, Result
-from babbitt.core.units import SiNumber
-from babbitt.solving import MachineResult
-from babbitt.study.case_sweep import solved_places
+from babbitt.study.case_sweep import SweepTask, answers_of
+from babbitt.study.inputs import Input
+from babbitt.study.laws import Listed
 
 __all__ = ["Sweep", "sweep", "swept"]
 
@@ -98,11 +98,16 @@ def sweep(case: CaseFile, path: str, points: Iterable[float], name: str | None =
             f"sweep takes a case, not {given}; read one with babbitt.load_case(path) or parse_case(text)"
         )
     taken = [float(point) for point in points]
-    found = solved_places(variation_of(case, path), [SiNumber(point) for point in taken])
-    chosen = name or _only_name(case.name, found.machines.values())
-    by_place = {place: _named(machine, chosen) for place, machine in found.machines.items()}
-    if taken and not any(by_place.values()):
-        there = ", ".join(_names(found.machines.values()))
+    if not taken:
+        return swept(path, [], [], {})
+    variation = variation_of(case, path)
+    varied = Input(path, variation.field, Listed(tuple(taken)))
+    task = SweepTask(case.kind, variation.given, variation.file, variation.reach, (varied,))
+    found = answers_of(task)
+    chosen = name or _only_name(case.name, found.results.values())
+    by_place = {place: _named(results, chosen) for place, results in found.results.items()}
+    if not any(by_place.values()):
+        there = ", ".join(_names(found.results.values()))
         raise InputError("E005", f"{case.name}: no result '{chosen}'; there are: {there}")
     return swept(path, taken, [by_place.get(place) for place in range(len(taken))], found.refused)
 
@@ -119,16 +124,16 @@ def _value(result: Result | None, name: str) -> float:
     return np.nan if result is None or not result.outcome.solved else result.values.get(name, np.nan)
 
 
-def _named(machine: MachineResult, name: str) -> Result | None:
-    return next((result for result in machine.results if result.name == name), None)
+def _named(results: Iterable[Result], name: str) -> Result | None:
+    return next((result for result in results if result.name == name), None)
 
 
-def _names(machines: Iterable[MachineResult]) -> dict[str, None]:
-    return dict.fromkeys(result.name for machine in machines for result in machine.results)
+def _names(answers: Iterable[Iterable[Result]]) -> dict[str, None]:
+    return dict.fromkeys(result.name for results in answers for result in results)
 
 
-def _only_name(case: str, machines: Iterable[MachineResult]) -> str:
-    names = list(_names(machines))
+def _only_name(case: str, answers: Iterable[Iterable[Result]]) -> str:
+    names = list(_names(answers))
     if len(names) > 1:
         raise InputError("E005", f"{case}: there are several results, name one of them: {', '.join(names)}")
     return names[0] if names else ""

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 
 from babbitt.core.notices import InputError
 from babbitt.core.units import QuantityError, bare_number, read
@@ -12,7 +13,10 @@ from babbitt.core.units.kinds import kind_of
 MOST_VALUES = 500
 """Values of one sweep."""
 
-ALLOWED = "such as '1 kN, 2 kN, 5 kN', or first:last:number such as '1 kN:10 kN:10'"
+ALLOWED = "such as '1 kN, 2 kN, 5 kN', first:last:number such as '1 kN:10 kN:10', or '1 kN:100 kN:7:log'"
+
+LOGARITHMIC = "log"
+"""Behind the number of values: they stand at equal ratios."""
 
 SHOWN = {"um": "µm", "degC": "°C", "degF": "°F", "deg": "°"}
 """Units of case files that tables and plots write otherwise."""
@@ -32,11 +36,14 @@ class SweepValues:
         In `unit`; None where some value is a word.
     unit : str
         Of the numbers; empty for numbers without unit.
+    logarithmic : bool
+        Whether they stand at equal ratios.
     """
 
     texts: tuple[str, ...]
     numbers: tuple[float, ...] | None
     unit: str
+    logarithmic: bool = False
 
     @property
     def unit_shown(self) -> str:
@@ -58,8 +65,8 @@ def values_of(text: str) -> SweepValues:
     Parameters
     ----------
     text : str
-        Values between commas, or the first, the last and the number of equally spaced ones between colons. All are
-        given in the unit of the first.
+        Values between commas, or the first, the last and the number of equally spaced ones between colons, at
+        equal ratios with ``:log`` behind them. All are given in the unit of the first.
 
     Raises
     ------
@@ -70,9 +77,13 @@ def values_of(text: str) -> SweepValues:
     --------
     >>> values_of("1 kN:2 kN:3").texts, values_of("500 N, 1 kN").numbers, values_of("draft, reference").numbers
     (('1 kN', '1.5 kN', '2 kN'), (500.0, 1000.0), None)
+    >>> values_of("1 kN:100 kN:3:log").texts
+    ('1 kN', '10 kN', '100 kN')
     """
     if text.count(":") == 2:
         return _spaced(text)
+    if text.count(":") == 3 and text.rpartition(":")[2].strip() == LOGARITHMIC:
+        return replace(_spaced(text.rpartition(":")[0], _at_equal_ratios), logarithmic=True)
     texts = tuple(part.strip() for part in text.split(","))
     if not all(texts):
         raise _refused(text, "a value is empty")
@@ -84,7 +95,17 @@ def values_of(text: str) -> SweepValues:
     return SweepValues(texts, known, unit or "") if len(known) == len(texts) else SweepValues(texts, None, "")
 
 
-def _spaced(text: str) -> SweepValues:
+def _at_equal_distances(first: float, last: float, share: float) -> float:
+    return first + (last - first) * share
+
+
+def _at_equal_ratios(first: float, last: float, share: float) -> float:
+    if not first * last > 0.0:
+        raise _refused(f"{first:g}:{last:g}", "equal ratios need two ends of one sign, neither of them zero")
+    return first * float((last / first) ** share)
+
+
+def _spaced(text: str, between: Callable[[float, float, float], float] = _at_equal_distances) -> SweepValues:
     first_text, last_text, count = (part.strip() for part in text.split(":"))
     if not count.isdecimal() or not 2 <= int(count) <= MOST_VALUES:
         raise _refused(text, f"the last part is the number of values, 2 to {MOST_VALUES}")
@@ -97,7 +118,7 @@ def _spaced(text: str) -> SweepValues:
     if first is None or last is None:
         raise _refused(text, f"'{last_text}' is no quantity of the kind of '{first_text}'")
     steps = int(count) - 1
-    numbers = tuple(first + (last - first) * place / steps for place in range(steps + 1))
+    numbers = tuple(between(first, last, place / steps) for place in range(steps + 1))
     return SweepValues(tuple(f"{number:.12g} {unit}".strip() for number in numbers), numbers, unit)
 
 

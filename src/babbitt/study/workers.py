@@ -13,7 +13,7 @@ from typing import Any, Protocol
 
 from babbitt.core.notices import InputError
 from babbitt.core.optional_package import how_to_install, optional_package
-from babbitt.study.rows import Columns, RowTask, solved_rows
+from babbitt.study.rows import Columns, RowTask, answered
 
 __all__ = ["Alone", "Cluster", "Given", "Processes", "Workers"]
 
@@ -47,7 +47,7 @@ class Alone:
         """Compute a chunk now."""
         done: Future[Columns] = Future()
         try:
-            done.set_result(solved_rows(task, rows))
+            done.set_result(answered(task, rows))
         except Exception as error:
             done.set_exception(error)
         return done
@@ -77,7 +77,7 @@ class Processes:
     def submit(self, task: RowTask, rows: Columns) -> Future[Columns]:
         """Have a chunk computed."""
         with _ignored_interrupts():  # a process inherits that, and an interrupt goes to all that share a terminal
-            found = self._pool.submit(solved_rows, task, rows)
+            found = self._pool.submit(answered, task, rows)
         self._children |= set(multiprocessing.active_children())
         return found
 
@@ -118,7 +118,7 @@ class Given:
 
     def submit(self, task: RowTask, rows: Columns) -> Future[Columns]:
         """Have a chunk computed."""
-        return self._executor.submit(solved_rows, task, rows)
+        return self._executor.submit(answered, task, rows)
 
     def renew(self) -> bool:
         """Whoever made the executor renews it."""
@@ -154,7 +154,7 @@ class Cluster:
 
     def submit(self, task: RowTask, rows: Columns) -> Future[Columns]:
         """Have a chunk computed; dask gives it to another worker where one is lost."""
-        found: Future[Columns] = self._executor.submit(solved_rows, task, rows)
+        found: Future[Columns] = self._executor.submit(answered, task, rows)
         return found
 
     def renew(self) -> bool:

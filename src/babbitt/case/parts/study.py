@@ -18,7 +18,9 @@ from babbitt.core.units import si
 
 __all__ = ["LoadCase", "StudyBlock", "StudyKind", "Vary", "VaryInput"]
 
-StudyKind = Literal["sweep", "size", "tolerance", "map", "sensitivity", "optimise", "design", "spectrum", "table"]
+StudyKind = Literal[
+    "sweep", "size", "tolerance", "map", "corners", "sensitivity", "optimise", "design", "spectrum", "table"
+]
 
 READ_BY: Mapping[str, tuple[str, ...]] = {
     "samples": ("tolerance", "sensitivity"),
@@ -36,6 +38,7 @@ READ_BY: Mapping[str, tuple[str, ...]] = {
     "reserve": ("design",),
     "proposals": ("design",),
     "rows": ("table",),
+    "points": ("map",),
 }
 """Which kinds read a field that not all of them do."""
 
@@ -192,6 +195,10 @@ class StudyBlock(Part):
     )
     proposals: Annotated[int, WholeNumber(1, 50)] = Field(5, description="Of a design: proposals that are made.")
 
+    points: Annotated[int, WholeNumber(2, 1000)] = Field(
+        19, description="Of a map that names no fields: values along each axis."
+    )
+
     @rule
     def _is_read(self) -> Iterator[Issue]:
         for name, kinds in READ_BY.items():
@@ -201,12 +208,16 @@ class StudyBlock(Part):
 
     @rule
     def _has_something_to_vary(self) -> Iterator[Issue]:
-        if self.kind not in ("map", "spectrum", "size", "design", "table") and not self.vary:
+        if self.kind not in ("map", "corners", "spectrum", "size", "design", "table") and not self.vary:
             says = f"names no field, and a study of kind {self.kind} varies at least one"
             yield Issue(("vary",), says, "paths of fields with their values", code="E003")
         if self.kind == "map" and self.vary and len(self.vary) != 2:
             says = f"names {len(self.vary)} field{'s' * (len(self.vary) != 1)}, and a map has two axes"
-            yield Issue(("vary",), says, "two fields, or none for speed and load")
+            yield Issue(("vary",), says, "two fields, or none for those of the kind, speed and load of most")
+        if is_given(self, "points") and self.vary:
+            yield Issue(
+                ("points",), "belongs to a map that names no fields", "kind: map without vary", "remove it"
+            )
         if self.kind == "size" and len(self.vary) + is_given(self, "field") != 1:
             says = f"names {len(self.vary) + is_given(self, 'field')} fields, and a size is sought of one"
             yield Issue(("vary",), says, "one field with its values, or field: load", code="E003")

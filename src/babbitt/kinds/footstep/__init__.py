@@ -21,5 +21,6 @@ KINDS = (
         comparison="babbitt.kinds.footstep.study.comparison:compare",
         meanings="babbitt.report.meanings:PUMPED",
         vocabulary="babbitt.kinds.footstep.report.words:FOOTSTEP_WORDS",
+        envelope=(("speed",), ("face_gap",)),  # the load follows from the gap
     ),
 )

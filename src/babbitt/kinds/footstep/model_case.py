@@ -55,6 +55,11 @@ class FootstepProblem:
         return self.footstep.groove is not None
 
     @property
+    def variant(self) -> str:
+        """What sets it apart from the other problem of its case."""
+        return "grooved heel" if self.is_grooved else "smooth heel"
+
+    @property
     def smooth(self) -> Footstep:
         """The smooth variant of the same footstep."""
         return replace(self.footstep, groove=None)

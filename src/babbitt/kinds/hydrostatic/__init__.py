@@ -1,11 +1,20 @@
 """Recessed hydrostatic and hybrid bearings: pads, thrust rings, journal bearings, jacking pockets."""
 
-from babbitt.core.kind import Kind
+from babbitt.core.kind import SPEED_AND_LOAD, Kind
 
 HERE = "babbitt.kinds.hydrostatic"
 
+PRESSURE_AND_LOAD = (("supply.pressure", "supply.pump_flow", "speed"), ("load",))
+"""A pump carries the film, whether the surfaces slide or not."""
 
-def _recessed(name: str, description: str, model: str, meanings: str) -> Kind:
+
+def _recessed(
+    name: str,
+    description: str,
+    model: str,
+    meanings: str,
+    envelope: tuple[tuple[str, ...], tuple[str, ...]] = PRESSURE_AND_LOAD,
+) -> Kind:
     return Kind(
         name=name,
         description=description,
@@ -15,6 +24,7 @@ def _recessed(name: str, description: str, model: str, meanings: str) -> Kind:
         comparison=f"{HERE}.comparison:compare",
         meanings=f"{HERE}.report.words:{meanings}",
         vocabulary=f"{HERE}.report.words:HYDROSTATIC_WORDS",
+        envelope=envelope,
     )
 
 
@@ -36,6 +46,7 @@ KINDS = (
         "recessed journal bearing, hydrostatic or hybrid",
         "hydrostatic_journal:HydrostaticJournalCase",
         "OF_RECESSED_JOURNALS",
+        SPEED_AND_LOAD,
     ),
     Kind(
         name="jacking_pocket",
@@ -45,5 +56,6 @@ KINDS = (
         views={"film": f"{HERE}.view:JACKING_FILM", "quick": f"{HERE}.view:JACKING_QUICK"},
         comparison=f"{HERE}.comparison:compare_jacking",
         meanings=f"{HERE}.report.words:JACKING",
+        envelope=(("relief_pressure", "viscosity"), ("load",)),
     ),
 )

@@ -10,6 +10,7 @@ KINDS = (
         template="babbitt.kinds.shaft:shaft.yaml",
         views={"statics": "babbitt.kinds.shaft.view:STATICS", "beam": "babbitt.kinds.shaft.view:BEAM"},
         vocabulary="babbitt.kinds.shaft.report.words:SHAFT_WORDS",
+        envelope=(("speed",), ("power",)),
     ),
     Kind(
         name="overhung_coupling",
@@ -17,5 +18,6 @@ KINDS = (
         model="babbitt.kinds.shaft.case.overhung_coupling:OverhungCouplingCase",
         template="babbitt.kinds.shaft:overhung_coupling.yaml",
         views={"statics": "babbitt.kinds.shaft.view:OVERHUNG_COUPLING"},
+        envelope=(("coupling_mass",), ("mesh_force",)),  # knows no speed and no supply
     ),
 )

@@ -218,6 +218,11 @@ class FootstepCase(CaseFile):
             tilt=self.tilt,
         )
 
+    @property
+    def diameter(self) -> float:
+        """Diameter about which the clearance is, m."""
+        return self.heel.diameter
+
     def calculations(self) -> tuple[Calculation, ...]:
         """Give the smooth heel, the grooved one, or both."""
         return tuple(Calculation(problem, METHODS[problem.method.value]) for problem in heel_cases(self))

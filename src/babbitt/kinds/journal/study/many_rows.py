@@ -234,11 +234,12 @@ def _columns(task: RowTask, rows: Columns, name: str, result: Result, verdict: V
         return np.broadcast_to(np.asarray(value, float), (count,))
 
     margins: dict[str, NDArray[np.float64]] = {}
-    for check in result.limits:
-        margin = column(check.margin)
-        margins[check.code] = np.minimum(margin, margins.get(check.code, margin))
+    advisories: dict[str, NDArray[np.float64]] = {}
+    for check in result.checks:
+        kept, margin = advisories if check.advisory else margins, column(check.margin)
+        kept[check.code] = np.minimum(margin, kept.get(check.code, margin))
     values = {one: column(result.values.get(one, np.nan)) for one in task.outputs}
-    return answers_of_arrays(task, rows, name, values, margins, np.full(count, verdict.key, object))
+    return answers_of_arrays(task, rows, name, values, margins, np.full(count, verdict.key, object), advisories)
 
 
 def _lanes_in(answers: Sequence[tuple[Index, Columns]]) -> Index:
