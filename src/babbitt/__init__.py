@@ -127,6 +127,7 @@ if TYPE_CHECKING:
         Lobes,
         MeasuredBore,
         Misalignment,
+        MixedFriction,
         OperatingPoint,
         ParabolicCrowning,
         Pocket,
@@ -248,9 +249,9 @@ _NAMES = {
     "babbitt.api.journal_parts": (
         "ConductingBush ConductingHousing ConductingJournal Displacement EdgeCrowning Groove "
         "GrooveElement HeatExchange Hole HoleElement Liner LoadTable Lobes MeasuredBore Misalignment "
-        "OperatingPoint ParabolicCrowning Pocket PocketElement Position PressureDam PressureViscosity "
-        "Relief RotatingLoad RoundBore SegmentOptions SlotElement Step TableCrowning TaperedBore "
-        "UnevenPockets Walls WornBore"
+        "MixedFriction OperatingPoint ParabolicCrowning Pocket PocketElement Position PressureDam "
+        "PressureViscosity Relief RotatingLoad RoundBore SegmentOptions SlotElement Step TableCrowning "
+        "TaperedBore UnevenPockets Walls WornBore"
     ),
     "babbitt.api.methods": "Film Iso7902 LongFilm Segments",
     "babbitt.api.catalogue": "explain lubricants materials published_cases validate",
@@ -349,6 +350,7 @@ __all__ = [
     "Metal",
     "MeteredFlow",
     "Misalignment",
+    "MixedFriction",
     "OnePad",
     "OperatingPoint",
     "Orifice",

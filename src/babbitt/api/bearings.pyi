@@ -87,6 +87,7 @@ class JournalBearing(Case, files.JournalCase):
         effective_temperature: Quantity | None = ...,
         operating_points: Iterable[Any] | None = ...,
         friction: Mapping[str, Any] | Part | None = ...,
+        mixed_friction: Mapping[str, Any] | Part | None = ...,
         cavitation_pressure: Quantity | None = ...,
         pressure_viscosity: Mapping[str, Any] | Part | None = ...,
         walls: Mapping[str, Any] | Part | None = ...,

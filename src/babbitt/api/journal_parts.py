@@ -15,6 +15,7 @@ from babbitt.kinds.journal.case import (
     film_surface,
     grooved_segments,
     heat_exchange,
+    mixed_friction,
     operating_point,
     supply_element,
 )
@@ -35,6 +36,7 @@ __all__ = [
     "Lobes",
     "MeasuredBore",
     "Misalignment",
+    "MixedFriction",
     "OperatingPoint",
     "ParabolicCrowning",
     "Pocket",
@@ -170,6 +172,10 @@ class RotatingLoad(OwnPart, dynamic_load.RotatingLoadInput):
 
 class LoadTable(OwnPart, dynamic_load.LoadTableInput):
     """A load by table over the angle that the journal turns."""
+
+
+class MixedFriction(OwnPart, mixed_friction.MixedFrictionInput):
+    """Contact of asperities, for the Stribeck curve with its mixed branch."""
 
 
 class OperatingPoint(OwnPart, operating_point.OperatingPoint):

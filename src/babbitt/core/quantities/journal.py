@@ -171,6 +171,20 @@ JOURNAL: tuple[Quantity, ...] = (
         "Film thickness at transition to mixed friction",
     ),
     quantity("transition_speed", "N_tr", "rad/s", "rpm", 3, "Hydrodynamic speed of transition to mixed friction"),
+    # mixed friction
+    quantity("composite_roughness", "σ", "m", "um", 3, "Composite rms roughness of both surfaces"),
+    quantity("contact_modulus", "E'", "Pa", "GPa", 3, "Composite elastic modulus of the asperities"),
+    quantity(
+        "asperity_transition_speed", "N_mix", "rad/s", "rpm2", 3, "Speed at which asperities carry 1 % of the load"
+    ),
+    quantity("asperity_load_share", "s_a", "1", "percent", 3, "Share of the load on asperities"),
+    quantity("film_parameter", "Λ", "1", "", 3, "Least gap over composite roughness, with asperities"),
+    quantity("mixed_friction_coefficient", "f_m", "1", "", 3, "Friction coefficient of film and asperities"),
+    quantity("least_friction_coefficient", "f_min", "1", "", 3, "Least friction coefficient over the speed"),
+    quantity("least_friction_speed", "N_f,min", "rad/s", "rpm2", 3, "Speed of the least friction coefficient"),
+    quantity(
+        "stribeck", "f(N)", "SI", "", 4, "Rows of speed, friction coefficient, that of the film, share, least gap"
+    ),
     quantity(
         "stability_relative_clearance",
         "ψ_min",
