@@ -62,11 +62,9 @@ def _warnings(curve: StribeckCurve) -> Iterator[Notice]:
     if here.share >= TRANSITION_SHARE:
         yield Notice("W137", "share", {"share": here.share})
     slowest = curve.points[0]
-    known = {"speed": slowest.speed, "share": slowest.share}
-    if curve.ended is Outcome.OVERLOADED:
-        yield Notice("W138", "thin", known)
-    elif curve.ended is not None:
-        yield Notice("W138", "not_found", known)
+    if curve.ended is not None:
+        variant = "thin" if curve.ended is Outcome.OVERLOADED else "not_found"
+        yield Notice("W138", variant, {"speed": slowest.speed, "share": slowest.share})
 
 
 def mixed_assumptions(case: FilmCase) -> Iterator[str]:
