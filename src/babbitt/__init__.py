@@ -87,6 +87,7 @@ if TYPE_CHECKING:
         VogelLubricant,
         WaltherLubricant,
     )
+    from babbitt.api.designs import compare
     from babbitt.api.footstep_parts import (
         FigureRanges,
         FootstepGroove,
@@ -241,6 +242,7 @@ _NAMES = {
         "RadialClearance RelativeClearance Ring SizeLimits Structure Supply Surfaces TableLubricant Tube "
         "TwoPointLubricant ViscosityIndexLubricant VogelLubricant WaltherLubricant"
     ),
+    "babbitt.api.designs": "compare",
     "babbitt.api.footstep_parts": "FigureRanges Heel FootstepGroove FootstepOil FootstepOptions FootstepWall",
     "babbitt.api.hydrostatic_parts": (
         "AnnularPad Capillary CircularPad ConstantFlow FlowValve HydrostaticOil HydrostaticSupply "
@@ -427,6 +429,7 @@ __all__ = [
     "WaltherLubricant",
     "WornBore",
     "__version__",
+    "compare",
     "diametral_clearance",
     "explain",
     "fit",

@@ -172,7 +172,7 @@ JOURNAL: tuple[Quantity, ...] = (
     ),
     quantity("transition_speed", "N_tr", "rad/s", "rpm", 3, "Hydrodynamic speed of transition to mixed friction"),
     # mixed friction
-    quantity("composite_roughness", "σ", "m", "um", 3, "Composite rms roughness of both surfaces"),
+    quantity("composite_roughness", "R_q", "m", "um", 3, "Composite rms roughness of both surfaces"),
     quantity("contact_modulus", "E'", "Pa", "GPa", 3, "Composite elastic modulus of the asperities"),
     quantity(
         "asperity_transition_speed", "N_mix", "rad/s", "rpm2", 3, "Speed at which asperities carry 1 % of the load"
