@@ -77,6 +77,7 @@ def _missing(bearing: JournalBearing, machine: SharedInputs | None, path: Path) 
             and supply.flow is None
             and not _all_give(points, "supply_pressure", "supply_flow")
             and not bearing.feeds_itself()
+            and getattr(machine, "oil_system", None) is None
         ):
             yield lacks("pressure", "supply", "gauge pressure such as '0.2 MPa', or flow for the film method")
         own = bearing.supply is not None and bearing.supply.flow is not None
