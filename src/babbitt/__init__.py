@@ -129,6 +129,9 @@ if TYPE_CHECKING:
         MeasuredBore,
         Misalignment,
         MixedFriction,
+        OilLine,
+        OilPump,
+        OilSystem,
         OperatingPoint,
         ParabolicCrowning,
         Pocket,
@@ -136,6 +139,7 @@ if TYPE_CHECKING:
         Position,
         PressureDam,
         PressureViscosity,
+        PumpPoint,
         Relief,
         RotatingLoad,
         RoundBore,
@@ -251,9 +255,9 @@ _NAMES = {
     "babbitt.api.journal_parts": (
         "ConductingBush ConductingHousing ConductingJournal Displacement EdgeCrowning Groove "
         "GrooveElement HeatExchange Hole HoleElement Liner LoadTable Lobes MeasuredBore Misalignment "
-        "MixedFriction OperatingPoint ParabolicCrowning Pocket PocketElement Position PressureDam "
-        "PressureViscosity Relief RotatingLoad RoundBore SegmentOptions SlotElement Step TableCrowning "
-        "TaperedBore UnevenPockets Walls WornBore"
+        "MixedFriction OilLine OilPump OilSystem OperatingPoint ParabolicCrowning Pocket PocketElement Position "
+        "PressureDam PressureViscosity PumpPoint Relief RotatingLoad RoundBore SegmentOptions SlotElement Step "
+        "TableCrowning TaperedBore UnevenPockets Walls WornBore"
     ),
     "babbitt.api.methods": "Film Iso7902 LongFilm Segments",
     "babbitt.api.catalogue": "explain lubricants materials published_cases validate",
@@ -353,6 +357,9 @@ __all__ = [
     "MeteredFlow",
     "Misalignment",
     "MixedFriction",
+    "OilLine",
+    "OilPump",
+    "OilSystem",
     "OnePad",
     "OperatingPoint",
     "Orifice",
@@ -377,6 +384,7 @@ __all__ = [
     "PowerLawLubricant",
     "PressureDam",
     "PressureViscosity",
+    "PumpPoint",
     "Propeller",
     "RecessOil",
     "RecessRow",

@@ -1,10 +1,11 @@
-"""Asperities beside the film: closed forms of the contact, balance of forces, friction from boundary to film."""
+"""Asperities that share the load with the film: closed forms of the contact, balance of forces, friction from boundary to film."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import replace
 from functools import cache
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -121,8 +122,8 @@ def test_curve_has_its_least_between_boundary_and_hydrodynamic_friction():
     place = friction.index(min(friction))
     assert speeds == sorted(speeds)
     assert 0 < place < len(friction) - 1
-    assert all(slow > fast for slow, fast in zip(friction[:place], friction[1 : place + 1], strict=True))
-    assert all(slow < fast for slow, fast in zip(friction[place:-1], friction[place + 1 :], strict=True))
+    assert all(slow > fast for slow, fast in pairwise(friction[: place + 1]))
+    assert all(slow < fast for slow, fast in pairwise(friction[place:]))
     assert share == sorted(share, reverse=True)
     assert found.points[-1].share < 1e-9
     assert found.points[-1].friction_coefficient == pytest.approx(found.points[-1].film_friction, rel=1e-9)

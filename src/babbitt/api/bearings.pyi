@@ -114,6 +114,7 @@ class Machine(Case, files.Machine):
         name: str | None = ...,
         clearance_cases: Literal["mean", "all"] | Enum | None = ...,
         bearings: Iterable[Any] | None = ...,
+        oil_system: Mapping[str, Any] | Part | None = ...,
         assumptions: Iterable[Any] | None = ...,
         notes: str | None = ...,
         source: str | None = ...,

@@ -16,6 +16,7 @@ from babbitt.kinds.journal.case import (
     grooved_segments,
     heat_exchange,
     mixed_friction,
+    oil_system,
     operating_point,
     supply_element,
 )
@@ -37,6 +38,9 @@ __all__ = [
     "MeasuredBore",
     "Misalignment",
     "MixedFriction",
+    "OilLine",
+    "OilPump",
+    "OilSystem",
     "OperatingPoint",
     "ParabolicCrowning",
     "Pocket",
@@ -44,6 +48,7 @@ __all__ = [
     "Position",
     "PressureDam",
     "PressureViscosity",
+    "PumpPoint",
     "Relief",
     "RotatingLoad",
     "RoundBore",
@@ -176,6 +181,22 @@ class LoadTable(OwnPart, dynamic_load.LoadTableInput):
 
 class MixedFriction(OwnPart, mixed_friction.MixedFrictionInput):
     """Contact of asperities, for the Stribeck curve with its mixed branch."""
+
+
+class OilSystem(OwnPart, oil_system.OilSystemInput):
+    """Pump, header and a line to each bearing of a machine."""
+
+
+class OilPump(OwnPart, oil_system.PumpInput):
+    """The pump of an oil system."""
+
+
+class PumpPoint(OwnPart, oil_system.PumpPoint):
+    """One point of the curve of a pump."""
+
+
+class OilLine(OwnPart, oil_system.LineInput):
+    """From the header to one bearing: a tube, an orifice, or both."""
 
 
 class OperatingPoint(OwnPart, operating_point.OperatingPoint):

@@ -67,7 +67,7 @@ def changing_load_is_added_to_a_load(bearing: JournalBearing) -> Iterator[Issue]
 
 @rule
 def mixed_friction_goes_with_the_film(bearing: JournalBearing) -> Iterator[Issue]:
-    """Complain about asperities in films whose position, bore or oil does not stand still beside them."""
+    """Complain about asperities in films whose bore, position or oil the mixed branch does not know."""
     if bearing.mixed_friction is None or bearing.method != "film":
         return
     if bearing.cavitation == "half_sommerfeld":

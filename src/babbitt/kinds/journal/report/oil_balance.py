@@ -4,12 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Result
+from babbitt.report.inputs import InputGroup, Row
 
-__all__ = ["sentences", "tables"]
+if TYPE_CHECKING:
+    from babbitt.kinds.journal.oil_balance.model import Line, OilSystemProblem
+
+__all__ = ["oil_system_inputs", "sentences", "tables"]
 
 COLUMNS = {
     "line_pressure": "pressure",
@@ -27,6 +31,31 @@ NOTE = (
     "share of all oil, Reynolds number of the tube, orifice as it is, and the orifice that gives the need with "
     "its margin."
 )
+
+
+def oil_system_inputs(problem: OilSystemProblem) -> Iterator[InputGroup]:
+    """Pump and lines as inputs."""
+    pump = problem.system.pump
+    points = tuple(
+        Row(f"Delivery at {QUANTITIES['header_pressure'].with_unit(pressure)}", f"{6e4 * flow:.4g}", None, "L/min")
+        for pressure, flow in pump.curve
+    )
+    relief = Row("Relief valve opens at", f"{1e-3 * pump.relief_pressure:.4g}", None, "kPa")
+    yield InputGroup("Pump", (*points, relief))
+    yield InputGroup("Lines", tuple(Row(line.bearing, _describe(line)) for line in problem.system.lines))
+
+
+def _describe(line: Line) -> str:
+    said = []
+    if line.tube is not None:
+        one = line.tube
+        number = "" if one.number == 1.0 else f"{one.number:.0f} tubes in parallel, each "
+        said.append(
+            f"{number}tube d = {1e3 * one.diameter:.4g} mm, l = {one.length:.4g} m, ζ = {one.loss_coefficient:.4g}"
+        )
+    if line.orifice_diameter is not None:
+        said.append(f"orifice d = {1e3 * line.orifice_diameter:.4g} mm, C_d = {line.discharge_coefficient:.3g}")
+    return "; ".join(said)
 
 
 def tables(result: Result) -> Iterator[dict[str, Any]]:

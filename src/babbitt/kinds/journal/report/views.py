@@ -15,7 +15,7 @@ from babbitt.kinds.journal.report.citations import (
 )
 from babbitt.kinds.journal.report.columns import COLUMNS, OVERVIEW_COLUMNS
 from babbitt.kinds.journal.report.key_results import KEY_RESULTS
-from babbitt.kinds.journal.report.oil_balance import sentences, tables
+from babbitt.kinds.journal.report.oil_balance import oil_system_inputs, sentences, tables
 from babbitt.kinds.journal.report.one_dimension import OWN_RESULTS
 from babbitt.kinds.journal.report.result_rows import supply_rows
 from babbitt.report.view import View, lubricant_of
@@ -90,6 +90,7 @@ LONG_FILM = replace(
 
 OIL_BALANCE = View(
     title="Oil balance of the machine",
+    inputs=oil_system_inputs,
     tables=tables,
     terminal_tables=tables,
     sentences=sentences,
