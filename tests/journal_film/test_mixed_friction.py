@@ -1,4 +1,4 @@
-"""Asperities that share the load with the film: closed forms of the contact, balance of forces, friction from boundary to film."""
+"""Asperities that share the load with the film: closed forms, balance of forces, friction over the speed."""
 
 from __future__ import annotations
 

@@ -186,7 +186,7 @@ class _Balance:
         stiffness = self.solution.stiffness + self.contact.stiffness
         if not np.isfinite(stiffness).all() or abs(np.linalg.det(stiffness)) == 0.0:
             return None
-        return np.linalg.solve(stiffness, self._residual)
+        return np.asarray(np.linalg.solve(stiffness, self._residual), dtype=np.float64)
 
 
 def mixed_point(

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
@@ -103,8 +102,3 @@ class OilSystemProblem:
     given: tuple[tuple[str, str], ...] = ()
     warnings: tuple[Notice, ...] = ()
     assumptions: tuple[str, ...] = ()
-
-    @property
-    def bearings(self) -> tuple[Any, ...]:
-        """The problems of the bearings."""
-        return tuple(one.problem for one in self.calculations)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from typing import Any
 
 from babbitt.core.solution import Calculation, Solution
 from babbitt.design.conditions import OilSupply
@@ -116,16 +117,14 @@ def fed(calculation: Calculation, line: Line, pressure: float) -> FedBearing:
     ------
     UnsolvedBearingError
     """
-    problem: object = calculation.problem
-    supply: OilSupply = problem.oil_supply  # type: ignore[attr-defined]
-    solution = calculation.method.solve_one(
-        replace(problem, oil_supply=replace(supply, pressure=pressure))  # type: ignore[type-var]
-    )
+    problem: Any = calculation.problem
+    supply: OilSupply = problem.oil_supply
+    solution = calculation.method.solve_one(replace(problem, oil_supply=replace(supply, pressure=pressure)))
     values = solution.result.values
     if not solution.result.outcome.solved or "side_flow" not in values:
         raise UnsolvedBearingError(solution, pressure)
     supplied = min(pumped_flow(values), values.get("supply_limit", math.inf))
-    oil = problem.lubricant  # type: ignore[attr-defined]
+    oil = problem.lubricant
     density, kinematic = oil.density(supply.temperature), oil.kinematic_viscosity(supply.temperature)
     lost = sum(duct.pressure_loss(supplied, density, kinematic) for duct in line.ducts)
     reynolds = math.nan if line.tube is None else line.tube.reynolds_number(supplied, kinematic)

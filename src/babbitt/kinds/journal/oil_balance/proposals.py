@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from typing import Any
 
 from babbitt.core.solution import Calculation
 from babbitt.kinds.journal.oil_balance.model import Line, OilSystemProblem, Pump
@@ -56,10 +57,10 @@ def proposed(problem: OilSystemProblem) -> Proposal:
 
 def _wanted(calculation: Calculation, line: Line, margin: float, most: float) -> FedBearing | None:
     """The bearing at the pressure at its inlet at which it takes its need and the margin; None without one."""
-    problem: object = calculation.problem
-    supply = problem.oil_supply  # type: ignore[attr-defined]
+    problem: Any = calculation.problem
+    supply = problem.oil_supply
     alone = replace(supply, tubes=supply.tubes[len(line.ducts) :])
-    bare = replace(calculation, problem=replace(problem, oil_supply=alone))  # type: ignore[type-var]
+    bare = replace(calculation, problem=replace(problem, oil_supply=alone))
     unfed = Line(line.bearing, None, None)
 
     def surplus(pressure: float) -> float:
@@ -88,8 +89,8 @@ def _header(pump: Pump, flow: float) -> float:
 
 def _orifice(calculation: Calculation, line: Line, wanted: FedBearing, header: float) -> float:
     """Diameter in m of the orifice of a line; NaN where nothing of the pressure is left for it."""
-    problem: object = calculation.problem
-    oil, supply = problem.lubricant, problem.oil_supply  # type: ignore[attr-defined]
+    problem: Any = calculation.problem
+    oil, supply = problem.lubricant, problem.oil_supply
     density, kinematic = oil.density(supply.temperature), oil.kinematic_viscosity(supply.temperature)
     lost = 0.0 if line.tube is None else line.tube.pressure_loss(wanted.supplied, density, kinematic)
     left = header - lost - wanted.pressure
