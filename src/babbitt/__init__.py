@@ -90,6 +90,7 @@ if TYPE_CHECKING:
     from babbitt.api.designing import (
         design_bearing,
     )
+    from babbitt.api.designs import compare
     from babbitt.api.footstep_parts import (
         FigureRanges,
         FootstepGroove,
@@ -130,6 +131,10 @@ if TYPE_CHECKING:
         Lobes,
         MeasuredBore,
         Misalignment,
+        MixedFriction,
+        OilLine,
+        OilPump,
+        OilSystem,
         OperatingPoint,
         ParabolicCrowning,
         Pocket,
@@ -137,6 +142,7 @@ if TYPE_CHECKING:
         Position,
         PressureDam,
         PressureViscosity,
+        PumpPoint,
         Relief,
         RotatingLoad,
         RoundBore,
@@ -244,6 +250,7 @@ _NAMES = {
         "TwoPointLubricant ViscosityIndexLubricant VogelLubricant WaltherLubricant"
     ),
     "babbitt.api.designing": "design_bearing",
+    "babbitt.api.designs": "compare",
     "babbitt.api.footstep_parts": "FigureRanges Heel FootstepGroove FootstepOil FootstepOptions FootstepWall",
     "babbitt.api.hydrostatic_parts": (
         "AnnularPad Capillary CircularPad ConstantFlow FlowValve HydrostaticOil HydrostaticSupply "
@@ -252,9 +259,9 @@ _NAMES = {
     "babbitt.api.journal_parts": (
         "ConductingBush ConductingHousing ConductingJournal Displacement EdgeCrowning Groove "
         "GrooveElement HeatExchange Hole HoleElement Liner LoadTable Lobes MeasuredBore Misalignment "
-        "OperatingPoint ParabolicCrowning Pocket PocketElement Position PressureDam PressureViscosity "
-        "Relief RotatingLoad RoundBore SegmentOptions SlotElement Step TableCrowning TaperedBore "
-        "UnevenPockets Walls WornBore"
+        "MixedFriction OilLine OilPump OilSystem OperatingPoint ParabolicCrowning Pocket PocketElement Position "
+        "PressureDam PressureViscosity PumpPoint Relief RotatingLoad RoundBore SegmentOptions SlotElement Step "
+        "TableCrowning TaperedBore UnevenPockets Walls WornBore"
     ),
     "babbitt.api.methods": "Film Iso7902 LongFilm Segments",
     "babbitt.api.catalogue": "explain lubricants materials published_cases validate",
@@ -353,6 +360,10 @@ __all__ = [
     "Metal",
     "MeteredFlow",
     "Misalignment",
+    "MixedFriction",
+    "OilLine",
+    "OilPump",
+    "OilSystem",
     "OnePad",
     "OperatingPoint",
     "Orifice",
@@ -377,6 +388,7 @@ __all__ = [
     "PowerLawLubricant",
     "PressureDam",
     "PressureViscosity",
+    "PumpPoint",
     "Propeller",
     "RecessOil",
     "RecessRow",
@@ -430,6 +442,7 @@ __all__ = [
     "WornBore",
     "__version__",
     "design_bearing",
+    "compare",
     "diametral_clearance",
     "explain",
     "fit",

@@ -57,6 +57,7 @@ CHANGED = {
     "rotor_mass": "300 kg",
     "shaft_stiffness": "50 MN/m",
     "effective_temperature": "65 degC",
+    "mixed_friction": {"boundary_friction": 0.2},
     "friction": {"model": "arc"},
     "characteristics": "closed_form",
     "cavitation": "reynolds",

@@ -15,6 +15,8 @@ from babbitt.kinds.journal.case import (
     film_surface,
     grooved_segments,
     heat_exchange,
+    mixed_friction,
+    oil_system,
     operating_point,
     supply_element,
 )
@@ -35,6 +37,10 @@ __all__ = [
     "Lobes",
     "MeasuredBore",
     "Misalignment",
+    "MixedFriction",
+    "OilLine",
+    "OilPump",
+    "OilSystem",
     "OperatingPoint",
     "ParabolicCrowning",
     "Pocket",
@@ -42,6 +48,7 @@ __all__ = [
     "Position",
     "PressureDam",
     "PressureViscosity",
+    "PumpPoint",
     "Relief",
     "RotatingLoad",
     "RoundBore",
@@ -170,6 +177,26 @@ class RotatingLoad(OwnPart, dynamic_load.RotatingLoadInput):
 
 class LoadTable(OwnPart, dynamic_load.LoadTableInput):
     """A load by table over the angle that the journal turns."""
+
+
+class MixedFriction(OwnPart, mixed_friction.MixedFrictionInput):
+    """Contact of asperities, for the Stribeck curve with its mixed branch."""
+
+
+class OilSystem(OwnPart, oil_system.OilSystemInput):
+    """Pump, header and a line to each bearing of a machine."""
+
+
+class OilPump(OwnPart, oil_system.PumpInput):
+    """The pump of an oil system."""
+
+
+class PumpPoint(OwnPart, oil_system.PumpPoint):
+    """One point of the curve of a pump."""
+
+
+class OilLine(OwnPart, oil_system.LineInput):
+    """From the header to one bearing: a tube, an orifice, or both."""
 
 
 class OperatingPoint(OwnPart, operating_point.OperatingPoint):

@@ -7,7 +7,7 @@ from typing import Any, ClassVar, Literal, SupportsFloat, SupportsIndex, TypeAli
 from babbitt.api.part import OwnPart
 from babbitt.case.part import Part
 from babbitt.case.parts import position, walls
-from babbitt.kinds.journal.case import dynamic_load, film_features, film_heat, film_oil, film_surface, grooved_segments, heat_exchange, operating_point, supply_element
+from babbitt.kinds.journal.case import dynamic_load, film_features, film_heat, film_oil, film_surface, grooved_segments, heat_exchange, mixed_friction, oil_system, operating_point, supply_element
 
 Quantity: TypeAlias = str | SupportsFloat
 
@@ -292,6 +292,53 @@ class LoadTable(OwnPart, dynamic_load.LoadTableInput):
         fy: Iterable[Quantity] | None = ...,
         file: str | None = ...,
         moving_mass: Quantity | None = ...,
+    ) -> None: ...
+
+class MixedFriction(OwnPart, mixed_friction.MixedFrictionInput):
+    def __init__(
+        self,
+        *,
+        boundary_friction: Quantity | None = ...,
+        composite_roughness: Quantity | None = ...,
+        asperity_density: Quantity | None = ...,
+        asperity_sharpness: Quantity | None = ...,
+        contact_modulus: Quantity | None = ...,
+    ) -> None: ...
+
+class OilSystem(OwnPart, oil_system.OilSystemInput):
+    def __init__(
+        self,
+        *,
+        pump: Mapping[str, Any] | Part | None = ...,
+        lines: Iterable[Any] | None = ...,
+        margin: Quantity | None = ...,
+    ) -> None: ...
+
+class OilPump(OwnPart, oil_system.PumpInput):
+    def __init__(
+        self,
+        *,
+        flow: Quantity | None = ...,
+        curve: Iterable[Any] | None = ...,
+        relief_pressure: Quantity | None = ...,
+    ) -> None: ...
+
+class PumpPoint(OwnPart, oil_system.PumpPoint):
+    def __init__(
+        self,
+        *,
+        pressure: Quantity | None = ...,
+        flow: Quantity | None = ...,
+    ) -> None: ...
+
+class OilLine(OwnPart, oil_system.LineInput):
+    def __init__(
+        self,
+        *,
+        bearing: str | None = ...,
+        orifice_diameter: Quantity | None = ...,
+        discharge_coefficient: Quantity | None = ...,
+        tube: Mapping[str, Any] | Part | None = ...,
     ) -> None: ...
 
 class OperatingPoint(OwnPart, operating_point.OperatingPoint):

@@ -1,4 +1,4 @@
-"""Commands that calculate: solve, check, compare, sweep, export."""
+"""Commands that calculate: solve, check, sweep, export."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from babbitt.cli.interruption import INTERRUPTED, raised_interrupts
 from babbitt.cli.upgrading import report_former_places
 from babbitt.core.files.printing import printable
 
-__all__ = ["check", "compare", "export", "solve", "sweep"]
+__all__ = ["check", "export", "solve", "sweep"]
 
 
 @app.command()
@@ -142,48 +142,6 @@ def check(files: Files, allow_outside: AllowOutside = False) -> None:
             print(f"  {place} (`babbitt upgrade` moves it)")
     if problems:
         raise CaseError(problems)
-
-
-@app.command()
-def compare(
-    file: Annotated[Path, typer.Argument(metavar="FILE", help="A case file.")],
-    plots: Annotated[
-        Path | None, typer.Option(metavar="DIR", help="Write one figure per journal bearing into a folder.")
-    ] = None,
-    report: Annotated[
-        Path | None, typer.Option(metavar="OUT", help="Write figures, tables and remarks as one page: OUT.html.")
-    ] = None,
-    allow_outside: AllowOutside = False,
-) -> None:
-    """Solve the same bearings by every method that applies, side by side."""
-    from babbitt.case import load_case
-    from babbitt.core.files.writing import require_distinct
-    from babbitt.report.comparison_table import print_comparison
-    from babbitt.report.outputs import inputs_of
-    from babbitt.study.comparison import compare_methods
-
-    case = load_case(file, reach(allow_outside))
-    report_former_places(file, case)
-    require_distinct([path for path in (report, plots) if path is not None], inputs_of([file], case.files))
-    if report is not None or plots is not None:
-        from babbitt.report.drawing import require_extra
-
-        require_extra("matplotlib", "plots")
-    if report is not None:
-        from babbitt.report.comparison_page import require_page
-
-        require_page(report)
-    found = compare_methods(case)
-    if plots is not None:
-        from babbitt.report.comparison_plots import write_comparison_plots
-
-        write_comparison_plots(found, plots)
-    if report is not None:
-        from babbitt.report.comparison_page import write_comparison_page
-
-        write_comparison_page(found, report)
-    if not print_comparison(found):
-        raise typer.Exit(NO_SOLUTION)
 
 
 @app.command(context_settings={"ignore_unknown_options": True})  # VALUES may begin with a minus sign

@@ -42,6 +42,10 @@ class Duct:
     loss_coefficient: float = 0.0
     number: float = 1.0
 
+    def reynolds_number(self, flow: float, kinematic_viscosity: float) -> float:
+        """Of a flow in m³/s, with the mean velocity and the diameter."""
+        return 4.0 * flow / (self.number * math.pi * self.diameter * kinematic_viscosity)
+
     def pressure_loss(self, flow: float, density: float, kinematic_viscosity: float) -> float:
         """Pressure loss in Pa of a flow in m³/s.
 

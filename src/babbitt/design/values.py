@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Mapping
 from typing import Protocol
 
 from babbitt.design.conditions import CheckedProblem, contact_film, sliding_speed, surface_speed
@@ -127,3 +129,13 @@ def limit_values(case: CheckedProblem) -> Named:
     if contact is not None:
         values["transition_film_thickness"] = contact
     return values
+
+
+def pumped_flow(values: Mapping[str, float]) -> float:
+    """Oil in m³/s that a pump brings to a bearing; NaN where its flow is not known.
+
+    What leaves the film, less what its sides draw in from the surroundings, and the part of a given flow that
+    returns without passing the film.
+    """
+    leaving = values.get("total_flow", math.nan)
+    return leaving - values.get("side_inflow", 0.0) + values.get("surplus_flow", 0.0)

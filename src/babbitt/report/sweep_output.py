@@ -51,7 +51,7 @@ def require_outputs(
     outputs = [output for output in (table, plot) if output is not None and str(output) != STANDARD_OUTPUT]
     require_distinct(outputs, inputs_of([variation.file], variation.inputs))
     if table is not None and str(table) != STANDARD_OUTPUT:
-        _require_ending(table)
+        require_ending(table)
     for output in outputs:
         require_writable(output)
     if plot is not None:
@@ -91,7 +91,8 @@ def write_outputs(
         write_sweep_plot(sweep, plot, chosen)
 
 
-def _require_ending(table: Path) -> None:
+def require_ending(table: Path) -> None:
+    """Refuse a table of results with another ending, with E007."""
     ending = table.suffix.lower()
     if ending not in ENDINGS:
         given = f"not {table.suffix}" if table.suffix else "and the name given has no ending"

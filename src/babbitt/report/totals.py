@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Result
+from babbitt.design.values import pumped_flow
 from babbitt.report.columns import is_fed
 from babbitt.report.machine_table import in_machine_table
 from babbitt.report.names import bearing_of
@@ -104,10 +105,5 @@ def _value_of(name: str) -> Callable[[Result], float]:
 
 
 def _pumped(result: Result) -> float:
-    """Oil in m3/s that a pump brings to a bearing.
-
-    What leaves the film, less what its sides draw in from the surroundings, and the part of a given flow that
-    returns without passing the film.
-    """
-    values = result.values
-    return _value_of("total_flow")(result) - values.get("side_inflow", 0.0) + values.get("surplus_flow", 0.0)
+    """Oil in m3/s that a pump brings to a bearing."""
+    return pumped_flow(result.values)

@@ -171,6 +171,33 @@ JOURNAL: tuple[Quantity, ...] = (
         "Film thickness at transition to mixed friction",
     ),
     quantity("transition_speed", "N_tr", "rad/s", "rpm", 3, "Hydrodynamic speed of transition to mixed friction"),
+    # oil system of a machine
+    quantity("header_pressure", "p_H", "Pa", "kPa", 4, "Gauge pressure of the header"),
+    quantity("pump_delivery", "Q_P", "m3/s", "L/min", 4, "Delivery of the pump"),
+    quantity("least_supply_ratio", "r_min", "1", "", 4, "Least oil supplied over oil needed of all bearings"),
+    quantity("oil_balance_error", "δ_sys", "1", "balance", 2, "Defect of the flows over the delivery of the pump"),
+    quantity("line_pressure", "p_L", "Pa", "kPa", 4, "Gauge pressure at the end of the line"),
+    quantity("line_flow", "Q_L", "m3/s", "L/min", 4, "Oil supplied through the line"),
+    quantity("line_need", "Q_need", "m3/s", "L/min", 4, "Oil that the film draws by its own pressure"),
+    quantity("line_supply_ratio", "r", "1", "", 4, "Oil supplied over oil needed"),
+    quantity("line_share", "s_Q", "1", "percent", 3, "Share of the oil of all bearings"),
+    quantity("line_reynolds_number", "Re_L", "1", "count", 4, "Reynolds number of the tube of the line"),
+    quantity("line_orifice", "d_o", "m", "mm", 4, "Diameter of the orifice"),
+    quantity("line_orifice_proposed", "d_o,p", "m", "mm", 4, "Orifice that gives the need with its margin"),
+    # mixed friction
+    quantity("composite_roughness", "R_q", "m", "um", 3, "Composite rms roughness of both surfaces"),
+    quantity("contact_modulus", "E'", "Pa", "GPa", 3, "Composite elastic modulus of the asperities"),
+    quantity(
+        "asperity_transition_speed", "N_mix", "rad/s", "rpm2", 3, "Speed at which asperities carry 1 % of the load"
+    ),
+    quantity("asperity_load_share", "s_a", "1", "percent", 3, "Share of the load on asperities"),
+    quantity("film_parameter", "Λ", "1", "", 3, "Least gap over composite roughness, with asperities"),
+    quantity("mixed_friction_coefficient", "f_m", "1", "", 3, "Friction coefficient of film and asperities"),
+    quantity("least_friction_coefficient", "f_min", "1", "", 3, "Least friction coefficient over the speed"),
+    quantity("least_friction_speed", "N_f,min", "rad/s", "rpm2", 3, "Speed of the least friction coefficient"),
+    quantity(
+        "stribeck", "f(N)", "SI", "", 4, "Rows of speed, friction coefficient, that of the film, share, least gap"
+    ),
     quantity(
         "stability_relative_clearance",
         "ψ_min",

@@ -27,7 +27,7 @@ KINDS = (
         description="several journal bearings that share oil and supply",
         model=f"{HERE}.case.files:Machine",
         template=f"{HERE}:machine.yaml",
-        views=VIEWS,
+        views={**VIEWS, "oil_balance": f"{HERE}.report.views:OIL_BALANCE"},
         comparison=f"{HERE}.compare.comparison:compare",
         solve_many=f"{HERE}.study.many_rows:solve_many",
     ),

@@ -15,8 +15,9 @@ if TYPE_CHECKING:
     from babbitt.kinds.journal.grooved_long_bearing.model import SegmentCase
     from babbitt.kinds.journal.infinitely_long_bearing.model import LongFilmCase
     from babbitt.kinds.journal.iso7902.model import DesignCase
+    from babbitt.kinds.journal.oil_balance.model import OilSystemProblem
 
-__all__ = ["METHODS", "Film", "GroovedLongBearing", "InfinitelyLongBearing", "Iso7902"]
+__all__ = ["METHODS", "Film", "GroovedLongBearing", "InfinitelyLongBearing", "Iso7902", "OilBalance"]
 
 
 @dataclass(frozen=True)
@@ -79,6 +80,19 @@ class GroovedLongBearing(Method):
         from babbitt.kinds.journal.grooved_long_bearing.check import segments_check
 
         return (Solution(problem, segments_check(problem)),)
+
+
+@dataclass(frozen=True)
+class OilBalance(Method):
+    """Pump, lines and bearings of a machine in balance."""
+
+    name: ClassVar[str] = "oil_balance"
+
+    def solve(self, problem: OilSystemProblem, progress: ProgressCallback = no_progress) -> tuple[Solution, ...]:
+        """Find the pressure of the header; the solution of the system, then those of the bearings."""
+        from babbitt.kinds.journal.oil_balance.check import oil_balance_solutions
+
+        return oil_balance_solutions(problem)
 
 
 METHODS: dict[str, Method] = {

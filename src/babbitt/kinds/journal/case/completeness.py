@@ -10,7 +10,7 @@ from babbitt.case.parts.materials import Materials
 from babbitt.case.parts.shared import SharedInputs, merged
 from babbitt.case.parts.supply import Supply
 from babbitt.core.units import written
-from babbitt.kinds.journal.case import one_dimension
+from babbitt.kinds.journal.case import mixed_friction, one_dimension
 from babbitt.kinds.journal.case.film_heat import OWN_TEMPERATURES
 from babbitt.kinds.journal.case.journal import JournalBearing
 from babbitt.properties.lubricants import Lubricant
@@ -34,6 +34,9 @@ def issues_of(bearing: JournalBearing, machine: SharedInputs | None, *path: str 
     yield from _missing(bearing, machine, path)
     yield from _clearance_limits(bearing, machine, path)
     yield from _too_hot(bearing, machine, path)
+    if bearing.mixed_friction is not None and bearing.method == "film":
+        materials = merged(bearing.materials, machine.materials if machine is not None else None)
+        yield from mixed_friction.issues_of(bearing.mixed_friction, bearing.surfaces, materials, path)
 
 
 def _missing(bearing: JournalBearing, machine: SharedInputs | None, path: Path) -> Iterator[Issue]:
@@ -74,6 +77,7 @@ def _missing(bearing: JournalBearing, machine: SharedInputs | None, path: Path) 
             and supply.flow is None
             and not _all_give(points, "supply_pressure", "supply_flow")
             and not bearing.feeds_itself()
+            and getattr(machine, "oil_system", None) is None
         ):
             yield lacks("pressure", "supply", "gauge pressure such as '0.2 MPa', or flow for the film method")
         own = bearing.supply is not None and bearing.supply.flow is not None
@@ -131,6 +135,8 @@ def _flow_goes_somewhere(bearing: JournalBearing, supply: Supply, path: Path) ->
     elif bearing.dynamic_load is not None:
         says = "the orbit under a changing load does not count the oil that a supply of given flow delivers"
         yield Issue(at, says, "supply.pressure")
+    elif bearing.mixed_friction is not None:
+        yield Issue(at, "the mixed branch knows supplies of given pressure only", "supply.pressure")
     elif bearing.feeds_itself():
         says = "every groove, pocket and hole has a pressure or flow of its own: no one takes this flow"
         yield Issue(at, says, "a groove, pocket or hole without pressure and flow")

@@ -18,6 +18,7 @@ from babbitt.kinds.journal.case.joined_inputs import (
     journal_speed,
     oil_supply,
 )
+from babbitt.kinds.journal.case.mixed_friction import asperities_of
 from babbitt.kinds.journal.case.warnings import warnings_about_numbers
 from babbitt.kinds.journal.film.bore import RoundBore
 from babbitt.kinds.journal.film.model import Accuracy, FeedSize, FilmBearing, FilmCase, Search
@@ -37,6 +38,11 @@ def film_case(inputs: Inputs, at: Point, thermal: str | None = None) -> FilmCase
     """
     bearing, point = inputs.bearing, at.given
     speed = journal_speed(bearing, point)
+    asperities = (
+        None
+        if bearing.mixed_friction is None or thermal not in (None, "global")
+        else asperities_of(bearing.mixed_friction, bearing.surfaces, inputs.materials)
+    )
     layout = film_layout(bearing, point, inputs.width, math.copysign(1.0, speed))
     return FilmCase(
         name=at.name,
@@ -68,12 +74,14 @@ def film_case(inputs: Inputs, at: Point, thermal: str | None = None) -> FilmCase
             *layout.assumptions,
             *common_assumptions_of(bearing, inputs.supply, inputs.cooling, inputs.materials),
             *heat_assumptions(inputs, thermal),
+            *(asperities.assumptions if asperities is not None else ()),
         ),
         warnings=(*layout.warnings, *warnings_about_numbers(inputs, point)),
         kind=bearing.kind,
         turbulence=LAWS_OF_TURBULENCE[bearing.turbulence],
         pressure_viscosity=bearing.pressure_viscosity.law() if bearing.pressure_viscosity is not None else None,
         heat=heat_model(inputs, thermal),
+        asperities=asperities.contact if asperities is not None else None,
     )
 
 

@@ -108,6 +108,7 @@ OWN_TEMPERATURES = ("adiabatic", "full")
 
 REFUSED = (
     ("dynamic_load", "the orbit under a changing load has one temperature for the whole film"),
+    ("mixed_friction", "the mixed branch has one viscosity for the whole film"),
     ("tilt_coefficients", "coefficients of tilt are those of a film of one temperature"),
     ("error_estimate", "the error of the grid is estimated for films of one temperature"),
     ("pressure_viscosity", "a film with its own temperatures does not count viscosity under pressure"),

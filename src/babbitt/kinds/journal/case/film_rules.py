@@ -66,6 +66,27 @@ def changing_load_is_added_to_a_load(bearing: JournalBearing) -> Iterator[Issue]
 
 
 @rule
+def mixed_friction_goes_with_the_film(bearing: JournalBearing) -> Iterator[Issue]:
+    """Complain about asperities in films whose bore, position or oil the mixed branch does not know."""
+    if bearing.mixed_friction is None or bearing.method != "film":
+        return
+    if bearing.cavitation == "half_sommerfeld":
+        says = (
+            "a half-Sommerfeld film has no stiffness, by which the journal is sought between film and asperities"
+        )
+        yield Issue(("cavitation",), says, "mass_conserving, reynolds, or no mixed_friction")
+    if bearing.compliance:
+        says = "asperities are those of a rigid bore; this one gives way"
+        yield Issue(("mixed_friction",), says, "no compliance, or no mixed_friction")
+    if bearing.bearing_speed:
+        yield Issue(("mixed_friction",), "is known for a bearing at rest only", "bearing_speed: 0 rpm")
+    for path, feed in bearing.feeds():
+        if feed.flow is not None:
+            says = "the mixed branch knows supplies of given pressure only"
+            yield Issue((*path, "flow"), says, "a pressure, or no mixed_friction")
+
+
+@rule
 def half_sommerfeld_is_of_a_plain_ring(bearing: JournalBearing) -> Iterator[Issue]:
     """Complain about the half-Sommerfeld condition anywhere but in a plain closed ring."""
     if bearing.cavitation != "half_sommerfeld" or bearing.method != "film":

@@ -62,10 +62,13 @@ def inputs(bearing: JournalBearing, shared: SingleBearing | SeveralBearings) -> 
     width = bearing.actual_width
     if lubricant is None or width is None:
         raise ValueError("a case that was not validated: the bearing has no lubricant or no width")
+    supply = merged(bearing.supply, shared.supply)
+    if isinstance(shared, SeveralBearings) and shared.oil_system is not None:
+        supply = shared.oil_system.supply_of(bearing.name, supply)
     return Inputs(
         bearing,
         lubricant.lubricant(),
-        merged(bearing.supply, shared.supply),
+        supply,
         merged(bearing.cooling, shared.cooling),
         merged(bearing.materials, shared.materials) or Materials(),
         width,

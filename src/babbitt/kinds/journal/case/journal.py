@@ -42,6 +42,7 @@ from babbitt.kinds.journal.case.grooved_segments import SegmentsInput
 from babbitt.kinds.journal.case.heat_exchange import HeatExchangeInput
 from babbitt.kinds.journal.case.load_direction import DOWNWARD
 from babbitt.kinds.journal.case.methods import METHOD_MAPPING, FilmChoices, Iso7902Choices
+from babbitt.kinds.journal.case.mixed_friction import MixedFrictionInput
 from babbitt.kinds.journal.case.operating_point import LoadAndSpeed, LoadAngle, OperatingPoint
 from babbitt.kinds.journal.case.supply_element import SupplyElementInput, UnevenPockets
 from babbitt.reynolds.model import FilmStart
@@ -158,6 +159,11 @@ class JournalBearing(LoadAndSpeed, SharedInputs, FilmChoices, Iso7902Choices):
     )
 
     friction: FrictionInput = Field(FrictionInput(), description="Where the film rubs.")
+    mixed_friction: MixedFrictionInput | None = Field(
+        None,
+        description="Asperities that touch where the film is thin, for a Stribeck curve with its mixed branch by "
+        "the film method. Hydrodynamic friction only if not given.",
+    )
     cavitation_pressure: Annotated[float, si("Pa", "-1 MPa", "0 Pa")] = Field(
         0.0, description="Gauge pressure at which the film breaks, for the film method."
     )
@@ -313,6 +319,7 @@ class JournalBearing(LoadAndSpeed, SharedInputs, FilmChoices, Iso7902Choices):
     _lobes_lie_between_grooves = film_shape_rules.lobes_lie_between_grooves
     _position_is_near_the_bearing = film_rules.position_is_near_the_bearing
     _changing_load_is_added_to_a_load = film_rules.changing_load_is_added_to_a_load
+    _mixed_friction_goes_with_the_film = film_rules.mixed_friction_goes_with_the_film
     _half_sommerfeld_is_of_a_plain_ring = film_rules.half_sommerfeld_is_of_a_plain_ring
     _closed_ring_is_plain = film_rules.closed_ring_is_plain
     _sides_stand_above_cavitation = film_rules.sides_stand_above_cavitation

@@ -15,6 +15,7 @@ from babbitt.case.parts.fields import Name, Prose
 from babbitt.case.parts.shared import SharedInputs
 from babbitt.kinds.journal.case.completeness import issues_of
 from babbitt.kinds.journal.case.journal import JournalBearing
+from babbitt.kinds.journal.case.oil_system import OilSystemInput, issues_of_bearings
 
 
 class JournalFile(CaseFile):
@@ -49,6 +50,11 @@ class SeveralBearings(SharedInputs, JournalFile):
     bearings: tuple[JournalBearing, ...] = Field(
         min_length=1, max_length=200, description="The bearings of the machine."
     )
+    oil_system: OilSystemInput | None = Field(
+        None,
+        description="Pump, header and a line to each bearing, from which the pressures follow. None: every "
+        "bearing has the pressure of supply.",
+    )
     assumptions: tuple[Prose, ...] = Field(
         (), max_length=100, description="Assumptions to be shown in the report."
     )
@@ -58,6 +64,14 @@ class SeveralBearings(SharedInputs, JournalFile):
     @rule
     def _names_are_their_own(self) -> Iterator[Issue]:
         yield from named_once((vars(one).get("name") for one in self.bearings), "bearing", "bearings")
+
+    @rule
+    def _oil_system_feeds_all(self) -> Iterator[Issue]:
+        if self.oil_system is None:
+            return
+        if self.clearance_cases != "mean":
+            yield Issue(("clearance_cases",), "an oil system has one clearance of each bearing", "mean")
+        yield from issues_of_bearings(self.oil_system, self.bearings, self.supply)
 
     @rule
     def _nothing_is_missing(self) -> Iterator[Issue]:

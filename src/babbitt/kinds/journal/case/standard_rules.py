@@ -122,5 +122,8 @@ def film_alone_knows(bearing: JournalBearing, method: str) -> Iterator[Issue]:
         if duty.position is not None:
             says = f"{method} finds the attitude angle itself and takes no position"
             yield Issue((*path, "position"), says, "method: film, or eccentricity_ratio")
+    if bearing.mixed_friction is not None:
+        says = f"{method} knows hydrodynamic friction only"
+        yield Issue(("mixed_friction",), says, "method: film, or leave it out")
     if bearing.dynamic_load is not None:
         yield Issue(("dynamic_load",), f"{method} knows steady loads only", "method: film")

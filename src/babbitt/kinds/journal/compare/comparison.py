@@ -15,6 +15,7 @@ from babbitt.kinds.journal.case.build import (
     unknown_to_iso7902,
     unknown_to_long_film,
 )
+from babbitt.kinds.journal.case.fed_machine import refuse_oil_system
 from babbitt.kinds.journal.case.journal import JournalBearing
 from babbitt.kinds.journal.case.one_dimension import METHODS as ONE_DIMENSIONAL
 from babbitt.kinds.journal.compare.grooved_films import (
@@ -124,6 +125,7 @@ COST = "What one temperature costs"
 
 def compare(case: CaseFile) -> tuple[Comparison, ...]:
     """Solve every journal bearing of a case by every method and variant that applies to it."""
+    refuse_oil_system(case)
     return tuple(found for bearing in bearings_of(case) for found in _compared(bearing, case))
 
 

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from babbitt.core.units import ZERO_CELSIUS
 from babbitt.design.conditions import PrescribedEccentricity, PrescribedPosition
 from babbitt.design.turbulence import ALL_TURBULENT
+from babbitt.kinds.journal.film.mixed_results import mixed_assumptions
 from babbitt.kinds.journal.film.model import FilmCase
 from babbitt.kinds.journal.film.orbit_results import orbit_assumptions
 from babbitt.kinds.journal.film.thermal_results import coefficient_settings, thermal_assumptions, thermal_setting
@@ -58,6 +59,7 @@ def film_assumptions(case: FilmCase) -> Iterator[str]:
         yield "Grooves, pockets and holes are deep: the oil in them is not sheared."
     if case.changing_load is not None:
         yield from orbit_assumptions(case)
+    yield from mixed_assumptions(case)
     if case.cavitation is Cavitation.HALF_SOMMERFELD:
         yield "Half-Sommerfeld film: neither flows nor stiffness, damping and threshold of whirl follow from it."
     elif case.rotor_mass is None:

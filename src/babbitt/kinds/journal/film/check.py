@@ -31,6 +31,7 @@ from babbitt.kinds.journal.film.grid_error import grid_errors
 from babbitt.kinds.journal.film.isothermal import FilmState, under_found_load
 from babbitt.kinds.journal.film.layout import closed_pockets, fed_all_around, supply_numbers, without_pressure
 from babbitt.kinds.journal.film.load_slope import confirmed_state, slope_not_asked, warnings_about_slope
+from babbitt.kinds.journal.film.mixed_results import mixed_results
 from babbitt.kinds.journal.film.model import FilmCase
 from babbitt.kinds.journal.film.orbit_results import (
     orbit_checks,
@@ -185,6 +186,10 @@ def film_solution(case: FilmCase, watch: ProgressCallback = no_progress) -> Solu
                 warnings = (*warnings, *warnings_about_heat(case, state, values, followed))
             if isinstance(case.duty, PrescribedLoad):
                 warnings = (*warnings, *warnings_about_equilibria(state.solution, places))
+            mixed = mixed_results(case, state)
+            values |= mixed.values
+            arrays |= mixed.arrays
+            warnings = (*warnings, *mixed.warnings)
             orbit = orbit_of(case, state, watch)
             if orbit is not None:
                 outcome = orbit.outcome

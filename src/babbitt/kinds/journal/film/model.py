@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from enum import Enum
 
 from babbitt.core.notices import Notice
+from babbitt.design.asperity_contact import AsperityContact
 from babbitt.design.conditions import (
     HousingCooling,
     Limits,
@@ -187,7 +188,8 @@ class FilmCase:
     `tilt_coefficients` asks for stiffness and damping against tilt, too, `error_estimate` for the error of the
     grid. `changing_load` acts in addition to the load of the duty; `moving_mass` (kg) then moves with the journal.
     `warnings` arose while the case was made and ride along.
-    With a model of its `heat` the film has its own temperatures; without, one temperature.
+    With a model of its `heat` the film has its own temperatures; without, one temperature. `asperities` ask for
+    the Stribeck curve with its mixed branch.
     """
 
     name: str
@@ -219,6 +221,7 @@ class FilmCase:
     turbulence: TurbulenceLaw | None = None
     pressure_viscosity: OilUnderPressure | None = None
     heat: HeatModel | None = None
+    asperities: AsperityContact | None = None
 
     @property
     def rotation(self) -> Rotation:

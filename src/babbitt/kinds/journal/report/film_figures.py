@@ -69,6 +69,7 @@ def _for_report(case: FilmCase, state: FilmState, result: Result) -> Iterator[Pa
     yield from _at_rest(case, state, LEFT_OUT if slow else "")
     yield from _temperatures(case, state)
     yield from _moving(state, result)
+    yield from _mixed(result)
     if not slow:
         yield from _swept(case, state, result)
 
@@ -78,6 +79,7 @@ def _all(case: FilmCase, state: FilmState, result: Result) -> Iterator[Painted]:
     yield from _temperatures(case, state)
     yield from _surface(case, state)
     yield from _moving(state, result)
+    yield from _mixed(result)
     yield from _swept(case, state, result)
 
 
@@ -165,6 +167,13 @@ def _moving(state: FilmState, result: Result) -> Iterator[Painted]:
             film_orbit.orbit(state, result),
             True,
         )
+
+
+def _mixed(result: Result) -> Iterator[Painted]:
+    if result.arrays.get("stribeck"):
+        from babbitt.kinds.journal.report.stribeck import CAPTION, stribeck
+
+        yield "stribeck", CAPTION, stribeck(result), False
 
 
 def _swept(case: FilmCase, state: FilmState, result: Result) -> Iterator[Painted]:

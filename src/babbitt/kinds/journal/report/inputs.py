@@ -168,10 +168,20 @@ def _film_method(case: FilmCase) -> Iterator[Row]:
     yield Row("Where the film breaks up", CAVITATION[case.cavitation])
     yield Row("Where the film begins", describe_start(case.bearing))
     yield Row("Grid", case.accuracy.value)
+    yield from _asperities(case)
     if case.cavitation_pressure:
         yield Row("Cavitation pressure (gauge)", f"{1e-3 * case.cavitation_pressure:.4g}", None, "kPa")
     if case.friction_factor != 1.0:
         yield named_row("friction_factor", case.friction_factor)
+
+
+def _asperities(case: FilmCase) -> Iterator[Row]:
+    one = case.asperities
+    if one is not None:
+        yield named_row("composite_roughness", one.roughness)
+        yield named_row("contact_modulus", one.modulus)
+        yield Row("Asperities: η_s β_s σ, σ/β_s", f"{one.density:g}, {one.sharpness:g}")
+        yield Row("Coefficient of boundary friction", f"{one.friction:g}")
 
 
 def _operation(case: JournalDesign) -> Iterator[Row]:

@@ -93,7 +93,8 @@ def _speed_and_load_caption(case: DesignCase, result: Result) -> str:
     heat = "each point with its own heat balance" if balanced else "all at the effective temperature prescribed"
     text = (
         "Friction coefficient and minimum film thickness over speed at the given load, and over load at the given "
-        f"speed, {heat}. Filled: the operating point."
+        f"speed, {heat}. Filled: the operating point. Hydrodynamic only: the rise of friction by asperities that "
+        "touch is left out."
     )
     if "transition_speed" in result.values:
         text += " Dotted: transition to mixed friction at the viscosity of the operating point."

@@ -15,6 +15,7 @@ from babbitt.kinds.journal.report.citations import (
 )
 from babbitt.kinds.journal.report.columns import COLUMNS, OVERVIEW_COLUMNS
 from babbitt.kinds.journal.report.key_results import KEY_RESULTS
+from babbitt.kinds.journal.report.oil_balance import oil_system_inputs, sentences, tables
 from babbitt.kinds.journal.report.one_dimension import OWN_RESULTS
 from babbitt.kinds.journal.report.result_rows import supply_rows
 from babbitt.report.view import View, lubricant_of
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
     from babbitt.report.drawing import Drawing
     from babbitt.report.line import Section
 
-__all__ = ["FILM", "ISO7902", "LONG_FILM", "SEGMENTS"]
+__all__ = ["FILM", "ISO7902", "LONG_FILM", "OIL_BALANCE", "SEGMENTS"]
 
 
 def _alike(problem: Any) -> Any:
@@ -85,6 +86,15 @@ LONG_FILM = replace(
     figures=_figures_along,
     report_figures=_figures_along,
     citations=long_film_citations,
+)
+
+OIL_BALANCE = View(
+    title="Oil balance of the machine",
+    inputs=oil_system_inputs,
+    tables=tables,
+    terminal_tables=tables,
+    sentences=sentences,
+    in_machine_table=False,
 )
 
 SEGMENTS = replace(

@@ -1,0 +1,97 @@
+"""The command that compares: methods for one case, or several designs."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from babbitt.cli.app import NO_SOLUTION, AllowOutside, app, reach
+from babbitt.cli.upgrading import report_former_places
+from babbitt.core.notices import InputError
+
+if TYPE_CHECKING:
+    from babbitt.case.case_file import CaseFile
+
+__all__ = ["compare"]
+
+
+@app.command()
+def compare(
+    files: Annotated[list[Path], typer.Argument(metavar="FILE...", help="One case file, or several designs.")],
+    plots: Annotated[
+        Path | None,
+        typer.Option(metavar="DIR", help="Of one file: write one figure per journal bearing into a folder."),
+    ] = None,
+    report: Annotated[
+        Path | None, typer.Option(metavar="OUT", help="Write figures, tables and remarks as one page: OUT.html.")
+    ] = None,
+    json: Annotated[
+        Path | None, typer.Option(metavar="OUT", help="Of several designs: write them as OUT.json, in SI.")
+    ] = None,
+    csv: Annotated[
+        Path | None, typer.Option(metavar="OUT", help="Of several designs: write a table, OUT.csv or OUT.xlsx.")
+    ] = None,
+    allow_outside: AllowOutside = False,
+) -> None:
+    """One file: the same bearings by every method that applies. Several files: designs side by side."""
+    from babbitt.case import load_case
+
+    several = len(files) > 1
+    unfit = [("--plots", plots)] if several else [("--json", json), ("--csv", csv)]
+    for option, value in unfit:
+        if value is not None:
+            says = "is of one file, by every method" if several else "is of several designs"
+            raise InputError("E005", f"{option} {says}")
+    cases = [load_case(file, reach(allow_outside)) for file in files]
+    for file, case in zip(files, cases, strict=True):
+        report_former_places(file, case)
+    solved = _designs(files, cases, json, csv, report) if several else _methods(files[0], cases[0], plots, report)
+    if not solved:
+        raise typer.Exit(NO_SOLUTION)
+
+
+def _designs(
+    files: list[Path], cases: list[CaseFile], json: Path | None, csv: Path | None, report: Path | None
+) -> bool:
+    """Several designs side by side; whether all have a solution."""
+    from babbitt.report.designs_output import require_designs_outputs, write_designs_outputs
+    from babbitt.report.designs_table import print_designs
+    from babbitt.report.outputs import inputs_of
+    from babbitt.study.designs import compare_designs
+
+    inputs = inputs_of(files, [path for case in cases for path in case.files])
+    require_designs_outputs(inputs, json, csv, report)
+    found = compare_designs(cases, [file.stem for file in files])
+    write_designs_outputs(found, json, csv, report)
+    print_designs(found)
+    return found.solved
+
+
+def _methods(file: Path, case: CaseFile, plots: Path | None, report: Path | None) -> bool:
+    """One case by every method; whether it has a solution as given."""
+    from babbitt.core.files.writing import require_distinct
+    from babbitt.report.comparison_table import print_comparison
+    from babbitt.report.outputs import inputs_of
+    from babbitt.study.comparison import compare_methods
+
+    require_distinct([path for path in (report, plots) if path is not None], inputs_of([file], case.files))
+    if report is not None or plots is not None:
+        from babbitt.report.drawing import require_extra
+
+        require_extra("matplotlib", "plots")
+    if report is not None:
+        from babbitt.report.comparison_page import require_page
+
+        require_page(report)
+    found = compare_methods(case)
+    if plots is not None:
+        from babbitt.report.comparison_plots import write_comparison_plots
+
+        write_comparison_plots(found, plots)
+    if report is not None:
+        from babbitt.report.comparison_page import write_comparison_page
+
+        write_comparison_page(found, report)
+    return print_comparison(found)

@@ -1,0 +1,109 @@
+"""The oil balance as a result: flows, which bearing starves first, orifices; and the bearings with it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+
+from babbitt.core.notices import Notice
+from babbitt.core.result import Bound, Check, Matrix, Outcome, Result
+from babbitt.core.solution import Solution
+from babbitt.design.ducts import LAMINAR_UP_TO
+from babbitt.kinds.journal.oil_balance.model import OilSystemProblem
+from babbitt.kinds.journal.oil_balance.network import Balance, UnsolvedBearingError, balanced
+from babbitt.kinds.journal.oil_balance.proposals import Proposal, proposed
+
+__all__ = ["METHOD", "oil_balance_solutions"]
+
+METHOD = "oil_balance"
+
+BALANCED = 1e-8
+"""Error of the balance of flows, over the delivery of the pump, up to which it has converged."""
+
+
+def oil_balance_solutions(problem: OilSystemProblem) -> tuple[Solution, ...]:
+    """Balance pump and bearings: the solution of the oil system, then those of the bearings with it."""
+    try:
+        found = balanced(problem)
+    except UnsolvedBearingError as error:
+        failure = Notice(
+            "S004", "oil_balance", {"bearing": error.solution.result.name, "pressure": error.pressure}
+        )
+        return (_solution(problem, Outcome.NOT_CONVERGED, failure), error.solution)
+    if found.error > BALANCED:
+        failure = Notice("S004", "oil_balance_error", {"error": found.error})
+        return (_solution(problem, Outcome.NOT_CONVERGED, failure),)
+    made = proposed(problem)
+    result = Result(
+        problem.name,
+        problem.kind,
+        METHOD,
+        Outcome.CONVERGED,
+        _values(found),
+        (
+            Check(
+                "C601", "least_supply_ratio", _least(found), 1.0, Bound.AT_LEAST, "what the film draws itself, Q₃"
+            ),
+        ),
+        tuple(_warnings(problem, found, made)),
+        settings=_names(problem),
+        arrays=_arrays(problem, found, made),
+    )
+    return (Solution(problem, result, found), *(one.solution for one in found.bearings))
+
+
+def _solution(problem: OilSystemProblem, outcome: Outcome, failure: Notice) -> Solution:
+    result = Result(problem.name, problem.kind, METHOD, outcome, {}, settings=_names(problem), failure=failure)
+    return Solution(problem, result)
+
+
+def _names(problem: OilSystemProblem) -> dict[str, str]:
+    return {f"bearing_{place}": line.bearing for place, line in enumerate(problem.system.lines, start=1)}
+
+
+def _least(found: Balance) -> float:
+    return min(one.ratio for one in found.bearings)
+
+
+def _values(found: Balance) -> dict[str, float]:
+    return {
+        "header_pressure": found.header_pressure,
+        "pump_delivery": found.delivery,
+        "relief_flow": found.relief_flow,
+        "least_supply_ratio": _least(found),
+        "oil_balance_error": found.error,
+    }
+
+
+def _arrays(problem: OilSystemProblem, found: Balance, made: Proposal) -> dict[str, Matrix]:
+    whole = sum(one.supplied for one in found.bearings)
+    rows: dict[str, Sequence[float]] = {
+        "line_pressure": [one.pressure for one in found.bearings],
+        "line_flow": [one.supplied for one in found.bearings],
+        "line_need": [one.needed for one in found.bearings],
+        "line_supply_ratio": [one.ratio for one in found.bearings],
+        "line_share": [one.supplied / whole for one in found.bearings],
+        "line_reynolds_number": [one.tube_reynolds_number for one in found.bearings],
+        "line_orifice": [math.nan if one.orifice_diameter is None else one.orifice_diameter
+                         for one in problem.system.lines],
+        "line_orifice_proposed": made.diameters,
+    }  # fmt: skip
+    return {name: (tuple(map(float, row)),) for name, row in rows.items() if not all(map(math.isnan, row))}
+
+
+def _warnings(problem: OilSystemProblem, found: Balance, made: Proposal) -> Iterator[Notice]:
+    for line, one in zip(problem.system.lines, found.bearings, strict=True):
+        if one.tube_reynolds_number > LAMINAR_UP_TO:
+            yield Notice(
+                "W601",
+                values={"bearing": line.bearing, "reynolds": one.tube_reynolds_number, "limit": LAMINAR_UP_TO},
+            )
+    pump, margin = problem.system.pump, problem.system.margin
+    if math.isnan(made.header_pressure):
+        yield Notice("W602", "pump", {"flow": made.flow, "margin": margin, "delivery": pump.delivery(0.0)})
+        return
+    lacking = [
+        line.bearing for line, one in zip(problem.system.lines, made.diameters, strict=True) if math.isnan(one)
+    ]
+    if lacking:
+        yield Notice("W602", "bearings", {"bearings": ", ".join(lacking), "margin": margin})

@@ -1,0 +1,203 @@
+"""Several designs side by side: the inputs in which they differ, and the results of each bearing of theirs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import count
+from typing import Any
+
+from babbitt.case.case_file import CaseFile
+from babbitt.case.field_types import quantity_in
+from babbitt.case.part import Part
+from babbitt.core.notices import InputError
+from babbitt.core.progress import ProgressCallback, no_progress
+from babbitt.core.quantities import QUANTITIES
+from babbitt.core.result import Result
+from babbitt.core.result_name import ResultName
+from babbitt.core.units import Kind
+from babbitt.solving import MachineResult, solve
+
+__all__ = ["ABSENT", "ChangedInput", "ComparedBearing", "Designs", "changed_inputs", "compare_designs"]
+
+ABSENT = "–"
+"""In place of what a design does not have."""
+
+OF_THE_FILE = ("babbitt", "name", "notes", "source")
+"""Fields of a whole file that describe nothing."""
+
+NOT_COMPARED = ("wall_time", "iterations")
+"""Results that say how it was computed."""
+
+
+@dataclass(frozen=True)
+class ChangedInput:
+    """A field in which designs differ: its path, and its text in each design."""
+
+    path: str
+    values: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class ComparedBearing:
+    """A bearing, operating point and clearance that designs have in common.
+
+    Attributes
+    ----------
+    name : str
+    results : tuple of Result or None
+        One for each design, None where it has no such bearing.
+    quantities : tuple of str
+        Names of the results put side by side.
+    """
+
+    name: str
+    results: tuple[Result | None, ...]
+    quantities: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Designs:
+    """Designs side by side; differences count against the first.
+
+    Attributes
+    ----------
+    labels : tuple of str
+        By what the designs are called, each once.
+    kinds : tuple of str
+    machines : tuple of MachineResult
+    changed : tuple of ChangedInput
+        Every input in which they differ, defaults included.
+    bearings : tuple of ComparedBearing
+    """
+
+    labels: tuple[str, ...]
+    kinds: tuple[str, ...]
+    machines: tuple[MachineResult, ...]
+    changed: tuple[ChangedInput, ...]
+    bearings: tuple[ComparedBearing, ...]
+
+    @property
+    def one_kind(self) -> bool:
+        """Whether all designs are of one kind; else only results that all have are compared."""
+        return len(set(self.kinds)) == 1
+
+    @property
+    def solved(self) -> bool:
+        """Whether every bearing of every design has an operating point."""
+        return all(one.solved for one in self.machines)
+
+
+def compare_designs(
+    cases: Sequence[CaseFile], labels: Sequence[str], progress: ProgressCallback = no_progress
+) -> Designs:
+    """Solve several cases and put them side by side.
+
+    Parameters
+    ----------
+    cases : sequence of CaseFile
+    labels : sequence of str
+        What to call them; equal ones are numbered.
+    progress : callable
+        As of `babbitt.solving.solve`.
+
+    Raises
+    ------
+    InputError
+        E004 for fewer than two cases, or cases of different kinds without a bearing in common.
+    """
+    if len(cases) < 2:
+        raise InputError("E004", "designs are compared from two cases on")
+    machines = tuple(solve(case, progress) for case in cases)
+    kinds = tuple(case.kind for case in cases)
+    bearings = tuple(_matched(machines))
+    if not any(sum(one is not None for one in bearing.results) > 1 for bearing in bearings):
+        names = "; ".join(", ".join(one.name for one in machine.results) for machine in machines)
+        says = f"the designs have no bearing, operating point and clearance in common: {names}"
+        raise InputError("E004", f"{says}. Give bearings and operating points the same names.")
+    return Designs(_each_once(labels), kinds, machines, changed_inputs(cases), bearings)
+
+
+def changed_inputs(cases: Sequence[CaseFile]) -> tuple[ChangedInput, ...]:
+    """Every field in which cases differ, with the values that count, whether given or by default."""
+    inputs = [
+        dict(one for one in _inputs(case, ()) if one[0].partition(".")[0] not in OF_THE_FILE) for case in cases
+    ]
+    paths = dict.fromkeys(path for one in inputs for path in one)
+    rows = (ChangedInput(path, tuple(one.get(path, ABSENT) for one in inputs)) for path in paths)
+    return tuple(row for row in rows if len(set(row.values)) > 1)
+
+
+def _inputs(part: Part, path: tuple[str, ...]) -> Iterator[tuple[str, str]]:
+    for name, field in type(part).model_fields.items():
+        quantity = quantity_in(field.rebuild_annotation())
+        yield from _leaves(getattr(part, name), (*path, name), None if quantity is None else quantity.kind)
+
+
+def _leaves(value: Any, path: tuple[str, ...], kind: Kind | None) -> Iterator[tuple[str, str]]:
+    match value:
+        case None:
+            return
+        case Part():
+            yield from _inputs(value, path)
+        case tuple():
+            for index, one in enumerate(value):
+                own = getattr(one, "name", None) if isinstance(one, Part) else None
+                yield from _leaves(one, (*path, own if isinstance(own, str) else str(index)), kind)
+        case float() if kind is not None:
+            yield ".".join(path), _text(value, kind)
+        case bool():
+            yield ".".join(path), "yes" if value else "no"
+        case _:
+            yield ".".join(path), f"{value:.12g}" if isinstance(value, float) else str(value)
+
+
+def _text(value: float, kind: Kind) -> str:
+    """A quantity in the first of its everyday units in which its number reads well."""
+    if not kind.everyday:
+        return f"{value:.12g} {'' if kind.unit == '1' else kind.unit}".rstrip()
+    numbers = {unit: kind.from_si(value, unit) for unit in kind.everyday}
+    fitting = (unit for unit, number in numbers.items() if number == 0.0 or 0.1 <= abs(number) < 1e5)
+    unit = next(fitting, next(iter(numbers)))
+    return f"{numbers[unit]:.12g} {'' if unit == '1' else unit}".rstrip()
+
+
+def _matched(machines: Sequence[MachineResult]) -> Iterator[ComparedBearing]:
+    """Bearings of equal name, point and clearance; in designs of one bearing each, whatever they are called."""
+    single = all(len({_bearing(one) for one in machine.results}) == 1 for machine in machines)
+    tables = [{_key(one, single): one for one in machine.results} for machine in machines]
+    for key in dict.fromkeys(key for table in tables for key in table):
+        results = tuple(table.get(key) for table in tables)
+        first = next(one for one in results if one is not None)
+        yield ComparedBearing(first.name, results, _quantities([one for one in results if one is not None]))
+
+
+def _bearing(result: Result) -> str:
+    return result.name.bearing if isinstance(result.name, ResultName) else result.name
+
+
+def _key(result: Result, single: bool) -> tuple[str, str, str]:
+    name = result.name
+    if not isinstance(name, ResultName):
+        return ("" if single else name, "", "")
+    return ("" if single else name.bearing, name.point, name.member)
+
+
+def _quantities(results: Sequence[Result]) -> tuple[str, ...]:
+    """Results of all designs; of different kinds those that all have, of one kind those that any has."""
+    solved = [one for one in results if one.outcome.solved]
+    names = dict.fromkeys(
+        name for one in solved for name in one.values if name in QUANTITIES and name not in NOT_COMPARED
+    )
+    if len({one.kind for one in solved}) > 1:
+        return tuple(name for name in names if all(name in one.values for one in solved))
+    return tuple(names)
+
+
+def _each_once(labels: Sequence[str]) -> tuple[str, ...]:
+    """Labels of which equal ones are numbered."""
+    found: list[str] = []
+    for label in labels:
+        names = (label if number == 1 else f"{label} ({number})" for number in count(1))
+        found.append(next(name for name in names if name not in found))
+    return tuple(found)

@@ -1,0 +1,257 @@
+"""Oil balance of a machine: orifice and tube laws, sharing, mass balance, starvation, orifices proposed."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from babbitt.case import CaseError, case_from_dict
+from babbitt.core.result import Verdict
+from babbitt.kinds.journal.oil_balance.model import Line, Pump, orifice_duct
+from babbitt.kinds.journal.report.oil_balance import sentences
+from babbitt.properties.lubricants import lubricant
+from babbitt.report.totals import totals
+from babbitt.solving import solve
+
+OIL = lubricant("ISO VG 46")
+INLET = 323.15
+DENSITY, KINEMATIC = OIL.density(INLET), OIL.kinematic_viscosity(INLET)
+
+
+def bearing(name, **given):
+    return {
+        "kind": "journal",
+        "name": name,
+        "diameter": "120 mm",
+        "width": "96 mm",
+        "clearance": {"kind": "relative", "mean": "1.8 permille"},
+        "span": "180 deg",
+        "supply_element": {"kind": "groove_180", "width": "60 mm"},
+        "load": "12 kN",
+        "speed": "3000 rpm",
+    } | given
+
+
+HEAVY = {"diameter": "180 mm", "width": "120 mm", "load": "22 kN", "speed": "1000 rpm"}
+PUMP = {"flow": "12 L/min", "relief_pressure": "0.3 MPa"}
+
+
+def machine(lines, *bearings, pump=PUMP, **given):
+    fields = {
+        "kind": "machine",
+        "name": "Gear",
+        "lubricant": "ISO VG 46",
+        "supply": {"temperature": "50 degC"},
+        "materials": {"bearing_metal": "B83", "bearing": "C10", "journal": "42CrMo4"},
+        "oil_system": {"pump": pump, "lines": lines},
+        "bearings": list(bearings),
+    }
+    return case_from_dict(fields | given)
+
+
+def orifices(**diameters):
+    return [{"bearing": name, "orifice_diameter": f"{size} mm"} for name, size in diameters.items()]
+
+
+def answer(case):
+    found = solve(case)
+    assert found.solved
+    return found
+
+
+def row(result, name):
+    return result.arrays[name][0]
+
+
+def test_an_orifice_passes_by_the_square_root_law():
+    flow = 2e-4
+    area = 0.25 * math.pi * 0.004**2
+    loss = orifice_duct(0.004, 0.62).pressure_loss(flow, 870.0, 3e-5)
+    assert flow == pytest.approx(0.62 * area * math.sqrt(2.0 * loss / 870.0), rel=1e-12)
+    assert Line("A", None, None, 0.62).orifice_for(flow, loss, 870.0) == pytest.approx(0.004, rel=1e-12)
+
+
+def test_a_pump_gives_by_its_curve():
+    pump = Pump(((0.0, 1e-3), (1e5, 8e-4), (3e5, 0.0)), 3e5)
+    assert pump.delivery(5e4) == pytest.approx(9e-4)
+    assert pump.delivery(2e5) == pytest.approx(4e-4)
+    assert Pump(((0.0, 1e-3),), 2e5).delivery(1.5e5) == 1e-3
+
+
+def test_one_bearing_behind_its_orifice():
+    result = answer(
+        machine(orifices(A=4), bearing("A"), pump={"flow": "5 L/min", "relief_pressure": "0.3 MPa"})
+    ).results[0]
+    (flow,), (pressure,) = row(result, "line_flow"), row(result, "line_pressure")
+    assert flow == pytest.approx(5.0 / 6e4, rel=1e-8)
+    area = 0.25 * math.pi * 0.004**2
+    assert flow == pytest.approx(
+        0.6 * area * math.sqrt(2.0 * (result.header_pressure - pressure) / DENSITY), rel=1e-9
+    )
+    assert result.relief_flow == 0.0
+
+
+def test_equal_orifices_to_equal_bearings_share_equally():
+    result = answer(machine(orifices(A=4, B=4), bearing("A"), bearing("B"))).results[0]
+    assert row(result, "line_share") == pytest.approx((0.5, 0.5), rel=1e-12)
+    assert sum(row(result, "line_flow")) == pytest.approx(result.pump_delivery, rel=1e-8)
+    assert result.oil_balance_error < 1e-8
+
+
+def test_a_tube_loses_by_hagen_and_poiseuille():
+    tube = {"diameter": "8 mm", "length": "5 m", "loss_coefficient": 0}
+    result = answer(
+        machine(
+            [{"bearing": "A", "tube": tube}], bearing("A"), pump={"flow": "5 L/min", "relief_pressure": "0.3 MPa"}
+        )
+    ).results[0]
+    (flow,), (pressure,) = row(result, "line_flow"), row(result, "line_pressure")
+    lost = 128.0 * DENSITY * KINEMATIC * 5.0 * flow / (math.pi * 0.008**4)
+    assert result.header_pressure - pressure == pytest.approx(lost, rel=1e-9)
+    assert row(result, "line_reynolds_number")[0] == pytest.approx(4.0 * flow / (math.pi * 0.008 * KINEMATIC))
+    assert "W601" not in [one.code for one in result.warnings]
+
+
+def test_two_tubes_in_parallel_are_one_of_twice_the_conductance():
+    thin = {"diameter": "8 mm", "length": "5 m", "loss_coefficient": 0, "number": 2}
+    wide = {"diameter": f"{8.0 * 2.0**0.25!r} mm", "length": "5 m", "loss_coefficient": 0}
+    found = [answer(machine([{"bearing": "A", "tube": tube}], bearing("A"))).results[0] for tube in (thin, wide)]
+    assert found[0].header_pressure == pytest.approx(found[1].header_pressure, rel=1e-9)
+
+
+def test_a_turbulent_tube_is_named():
+    tube = {"diameter": "6 mm", "length": "0.1 m"}
+    result = answer(
+        machine(
+            [{"bearing": "A", "tube": tube}],
+            bearing("A", **HEAVY),
+            pump={"flow": "60 L/min", "relief_pressure": "5 MPa"},
+        )
+    ).results[0]
+    assert row(result, "line_reynolds_number")[0] > 2300.0
+    assert "W601" in [one.code for one in result.warnings]
+
+
+def test_what_the_bearings_do_not_take_returns_over_the_relief_valve():
+    result = answer(
+        machine(
+            orifices(A=3, B=2),
+            bearing("A"),
+            bearing("B", **HEAVY),
+            pump={"flow": "60 L/min", "relief_pressure": "0.2 MPa"},
+        )
+    ).results[0]
+    assert result.header_pressure == pytest.approx(0.2e6)
+    assert result.relief_flow + sum(row(result, "line_flow")) == pytest.approx(1e-3, rel=1e-12)
+
+
+def test_a_falling_curve_is_balanced_on_the_curve():
+    curve = [{"pressure": "0 MPa", "flow": "14 L/min"}, {"pressure": "0.4 MPa", "flow": "4 L/min"}]
+    result = answer(
+        machine(orifices(A=4, B=3), bearing("A"), bearing("B", **HEAVY), pump={"curve": curve})
+    ).results[0]
+    on_curve = (14.0 - 10.0 * result.header_pressure / 0.4e6) / 6e4
+    assert 0.0 < result.header_pressure < 0.4e6
+    assert sum(row(result, "line_flow")) == pytest.approx(on_curve, rel=1e-8)
+
+
+def test_bearings_have_the_results_of_their_pressure():
+    found = answer(machine(orifices(A=4, B=3), bearing("A"), bearing("B", **HEAVY)))
+    system, *bearings = found.results
+    for one, pressure in zip(bearings, row(system, "line_pressure"), strict=True):
+        alone = case_from_dict(
+            bearing(one.name, **(HEAVY if one.name == "B" else {}))
+            | {
+                "lubricant": "ISO VG 46",
+                "supply": {"temperature": "50 degC", "pressure": f"{pressure!r} Pa"},
+                "materials": {"bearing_metal": "B83", "bearing": "C10", "journal": "42CrMo4"},
+            }
+        )
+        (result,) = solve(alone).results
+        assert one.minimum_film_thickness == pytest.approx(result.minimum_film_thickness, rel=1e-7)
+        assert one.total_flow == pytest.approx(result.total_flow, rel=1e-7)
+    assert totals(found.results).values["pump_flow"] == pytest.approx(system.pump_delivery, rel=1e-8)
+
+
+def test_the_bearing_behind_the_smallest_orifice_starves_first():
+    system = answer(machine(orifices(A=4, B=1), bearing("A"), bearing("B"))).results[0]
+    ratios = row(system, "line_supply_ratio")
+    assert ratios[1] < 1.0 < ratios[0]
+    assert system.least_supply_ratio == ratios[1]
+    assert system.verdict is Verdict.FAIL
+    (said,) = sentences(system)
+    assert said.startswith("First to starve: B,")
+    assert said.endswith("It starves.")
+    assert row(system, "line_pressure")[1] == pytest.approx(0.0, abs=1e-3)
+
+
+def test_proposed_orifices_give_every_bearing_its_need_and_the_margin():
+    tube = {"diameter": "10 mm", "length": "3 m"}
+    lines = [
+        {"bearing": "A", "orifice_diameter": "4 mm"},
+        {"bearing": "B", "tube": tube, "orifice_diameter": "1 mm"},
+    ]
+    first = answer(machine(lines, bearing("A"), bearing("B", **HEAVY))).results[0]
+    sizes = row(first, "line_orifice_proposed")
+    mended = [{**line, "orifice_diameter": f"{size!r} m"} for line, size in zip(lines, sizes, strict=True)]
+    again = answer(machine(mended, bearing("A"), bearing("B", **HEAVY))).results[0]
+    assert row(again, "line_supply_ratio") == pytest.approx((1.2, 1.2), rel=1e-6)
+    assert again.header_pressure == pytest.approx(0.3e6)
+    assert row(again, "line_orifice_proposed") == pytest.approx(sizes, rel=1e-9)
+
+
+def test_a_pump_that_gives_too_little_has_no_orifices():
+    system = answer(
+        machine(
+            orifices(A=4, B=4),
+            bearing("A"),
+            bearing("B", **HEAVY),
+            pump={"flow": "5 L/min", "relief_pressure": "0.3 MPa"},
+        )
+    ).results[0]
+    assert [one.variant for one in system.warnings if one.code == "W602"] == ["pump"]
+    assert "line_orifice_proposed" not in system.arrays
+
+
+def test_films_are_balanced_too():
+    plain = {
+        "method": {"kind": "film", "accuracy": "draft"},
+        "supply_element": None,
+        "span": None,
+        "grooves": [{"angle": "0 deg", "extent": "20 deg"}, {"angle": "180 deg", "extent": "20 deg"}],
+    }
+    made = [
+        {name: value for name, value in bearing(one, **plain, **more).items() if value is not None}
+        for one, more in (("A", {}), ("B", {"load": "6 kN"}))
+    ]
+    system, *bearings = answer(machine(orifices(A=3, B=3), *made)).results
+    assert system.oil_balance_error < 1e-8
+    assert row(system, "line_flow")[0] > row(system, "line_need")[0]
+    assert bearings[0].eccentricity_ratio > bearings[1].eccentricity_ratio
+
+
+@pytest.mark.parametrize(
+    ("changed", "words"),
+    [
+        ({"oil_system": {"pump": PUMP, "lines": orifices(A=4)}}, "no line of the oil system leads to B"),
+        ({"oil_system": {"pump": PUMP, "lines": orifices(A=4, B=4, C=4)}}, "there is no such bearing"),
+        ({"oil_system": {"pump": PUMP, "lines": [*orifices(A=4), {"bearing": "B"}]}}, "nothing is between"),
+        ({"oil_system": {"pump": {"flow": "9 L/min"}, "lines": orifices(A=4, B=4)}}, "relief_pressure"),
+        ({"supply": {"temperature": "50 degC", "pressure": "0.2 MPa"}}, "follows from the oil system"),
+        ({"clearance_cases": "all"}, "one clearance of each bearing"),
+        ({"bearings": [bearing("A"), bearing("B", operating_points=[{"name": "x", "load": "5 kN"}], load=None)]},
+         "one operating point"),
+    ],
+)  # fmt: skip
+def test_what_an_oil_system_does_not_know_is_refused(changed, words):
+    if "bearings" in changed:
+        del changed["bearings"][1]["load"]
+    with pytest.raises(CaseError, match=words):
+        machine(orifices(A=4, B=4), bearing("A"), bearing("B"), **changed)
+
+
+def test_a_pump_curve_falls():
+    curve = [{"pressure": "0 MPa", "flow": "5 L/min"}, {"pressure": "0.4 MPa", "flow": "9 L/min"}]
+    with pytest.raises(CaseError, match="rises with the pressure"):
+        machine(orifices(A=4), bearing("A"), pump={"curve": curve})

@@ -1,0 +1,166 @@
+"""Designs side by side: changed inputs, matched bearings, differences, outputs of the command."""
+
+from __future__ import annotations
+
+import csv
+import json
+from pathlib import Path
+
+import pytest
+
+import babbitt as bb
+from babbitt.case import load_case, parse_case
+from babbitt.cli import main
+from babbitt.core.notices import InputError
+from babbitt.report.designs_output import designs_page
+from babbitt.report.designs_table import bearing_rows, difference
+from babbitt.study.designs import ABSENT, changed_inputs, compare_designs
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+FIRST = (EXAMPLES / "journal.yaml").read_text(encoding="utf-8")
+SECOND = FIRST.replace("width: 60 mm", "width: 72 mm").replace("load: 24 kN", "load: 24000 N")
+OTHER_OIL = FIRST.replace("ISO VG 46", "ISO VG 32").replace("Textbook bearing", "Thin oil")
+MACHINE = """
+kind: machine
+name: Gear
+lubricant: ISO VG 46
+supply: {temperature: 50 degC, pressure: 0.2 MPa}
+materials: {bearing: C10, journal: C45}
+bearings:
+  - {kind: journal, name: Pinion, diameter: 100 mm, width: 60 mm, clearance: {kind: relative, mean: 1.2 permille},
+     span: 360 deg, load: 10 kN, speed: 3000 rpm}
+  - {kind: journal, name: Wheel, diameter: 150 mm, width: 90 mm, clearance: {kind: relative, mean: 1.2 permille},
+     span: 360 deg, load: 20 kN, speed: 1000 rpm}
+"""
+
+
+def designs(*texts):
+    return compare_designs([parse_case(text) for text in texts], [f"d{number}" for number in range(len(texts))])
+
+
+def test_inputs_that_say_the_same_are_not_changed():
+    said_otherwise = FIRST.replace("120 mm", "0.12 m").replace("2000 rpm", "209.4395102393195 rad/s")
+    assert changed_inputs([parse_case(FIRST), parse_case(said_otherwise)]) == ()
+
+
+def test_every_changed_input_is_listed_and_no_other():
+    changed = changed_inputs([parse_case(FIRST), parse_case(SECOND), parse_case(OTHER_OIL)])
+    assert {one.path: one.values for one in changed} == {
+        "width": ("60 mm", "72 mm", "60 mm"),
+        "lubricant.name": ("ISO VG 46", "ISO VG 46", "ISO VG 32"),
+    }
+
+
+def test_what_one_design_lacks_is_said():
+    without = FIRST.replace("surfaces: {kind: direct, roughness_bearing: 4 um, roughness_journal: 2 um}\n", "")
+    changed = {one.path: one.values for one in changed_inputs([parse_case(FIRST), parse_case(without)])}
+    assert changed["surfaces.roughness_bearing"] == ("4 um", ABSENT)
+
+
+def test_results_are_those_of_each_case_and_differences_follow():
+    found = designs(FIRST, SECOND)
+    (bearing,) = found.bearings
+    alone = [one.results[0] for one in found.machines]
+    rows = {row.name: row for row in bearing_rows(bearing)}
+    power = [one.friction_power for one in alone]
+    assert rows["friction_power"].differences == (f"{100.0 * (power[1] / power[0] - 1.0):+.1f} %",)
+    rise = alone[1].outlet_temperature - alone[0].outlet_temperature
+    assert rows["outlet_temperature"].differences == (f"{rise:+.1f} K",)
+    assert rows["width"].differences == ("+20.0 %",)
+    said = {row.meaning: row.cells for row in bearing_rows(bearing)}
+    assert said["Verdict"] == tuple(one.verdict.value for one in alone)
+    assert [cell.split()[0] for cell in said["Governing check"]] == [one.governing_check.code for one in alone]
+
+
+def test_the_same_design_twice_differs_in_nothing():
+    found = designs(FIRST, FIRST)
+    assert found.changed == ()
+    assert all(set(row.differences) <= {"0 %", "+0.0 K", "+0.0 °", ""} for row in bearing_rows(found.bearings[0]))
+
+
+def test_single_bearings_are_matched_whatever_they_are_called_and_machines_by_name():
+    assert [len(one.results) for one in designs(FIRST, OTHER_OIL).bearings] == [2]
+    moved = MACHINE.replace("name: Wheel", "name: Idler")
+    found = designs(MACHINE, moved)
+    assert [(one.name, [result is not None for result in one.results]) for one in found.bearings] == [
+        ("Pinion", [True, True]),
+        ("Wheel", [True, False]),
+        ("Idler", [False, True]),
+    ]
+
+
+def test_designs_without_a_bearing_in_common_are_refused_in_one_message():
+    other = MACHINE.replace("name: Wheel", "name: A").replace("name: Pinion", "name: B")
+    with pytest.raises(InputError, match="no bearing, operating point and clearance in common") as refused:
+        designs(MACHINE, other)
+    assert refused.value.code == "E004"
+
+
+def test_of_different_kinds_common_results_are_compared():
+    pads = load_case(EXAMPLES / "flexure_pivot.yaml")
+    found = compare_designs([parse_case(FIRST), pads], ["round", "pads"])
+    assert not found.one_kind
+    bearing = found.bearings[0]
+    assert "minimum_film_thickness" in bearing.quantities
+    assert all(name in result.values for result in bearing.results for name in bearing.quantities)
+    assert "different kinds" in designs_page(found)
+
+
+def test_differences_of_nothing_and_of_large_changes():
+    assert difference("friction_power", 1.0, 20.0) == "x 20"
+    assert difference("friction_power", None, 1.0) == ABSENT
+    assert difference("energy_balance_error", 1e-14, 3e-14) == "0 %"
+    assert difference("attitude_angle", 0.5, 0.6) == "+5.7 °"
+
+
+def test_the_command_writes_all_that_it_shows(tmp_path, monkeypatch, capsys):
+    files = [tmp_path / "a.yaml", tmp_path / "b.yaml"]
+    for file, text in zip(files, (FIRST, SECOND), strict=True):
+        file.write_text(text, encoding="utf-8")
+    outputs = {name: tmp_path / f"out.{name}" for name in ("json", "csv")}
+    page = tmp_path / "out.html"
+    words = ["babbitt", "compare", *map(str, files), "--report", str(page)]
+    words += [word for name, path in outputs.items() for word in (f"--{name}", str(path))]
+    monkeypatch.setattr("sys.argv", words)
+    with pytest.raises(SystemExit) as ended:
+        main()
+    assert not ended.value.code
+    shown = capsys.readouterr().out
+    assert "Changed inputs" in shown
+    assert "72 mm" in shown
+    record = json.loads(outputs["json"].read_text(encoding="utf-8"))
+    assert record["changed_inputs"] == [{"path": "width", "values": {"a": "60 mm", "b": "72 mm"}}]
+    width = record["bearings"][0]["values"]["width"]
+    assert width == {"unit": "m", "a": pytest.approx(0.06), "b": pytest.approx(0.072)}
+    rows = {
+        row["quantity"]: row for row in csv.DictReader(outputs["csv"].read_text(encoding="utf-8").splitlines())
+    }
+    assert float(rows["width"]["b against a [%]"]) == pytest.approx(20.0)
+    assert rows["verdict"]["a"] == record["bearings"][0]["designs"]["a"]["verdict"]
+    assert "Governing check" in page.read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    ("words", "said"), [(["--plots", "x"], "is of one file"), (["--json", "x.json"], "is of several designs")]
+)
+def test_options_of_the_other_comparison_are_refused(words, said, monkeypatch, capsys):
+    files = [str(EXAMPLES / "journal.yaml")] * (2 if "--plots" in words else 1)
+    monkeypatch.setattr("sys.argv", ["babbitt", "compare", *files, *words])
+    with pytest.raises(SystemExit) as ended:
+        main()
+    assert ended.value.code == 2
+    assert said in capsys.readouterr().err
+
+
+def test_python_compares_objects():
+    first = bb.parse_case(FIRST)
+    found = bb.compare(first, first.replace(width=0.072))
+    assert found.changed == {"width": ("60 mm", "72 mm")}
+    assert found.labels == ("Textbook bearing", "Textbook bearing (2)")
+    assert "+20.0 %" in repr(found)
+    frame = found.to_dataframe()
+    assert frame.set_index("quantity").loc["width", "Textbook bearing (2)"] == pytest.approx(0.072)
+    with pytest.raises(InputError, match="from two cases on"):
+        bb.compare(first)
+    with pytest.raises(TypeError, match="load_case"):
+        bb.compare(first, "b.yaml")
