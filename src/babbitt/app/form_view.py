@@ -32,7 +32,7 @@ class FormView:
     def __init__(self, document: CaseDocument, changed: Callable[[], None]) -> None:
         self.document, self._changed = document, changed
         self._inputs: dict[Path, Any] = {}
-        self._open: set[str] = set()
+        self._open = set(list(sections())[:1])
         self._box = ui.column().classes("form")
         self.draw()
 
@@ -48,10 +48,8 @@ class FormView:
         except KeyError:  # no kind of the case language: the faults tell
             return
         with self._box:
-            for number, (heading, under) in enumerate(
-                sections_of(items, sections(), word("section_other")).items()
-            ):
-                is_open = heading in self._open or (number == 0 and not self._open)
+            for heading, under in sections_of(items, sections(), word("section_other")).items():
+                is_open = heading in self._open
                 section = ui.expansion(heading, value=is_open, on_value_change=self._keep(heading))
                 with section.classes("section"):
                     self._list(under)

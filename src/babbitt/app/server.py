@@ -39,7 +39,7 @@ def serve(text: str, host: str, port: int, token: str, allowed_hosts: tuple[str,
     from nicegui import app, ui
 
     from babbitt.app.guard import Guard
-    from babbitt.app.solver import Solver
+    from babbitt.app.solver import Solver, loaded
     from babbitt.app.words import word
     from babbitt.app.workbench import Workbench
 
@@ -47,6 +47,7 @@ def serve(text: str, host: str, port: int, token: str, allowed_hosts: tuple[str,
     token = token or (secrets.token_urlsafe(16) if open_to_others else "")
     port = port or free_port(host)
     solver = Solver()
+    solver.start(loaded)
     app.add_middleware(Guard, hosts=(*LOOPBACK, host, *allowed_hosts), token=token)
     app.on_shutdown(solver.close)
     style = files("babbitt.app").joinpath("page.css").read_text(encoding="utf-8")

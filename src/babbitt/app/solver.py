@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import math
 import os
 import time
 from collections.abc import Callable
@@ -18,9 +19,12 @@ __all__ = ["LONGEST", "Ended", "Latest", "Solver"]
 LONGEST = 30.0
 """Seconds that an answer may take."""
 
-STALE = 1.0
+STALE = 5.0
 """Seconds after which a question that is no longer of interest is ended: before that its answer is near, and a new
-process takes longer."""
+process takes as long."""
+
+POLL = 0.5
+"""Seconds between two looks at a question that runs."""
 
 LARGEST = 4 << 30
 """Bytes of memory of a worker."""
@@ -100,7 +104,7 @@ class _Question:
 
 
 class Latest:
-    """The questions of one session: of those that wait only the latest is asked, and earlier answers are dropped.
+    """The questions of one session: of those that wait only the latest is asked, and answers come in their order.
 
     Parameters
     ----------
@@ -111,7 +115,7 @@ class Latest:
         self._solver = solver
         self._waiting: _Question | None = None
         self._running: ProcessFuture | None = None
-        self._begun = 0.0
+        self._begun = math.inf
 
     async def ask(self, function: Callable[..., Any], *given: Any) -> Any:
         """The answer; None where a later question has taken the place of this one.
@@ -122,21 +126,27 @@ class Latest:
         """
         mine = self._waiting = _Question(function, given)
         while self._running is not None:
-            if time.monotonic() - self._begun > STALE:
-                self._running.cancel()
-            await asyncio.wait([asyncio.wrap_future(self._running)], timeout=STALE)
+            running = self._running
+            await asyncio.wait([asyncio.wrap_future(running)], timeout=POLL)
             if self._waiting is not mine:
                 return None
-            if self._running is not None and self._running.done():
-                self._running = None
-        self._begun = time.monotonic()
+            self._end_if_stale(running)
+        self._begun = math.inf
         self._running = future = self._solver.start(mine.function, *mine.given)
         try:
-            found = await outcome_of(future)
+            return await outcome_of(future)
         finally:
             if self._running is future:
                 self._running = None
-        return found if self._waiting is mine else None
+
+    def _end_if_stale(self, running: ProcessFuture) -> None:
+        """Withdraw a question that nobody waits for and that has been worked at for long."""
+        if running.done():
+            self._running = None if self._running is running else self._running
+        elif running.running():
+            self._begun = min(self._begun, time.monotonic())
+            if time.monotonic() - self._begun > STALE:
+                running.cancel()
 
 
 def _prepared() -> None:
@@ -147,7 +157,19 @@ def _prepared() -> None:
         pass
     else:
         resource.setrlimit(resource.RLIMIT_DATA, (LARGEST, LARGEST))
-    import babbitt
     from babbitt.app.answer import answer
+    from babbitt.core.kind import kinds
 
-    answer(babbitt.template("journal"))
+    answer(kinds()["journal"].read_template())
+
+
+def loaded() -> None:
+    """Load the kernels of films, so that no question of a visitor waits for them."""
+    from babbitt.app.answer import answer
+    from babbitt.app.document import CaseDocument
+    from babbitt.core.kind import kinds
+
+    document = CaseDocument(kinds()["journal"].read_template())
+    for thermal in ("global", "adiabatic"):
+        document.change(("method",), {"kind": "film", "thermal": thermal})
+        answer(document.text)

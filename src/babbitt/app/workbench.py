@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from nicegui import events, ui
+from nicegui import background_tasks, context, events, ui
 
 from babbitt.app import answer_view
 from babbitt.app.answer import Answer, answer, compared, figures, json_of, report_of
@@ -41,6 +41,7 @@ class Workbench:
 
     def build(self) -> None:
         """Draw the page."""
+        self._client = context.client
         self._head()
         with ui.element("main").classes("bench"):
             with ui.element("section").classes("case").props(f'aria-label="{word("form")}"'):
@@ -162,24 +163,24 @@ class Workbench:
         self._form.draw()
         self._slider.draw()
         self._editor.set_value(self.document.text)
-        ui.timer(0.0, lambda: self._answer(False), once=True)
+        self._ask(False)
 
     def _typed(self, event: events.ValueChangeEventArguments) -> None:
         if event.value != self.document.text:
             self.document.write(event.value)
             self._form.draw()
             self._slider.draw()
-            ui.timer(0.0, lambda: self._answer(False), once=True)
+            self._ask(False)
 
     def _changed(self) -> None:
         """The form changed the document."""
         if self._editor.value != self.document.text:
             self._editor.set_value(self.document.text)
-        ui.timer(0.0, lambda: self._answer(False), once=True)
+        self._ask(False)
 
     def _slid(self) -> None:
         """A slider is moving: an answer on the draft grid will do."""
-        ui.timer(0.0, lambda: self._answer(True), once=True)
+        self._ask(True)
 
     def _turned(self, event: events.GenericEventArguments) -> None:
         """A hand turned the load or a feed."""
@@ -190,7 +191,15 @@ class Workbench:
         self.document.change(path, f"{angle:.1f} deg")
         self._all_anew()
 
+    def _ask(self, quick: bool) -> None:
+        """Answer in a task of its own: the control that asked may be gone by then."""
+        background_tasks.create(self._answer(quick))
+
     async def _answer(self, quick: bool) -> None:
+        with self._client:
+            await self._answered(quick)
+
+    async def _answered(self, quick: bool) -> None:
         try:
             found = await self.latest.ask(answer, self.document.text, quick)
         except Ended as ended:
