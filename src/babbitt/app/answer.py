@@ -47,8 +47,8 @@ NAME = "case"
 QUICK: Mapping[str, Any] = {"accuracy": "draft", "equilibria": "first", "error_estimate": False}
 """Choices of a method for an answer while a value is still moving."""
 
-MOST_CARDS = 9
-"""Cards of a bearing: more are a table."""
+MOST_CHECKED, MOST_CARDS = 7, 10
+"""Cards with a limit, and in all: more are a table."""
 
 
 @dataclass(frozen=True)
@@ -234,7 +234,8 @@ def cards_of(result: Result) -> tuple[Card, ...]:
         return ()
     view, found = view_of(result), {}
     for check in sorted(result.checks, key=lambda one: (one.advisory, one.margin)):
-        found.setdefault(check.quantity, _checked(check, result))
+        if check.quantity not in found and len(found) < MOST_CHECKED:
+            found[check.quantity] = _checked(check, result)
     for name in (*view.sweep, *(column.quantity for column in view.columns), *view.key_results):
         value = result.values.get(name, math.nan)
         if name not in found and name in QUANTITIES and math.isfinite(value):

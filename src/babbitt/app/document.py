@@ -111,13 +111,13 @@ def with_changed(given: Mapping[str, Any], path: Path, value: Any) -> dict[str, 
     made = copy.deepcopy(dict(given))
     place: Any = made
     for step, following in zip(path[:-1], path[1:], strict=True):
-        inside = place[step] if isinstance(place, list) or step in place else None
+        if isinstance(place, list) and step == len(place):
+            place.append(None)
+        inside = place[step] if isinstance(place, list) else place.get(step)
         if isinstance(inside, str) and isinstance(following, str):
             inside = {"kind": inside}
         if not isinstance(inside, dict | list):
             inside = [] if isinstance(following, int) else {}
-        if isinstance(place, list) and step == len(place):
-            place.append(inside)
         place[step] = inside
         place = inside
     _put(place, path[-1], value)

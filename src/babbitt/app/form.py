@@ -38,7 +38,7 @@ class Entry:
     value : object
         As the case gives it; None where it does not.
     units : tuple of str
-        Everyday units of a quantity, the most usual first.
+        Everyday units of a quantity, the most usual first; none of one without dimension.
     options : tuple of str
         All that it may be, where it is a choice of words.
     is_switch, is_required : bool
@@ -203,13 +203,14 @@ def _entry(
     types = {part.get("type") for _, part in ways}
     kind = KINDS.get(field.get("x-kind", field.get("x-unit", "")))
     example = field.get("x-example", "")
+    everyday = () if kind is None or "" in kind.everyday else tuple(kind.everyday)
     return Entry(
         **told,
         value=value,
-        units=() if kind is None else _usual_first(tuple(kind.everyday), example.partition(" ")[2]),
+        units=_usual_first(everyday, example.partition(" ")[2]),
         options=words,
         is_switch=types == {"boolean"},
-        is_number=bool(types & {"integer", "number"}) and not words and kind is None,
+        is_number=bool(types & {"integer", "number"}) and not words and not everyday,
         is_required=is_required,
         allowed=field.get("x-allowed", ""),
         example=example,

@@ -96,10 +96,10 @@ class FormView:
             self._known(entry, found)
         elif isinstance(entry.value, list):
             self._text(entry, ", ".join(map(as_text, entry.value)), lambda text: _listed(text))
-        elif entry.units and entry.units != ("", "permille"):
+        elif entry.units:
             self._quantity(entry)
         else:
-            self._text(entry, as_text(entry.value), _number if entry.is_number or entry.units else _word)
+            self._text(entry, as_text(entry.value), _number if entry.is_number else _word)
 
     def _text(self, entry: Entry, value: str, read: Callable[[str], Any]) -> None:
         found = ui.input(

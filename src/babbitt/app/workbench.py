@@ -221,7 +221,9 @@ class Workbench:
                 ui.select(names, value=self.place, label=word("bearing"), on_change=self._chosen).props("dense")
             answer_view.cards(self.found, self.place)
         if self.found.faults:
-            return  # the last drawing and table stay, as what they were
+            self._drawing.classes(add="stale")  # what is drawn is what was solved last
+            return
+        self._drawing.classes(remove="stale")
         shown = self.found.bearings[self.place]
         self._drawing.clear()
         with self._drawing:

@@ -21,6 +21,9 @@ __all__ = ["film_picture", "round_picture"]
 PLAY, DEEP, HIGHEST, BACK = 0.22, 0.1, 0.55, 0.25
 """Clearance, depth of a groove, highest pressure and thickness of the bush as drawn, over the radius."""
 
+NAMES = 0.12
+"""Room for the highest pressure beyond its area, over the radius."""
+
 NARROWEST = 0.02
 """Half the angle of a feed as drawn, rad, at least."""
 
@@ -70,7 +73,7 @@ def _empty(solution: Solution) -> Picture:
         for name in ("eccentricity_ratio", "attitude_angle")
         if name in values
     ]
-    return Picture(1.0 + PLAY + BACK + HIGHEST, f"{solution.result.name} seen along the shaft: {', '.join(said)}")
+    return Picture(1.0 + PLAY + BACK + HIGHEST + NAMES, f"{solution.result.name} seen along the shaft: {', '.join(said)}")
 
 
 def _bore(solution: FilmSolution, theta: Array) -> Array:
