@@ -20,7 +20,9 @@ def film(**changes):
     document = CaseDocument(JOURNAL)
     document.change(("method",), {"kind": "film", "accuracy": "draft"})
     document.change(("supply_element",), None)
-    document.change(("grooves",), [{"angle": "0 deg", "extent": "20 deg"}, {"angle": "180 deg", "extent": "20 deg"}])
+    document.change(
+        ("grooves",), [{"angle": "0 deg", "extent": "20 deg"}, {"angle": "180 deg", "extent": "20 deg"}]
+    )
     for name, value in changes.items():
         document.change((name,), value)
     return document.text
@@ -34,7 +36,7 @@ def test_the_numbers_are_those_of_solve():
     (result,) = machine.results
     (shown,) = found.bearings
     assert shown.verdict == result.verdict.value
-    assert dict((row[1], row[2]) for row in shown.rows)["ε"] == f"{result.eccentricity_ratio:.3f}"
+    assert {row[1]: row[2] for row in shown.rows}["ε"] == f"{result.eccentricity_ratio:.3f}"
     film_card = next(card for card in shown.cards if card.symbol == "h_min")
     check = min((c for c in result.limits if c.quantity == "minimum_film_thickness"), key=lambda c: c.margin)
     assert film_card.word == "pass"

@@ -159,7 +159,9 @@ def test_a_link_holds_the_whole_case(kind):
     assert case_of("#" + link_of(TEMPLATES[kind])) == TEMPLATES[kind]
 
 
-@pytest.mark.parametrize("fragment", ["", "#", "#case=", "#case=%%%", "#case=AAAA", "#other=1", "#case=" + "A" * 4001])
+@pytest.mark.parametrize(
+    "fragment", ["", "#", "#case=", "#case=%%%", "#case=AAAA", "#other=1", "#case=" + "A" * 4001]
+)
 def test_a_link_without_a_case_is_refused(fragment):
     assert case_of(fragment) is None
 

@@ -232,7 +232,8 @@ def cards_of(result: Result) -> tuple[Card, ...]:
     """The strictest check of each quantity, then the results that matter most."""
     if not result.outcome.solved:
         return ()
-    view, found = view_of(result), {}
+    view = view_of(result)
+    found: dict[str, Card] = {}
     for check in sorted(result.checks, key=lambda one: (one.advisory, one.margin)):
         if check.quantity not in found and len(found) < MOST_CHECKED:
             found[check.quantity] = _checked(check, result)

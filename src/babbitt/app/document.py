@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import itertools
 from collections.abc import Mapping
 from typing import Any
 
@@ -110,10 +111,10 @@ def with_changed(given: Mapping[str, Any], path: Path, value: Any) -> dict[str, 
     """
     made = copy.deepcopy(dict(given))
     place: Any = made
-    for step, following in zip(path[:-1], path[1:], strict=True):
+    for step, following in itertools.pairwise(path):
         if isinstance(place, list) and step == len(place):
             place.append(None)
-        inside = place[step] if isinstance(place, list) else place.get(step)
+        inside = place[int(step)] if isinstance(place, list) else place.get(step)
         if isinstance(inside, str) and isinstance(following, str):
             inside = {"kind": inside}
         if not isinstance(inside, dict | list):

@@ -115,7 +115,9 @@ def form_of(given: Mapping[str, Any]) -> tuple[Item, ...]:
     return tuple(_items(_resolved({"$ref": reference}), given, (), NOT_SHOWN))
 
 
-def sections_of(items: tuple[Item, ...], fields: Mapping[str, tuple[str, ...]], other: str) -> dict[str, list[Item]]:
+def sections_of(
+    items: tuple[Item, ...], fields: Mapping[str, tuple[str, ...]], other: str
+) -> dict[str, list[Item]]:
     """The fields under the headings that name them; what none names stands under the last one."""
     home = {name: heading for heading, names in fields.items() for name in names}
     found: dict[str, list[Item]] = {heading: [] for heading in (*fields, other)}
@@ -165,7 +167,7 @@ def _choice(
     ways = tuple(dict.fromkeys([*([] if named or not simple else [TEXT]), *(way for way, _ in parts)]))
     way, inner = NONE, value
     if isinstance(value, Mapping):
-        way = value.get("kind") if value.get("kind") in ways else _fitting(parts, value)
+        way = str(value.get("kind")) if value.get("kind") in ways else _fitting(parts, value)
     elif isinstance(value, str):
         way = value if value in named else TEXT
         inner = {"kind": value} if value in named else value

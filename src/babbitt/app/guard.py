@@ -1,8 +1,8 @@
 """Who may talk to the page: known hosts, its own pages, and those with the token.
 
 A page of another site can make a browser send requests to this machine. The name of the host must be one that was
-allowed, also against names that are made to point here (DNS rebinding); what changes anything must come from a page
-of an allowed host; and where others can reach the server, a token is asked for.
+allowed, also against names that are made to point here (DNS rebinding); what changes anything must come from a
+page of an allowed host; and where others can reach the server, a token is asked for.
 """
 
 from __future__ import annotations
@@ -46,7 +46,9 @@ class Guard:
         Empty where none is asked for.
     """
 
-    def __init__(self, app: Callable[[Scope, Receive, Send], Awaitable[None]], hosts: Iterable[str], token: str) -> None:
+    def __init__(
+        self, app: Callable[[Scope, Receive, Send], Awaitable[None]], hosts: Iterable[str], token: str
+    ) -> None:
         self.app, self.hosts, self.token = app, frozenset(host.lower() for host in hosts), token
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:

@@ -29,9 +29,7 @@ class Slider:
         Called while a value moves, and when it stopped.
     """
 
-    def __init__(
-        self, document: CaseDocument, moving: Callable[[], None], stopped: Callable[[], None]
-    ) -> None:
+    def __init__(self, document: CaseDocument, moving: Callable[[], None], stopped: Callable[[], None]) -> None:
         self.document, self._moving, self._stopped = document, moving, stopped
         self._picked: list[Path] = []
         self._box = ui.column().classes("w-full")

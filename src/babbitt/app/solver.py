@@ -57,7 +57,7 @@ class Solver:
         count = workers or max(1, (os.cpu_count() or 1) - 1)
         self._pool = ProcessPool(max_workers=count, initializer=_prepared, context=get_context("spawn"))
 
-    def start(self, function: Callable[..., Any], *given: Any, longest: float = LONGEST) -> ProcessFuture:
+    def start(self, function: Callable[..., Any], *given: Any, longest: float = LONGEST) -> ProcessFuture[Any]:
         """Ask; the answer comes by the future."""
         return self._pool.schedule(function, args=given, timeout=longest)
 
@@ -72,11 +72,11 @@ class Solver:
 
     def close(self) -> None:
         """End all processes."""
-        self._pool.stop()
+        self._pool.stop()  # type: ignore[no-untyped-call]
         self._pool.join()
 
 
-async def outcome_of(future: ProcessFuture) -> Any:
+async def outcome_of(future: ProcessFuture[Any]) -> Any:
     """The answer of a future.
 
     Raises
@@ -114,7 +114,7 @@ class Latest:
     def __init__(self, solver: Solver) -> None:
         self._solver = solver
         self._waiting: _Question | None = None
-        self._running: ProcessFuture | None = None
+        self._running: ProcessFuture[Any] | None = None
         self._begun = math.inf
 
     async def ask(self, function: Callable[..., Any], *given: Any) -> Any:
@@ -139,14 +139,14 @@ class Latest:
             if self._running is future:
                 self._running = None
 
-    def _end_if_stale(self, running: ProcessFuture) -> None:
+    def _end_if_stale(self, running: ProcessFuture[Any]) -> None:
         """Withdraw a question that nobody waits for and that has been worked at for long."""
         if running.done():
             self._running = None if self._running is running else self._running
         elif running.running():
             self._begun = min(self._begun, time.monotonic())
             if time.monotonic() - self._begun > STALE:
-                running.cancel()
+                running.cancel()  # type: ignore[no-untyped-call]
 
 
 def _prepared() -> None:

@@ -13,7 +13,7 @@ from babbitt.app.document import CaseDocument
 from babbitt.app.form_view import FormView
 from babbitt.app.link import case_of, link_of
 from babbitt.app.slider import Slider
-from babbitt.app.solver import Ended, Latest, Solver, LONGEST
+from babbitt.app.solver import LONGEST, Ended, Latest, Solver
 from babbitt.app.words import word
 from babbitt.core.kind import kinds
 
@@ -165,7 +165,7 @@ class Workbench:
         self._editor.set_value(self.document.text)
         self._ask(False)
 
-    def _typed(self, event: events.ValueChangeEventArguments) -> None:
+    def _typed(self, event: events.ValueChangeEventArguments[Any]) -> None:
         if event.value != self.document.text:
             self.document.write(event.value)
             self._form.draw()
@@ -233,7 +233,7 @@ class Workbench:
             with self._results:
                 answer_view.results(shown)
 
-    def _chosen(self, event: events.ValueChangeEventArguments) -> None:
+    def _chosen(self, event: events.ValueChangeEventArguments[Any]) -> None:
         self.place = event.value
         self._show()
 

@@ -15,7 +15,9 @@ __all__ = ["workbench"]
 @app.command("app")
 def workbench(
     case: Annotated[Path | None, typer.Argument(metavar="[FILE]", help="Case file to begin with.")] = None,
-    host: Annotated[str, typer.Option(help="Address to listen at; others than 127.0.0.1 ask for a token.")] = "127.0.0.1",
+    host: Annotated[
+        str, typer.Option(help="Address to listen at; others than 127.0.0.1 ask for a token.")
+    ] = "127.0.0.1",
     port: Annotated[int, typer.Option(help="Port; 0 is one that is free.", min=0, max=65535)] = 0,
     token: Annotated[str, typer.Option(help="What visitors must bring; a random one by default.")] = "",
     allow_host: Annotated[

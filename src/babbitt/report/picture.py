@@ -1,7 +1,7 @@
 """A line drawing that a browser styles: shapes with words for what they are, written as SVG.
 
-Lengths are those of what is drawn, x to the right and y up. Colours, lines and letters are those of the page, by the
-class of each shape, so that one drawing serves light and dark pages and paper.
+Lengths are those of what is drawn, x to the right and y up. Colours, lines and letters are those of the page, by
+the class of each shape, so that one drawing serves light and dark pages and paper.
 """
 
 from __future__ import annotations
@@ -12,6 +12,8 @@ from xml.etree import ElementTree
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+
+from babbitt.core.quantities import QUANTITIES
 
 __all__ = ["Handle", "Picture"]
 
@@ -80,6 +82,15 @@ class Picture:
         angles = about + sense * np.linspace(-0.55, 0.55, 25)
         self._arrow(x + radius * np.cos(angles), y + radius * np.sin(angles), style, None)
 
+    def load(self, angle: float, load: float, sense: float, handle: Handle | None = None) -> None:
+        """A load in N on a journal of radius 1 in its direction, its size beside it, the rotation ahead of it."""
+        c, s = math.cos(angle), math.sin(angle)
+        self.arrow((-0.75 * c, -0.75 * s), (-0.08 * c, -0.08 * s), "load", handle)
+        self.turning(0.0, 0.0, 0.62, angle, sense, "rotation")
+        if math.isfinite(load):
+            words = QUANTITIES["load"].suited(load).with_unit(load)
+            self.text(-0.45 * c - 0.3 * s, -0.45 * s + 0.3 * c, words)
+
     def text(self, x: float, y: float, words: str, style: str = "label") -> None:
         """Words, centred about a place."""
         place = {"x": _number(x), "y": _number(-y), "font-size": _number(0.055 * self.reach)}
@@ -94,6 +105,8 @@ class Picture:
         size = HEAD * self.reach
         sides = [(x[-1] - size * math.cos(along + a), y[-1] - size * math.sin(along + a)) for a in (0.35, -0.35)]
         self._add("path", f"{style} line", {"d": _path((x, y))}, handle)
+        if handle is not None:  # wide enough to be held
+            self._add("path", "grip", {"d": _path((x, y))}, handle)
         head_x, head_y = zip((x[-1], y[-1]), *sides, strict=True)
         self._add("path", f"{style} head", {"d": _path((head_x, head_y)) + "Z"}, handle)
 

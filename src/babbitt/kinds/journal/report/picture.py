@@ -42,7 +42,7 @@ def round_picture(solution: Solution) -> Picture | None:
     centres = DOWN + sense * values["attitude_angle"]
     ratio = PLAY * values["eccentricity_ratio"]
     _journal(picture, ratio * math.cos(centres), ratio * math.sin(centres))
-    _load(picture, DOWN, values.get("load", math.nan), sense, None)
+    picture.load(DOWN, values.get("load", math.nan), sense)
     return picture
 
 
@@ -62,7 +62,7 @@ def film_picture(solution: Solution) -> Picture | None:
             _feed(picture, field.theta, radius, feed, _field_of(case.bearing.feeds, number))
     x, y = PLAY * film.position / film.film.clearance
     _journal(picture, float(x), float(y))
-    _load(picture, case.load_angle, film.load, case.rotation.sense, Handle("load_angle", case.load_angle))
+    picture.load(case.load_angle, film.load, case.rotation.sense, Handle("load_angle", case.load_angle))
     return picture
 
 
@@ -73,7 +73,9 @@ def _empty(solution: Solution) -> Picture:
         for name in ("eccentricity_ratio", "attitude_angle")
         if name in values
     ]
-    return Picture(1.0 + PLAY + BACK + HIGHEST + NAMES, f"{solution.result.name} seen along the shaft: {', '.join(said)}")
+    return Picture(
+        1.0 + PLAY + BACK + HIGHEST + NAMES, f"{solution.result.name} seen along the shaft: {', '.join(said)}"
+    )
 
 
 def _bore(solution: FilmSolution, theta: Array) -> Array:
@@ -142,13 +144,3 @@ def _journal(picture: Picture, x: float, y: float) -> None:
     picture.circle(0.0, 0.0, 0.018, "centre bearing")
     picture.circle(x, y, 0.022, "centre")
     picture.outline(([0.0, x], [0.0, y]), "centres")
-
-
-def _load(picture: Picture, angle: float, load: float, sense: float, handle: Handle | None) -> None:
-    """The load on the journal in its direction, its size beside it, and the sense of rotation ahead of it."""
-    c, s = math.cos(angle), math.sin(angle)
-    picture.arrow((-0.75 * c, -0.75 * s), (-0.08 * c, -0.08 * s), "load", handle)
-    picture.turning(0.0, 0.0, 0.62, angle, sense, "rotation")
-    if math.isfinite(load):
-        quantity = QUANTITIES["load"].suited(load)
-        picture.text(-0.45 * c - 0.3 * s, -0.45 * s + 0.3 * c, quantity.with_unit(load))
