@@ -75,8 +75,8 @@ class Workbench:
                 ui.menu_item(word("as_html"), lambda: self._report("html"))
                 ui.menu_item(word("as_json"), self._json)
             ui.space()
-            dark = ui.dark_mode()
-            self._icon("contrast", word("dark"), dark.toggle)
+            dark = ui.dark_mode(None)  # as the system has it
+            self._icon("contrast", word("dark"), lambda: dark.set_value(not dark.value))
 
     def _icon(self, icon: str, says: str, pressed: Callable[[], Any]) -> None:
         ui.button(icon=icon, on_click=pressed).props(f'flat dense round aria-label="{says}"').tooltip(says)
