@@ -57,7 +57,7 @@ $(VENV)/.demo: $(VENV)/.pip pyproject.toml constraints.txt
 	touch $@
 
 $(VENV)/.test: $(VENV)/.demo
-	$(PIP) --editable '.[report,files,studies,cluster]' --group test
+	$(PIP) --editable '.[report,files,studies,cluster,app]' --group test
 	touch $@
 
 $(VENV)-minima/.made: pyproject.toml constraints-minima.txt

@@ -61,6 +61,8 @@ class NamedFiles:
             For a file that is missing or not readable, not a regular file, too large, or out of reach.
         """
         file = self.folder / name
+        if self.reach is Reach.NOWHERE:
+            raise TableError(at, "a case may name no files here", "the numbers themselves, pasted in their place")
         try:
             if "\0" not in name and self.reach is Reach.FOLDER and not self._is_within(file):
                 raise TableError(

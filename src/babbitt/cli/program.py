@@ -8,13 +8,13 @@ import sys
 import warnings
 from typing import NoReturn, TextIO
 
-from babbitt.cli import comparing, designing, info, sizing, solve, studying, upgrading
+from babbitt.cli import comparing, designing, info, sizing, solve, studying, upgrading, workbench
 from babbitt.cli.app import UNUSABLE_INPUT, app
 from babbitt.cli.streams import prepare_streams
 from babbitt.core.files.printing import printable_lines
 from babbitt.core.notices import BabbittError, InputError
 
-__all__ = ["app", "comparing", "designing", "info", "run", "sizing", "solve", "studying", "upgrading"]
+__all__ = ["app", "comparing", "designing", "info", "run", "sizing", "solve", "studying", "upgrading", "workbench"]
 
 UNCOLLECTED = 100_000
 """New objects after which Python looks for garbage; with its own 700 an eighth of a short run is spent on that."""

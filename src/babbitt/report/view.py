@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from babbitt.report.drawing import Drawing
     from babbitt.report.inputs import InputGroup
     from babbitt.report.line import Section
+    from babbitt.report.picture import Picture
 
 __all__ = ["NO_VIEW", "View", "find_view", "lubricant_of", "view_of"]
 
@@ -34,7 +35,7 @@ def _itself(problem: Any) -> Any:
     return problem
 
 
-def _no_oil(_: Any) -> None:
+def _nothing(_: Any) -> None:
     return None
 
 
@@ -92,6 +93,8 @@ class View:
         Problem -> its lubricant, None where a viscosity is given.
     fields : callable, optional
         Solution -> fields of the film as a dataset.
+    picture : callable
+        Solution -> the bearing as a drawing for the screen (`babbitt.report.picture.Picture`), or None.
     """
 
     title: str
@@ -113,8 +116,9 @@ class View:
     state_table: Callable[[Sequence[Result]], RenderableType] | None = None
     alike: Callable[[Any], Any] = _itself
     citations: Callable[[Any], Iterable[str]] = _none
-    oil: Callable[[Any], Lubricant | None] = _no_oil
+    oil: Callable[[Any], Lubricant | None] = _nothing
     fields: Callable[[Solution], xarray.Dataset] | None = None
+    picture: Callable[[Solution], Picture | None] = _nothing
 
 
 NO_VIEW = View("")

@@ -208,10 +208,7 @@ def plan(case: CaseFile, block: StudyBlock) -> Plan:
         return _plan_of_table(case, block, table_in(case, str(block.rows)))
     stated, block = block.vary, _completed(case, block)
     inputs, rows = require_possible(case, block)
-    followed = block.vary.keys() - stated.keys()
-    inputs = tuple(
-        replace(one, reason=_reason(case, block, one)) if one.path in followed else one for one in inputs
-    )
+    inputs = tuple(_with_reason(case, block, one) if one.path not in stated else one for one in inputs)
     task = _task(case, inputs, block)
     if block.kind == "size":
         task = replace(task, limits=block.limits)

@@ -20,6 +20,7 @@ LARGEST_TEXT = 50_000_000
 class Reach(Enum):
     """Where a case may name files."""
 
+    NOWHERE = "nowhere"
     FOLDER = "in the folder of the case and below it"
     ANYWHERE = "anywhere"
 

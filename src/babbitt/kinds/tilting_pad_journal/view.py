@@ -155,6 +155,7 @@ FILM = View(
     report_figures=FIGURES,
     tables=LazyFunction("babbitt.kinds.tilting_pad_journal.report.tables:tables"),
     terminal_tables=LazyFunction("babbitt.kinds.tilting_pad_journal.report.tables:sensitivity_tables"),
+    picture=LazyFunction("babbitt.kinds.tilting_pad_journal.report.picture:pad_picture"),
     columns=COLUMNS,
     sweep=SWEEP,
     alike=_alike,

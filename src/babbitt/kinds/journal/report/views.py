@@ -58,6 +58,7 @@ COMMON = View(
     columns=COLUMNS,
     alike=_alike,
     oil=lubricant_of,
+    picture=LazyFunction("babbitt.kinds.journal.report.picture:round_picture"),
 )
 """What the views of all methods share."""
 
@@ -77,6 +78,7 @@ FILM = replace(
     figures=LazyFunction("babbitt.kinds.journal.report.film_figures:all_figures"),
     report_figures=LazyFunction("babbitt.kinds.journal.report.film_figures:report_figures"),
     fields=LazyFunction("babbitt.kinds.journal.report.film_fields:film_fields"),
+    picture=LazyFunction("babbitt.kinds.journal.report.picture:film_picture"),
     citations=film_citations,
 )
 

@@ -1,0 +1,338 @@
+"""What a page shows of a case: solved in a worker process, sent as plain data."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+from babbitt.case import CaseError, located, parse_case
+from babbitt.case.case_file import CaseFile
+from babbitt.case.method_mapping import METHOD, choices_of
+from babbitt.core.files.reading import Reach
+from babbitt.core.notices import Effect, InputError, explanations
+from babbitt.core.quantities import QUANTITIES
+from babbitt.core.result import Bound, Check, Result
+from babbitt.core.solution import Solution
+from babbitt.report import verdict as verdicts
+from babbitt.report.coefficient_temperatures import temperature_remark
+from babbitt.report.labels import label
+from babbitt.report.meanings import meaning, remark_on_zero
+from babbitt.report.text import plain_text
+from babbitt.report.view import view_of
+from babbitt.solving import MachineResult, solve
+
+__all__ = [
+    "Answer",
+    "Card",
+    "Fault",
+    "Figure",
+    "Finding",
+    "Shown",
+    "Table",
+    "answer",
+    "compared",
+    "figures",
+    "json_of",
+    "read",
+    "report_of",
+    "solved",
+]
+
+NAME = "case"
+"""What messages call the text on the page."""
+
+QUICK: Mapping[str, Any] = {"accuracy": "draft", "equilibria": "first", "error_estimate": False}
+"""Choices of a method for an answer while a value is still moving."""
+
+MOST_CHECKED, MOST_CARDS = 7, 10
+"""Cards with a limit, and in all: more are a table."""
+
+
+@dataclass(frozen=True)
+class Fault:
+    """What is wrong with a field of the case."""
+
+    field: str
+    line: int
+    message: str
+    code: str
+
+
+@dataclass(frozen=True)
+class Card:
+    """One number with its limit.
+
+    Attributes
+    ----------
+    label, symbol, value, limit, margin : str
+        In the engineer's units; without a limit the last two are empty.
+    share : float
+        Of the limit that is used up, 1 where it is reached; NaN without a limit.
+    word : str
+        pass, missed or fail; empty without a limit.
+    """
+
+    label: str
+    symbol: str
+    value: str
+    limit: str = ""
+    margin: str = ""
+    share: float = math.nan
+    word: str = ""
+
+
+@dataclass(frozen=True)
+class Finding:
+    """A warning, a check that was not made, or why there is no solution."""
+
+    code: str
+    title: str
+    message: str
+    remedy: str
+    grave: bool
+
+
+@dataclass(frozen=True)
+class Shown:
+    """One bearing at one operating point and clearance.
+
+    Attributes
+    ----------
+    name, method : str
+    verdict, verdict_key : str
+        In words, and for the style of the page.
+    governing : str
+        The governing check with its margin; empty where there is none.
+    cards : tuple of Card
+    findings : tuple of Finding
+    picture : str
+        SVG; empty where there is none.
+    rows : tuple of tuple of str
+        Meaning, symbol, value and unit of every result.
+    """
+
+    name: str
+    method: str
+    verdict: str
+    verdict_key: str
+    governing: str
+    cards: tuple[Card, ...]
+    findings: tuple[Finding, ...]
+    picture: str
+    rows: tuple[tuple[str, str, str, str], ...]
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What became of a case: what is wrong with it, or its bearings."""
+
+    faults: tuple[Fault, ...] = ()
+    bearings: tuple[Shown, ...] = ()
+    case_hash: str = ""
+    quick: bool = False
+    seconds: float = 0.0
+
+
+@dataclass(frozen=True)
+class Figure:
+    """A figure of the report."""
+
+    name: str
+    caption: str
+    svg: str
+
+
+@dataclass(frozen=True)
+class Table:
+    """A comparison of methods: heads, and rows of as many cells and one for the name."""
+
+    title: str
+    heads: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+    remarks: tuple[str, ...]
+
+
+def read(text: str) -> CaseFile:
+    """The case of a text that names no files.
+
+    Raises
+    ------
+    CaseError
+        With all that is wrong.
+    """
+    return parse_case(text, NAME, Reach.NOWHERE)
+
+
+def answer(text: str, quick: bool = False) -> Answer:
+    """Solve a case for the page, never raising for what stands in it.
+
+    Parameters
+    ----------
+    text : str
+    quick : bool
+        On a draft grid, with one equilibrium and no estimate of errors.
+    """
+    begun = time.perf_counter()
+    try:
+        machine = solved(text, quick)
+    except CaseError as error:
+        faults = tuple(Fault(one.field, one.line, one.message, one.code) for one in error.problems)
+        return Answer(faults, quick=quick, seconds=time.perf_counter() - begun)
+    bearings = tuple(shown(one) for one in machine.solutions)
+    return Answer((), bearings, machine.case_hash, quick, time.perf_counter() - begun)
+
+
+def solved(text: str, quick: bool = False) -> MachineResult:
+    """The answers of a case.
+
+    Raises
+    ------
+    CaseError
+        With all that is wrong.
+    """
+    case = read(text)
+    try:
+        return solve(as_quick(case) if quick else case)
+    except InputError as error:
+        raise located(error, case, NAME) from None
+
+
+def as_quick(case: CaseFile) -> CaseFile:
+    """The case with the quick choices of its method, where the method has them."""
+    method = getattr(case, METHOD, None)
+    if not isinstance(method, str):
+        return case
+    known = choices_of(type(case), method)
+    changes = {name: value for name, value in QUICK.items() if known.get(name) == (name,)}
+    return case.model_copy(update=changes) if changes else case
+
+
+def shown(solution: Solution) -> Shown:
+    """One bearing as the page shows it."""
+    result = solution.result
+    governing = result.governing_check
+    picture = view_of(result).picture(solution)
+    return Shown(
+        plain_text(result.name),
+        view_of(result).title or result.method,
+        result.verdict.value,
+        result.verdict.key,
+        "" if governing is None else f"{label(governing.quantity, result.kind)}: {verdicts.margin(governing)}",
+        cards_of(result),
+        tuple(findings_of(result)),
+        "" if picture is None else picture.svg(),
+        tuple(rows_of(result)),
+    )
+
+
+def cards_of(result: Result) -> tuple[Card, ...]:
+    """The strictest check of each quantity, then the results that matter most."""
+    if not result.outcome.solved:
+        return ()
+    view = view_of(result)
+    found: dict[str, Card] = {}
+    for check in sorted(result.checks, key=lambda one: (one.advisory, one.margin)):
+        if check.quantity not in found and len(found) < MOST_CHECKED:
+            found[check.quantity] = _checked(check, result)
+    for name in (*view.sweep, *(column.quantity for column in view.columns), *view.key_results):
+        value = result.values.get(name, math.nan)
+        if name not in found and name in QUANTITIES and math.isfinite(value):
+            quantity = QUANTITIES[name].suited(value)
+            found[name] = Card(label(name, result.kind), quantity.symbol, quantity.with_unit(value))
+    return tuple(found.values())[:MOST_CARDS]
+
+
+def _checked(check: Check, result: Result) -> Card:
+    value, limit = verdicts.value_and_limit(check)
+    sign = "≤" if check.bound is Bound.AT_MOST else "≥"
+    return Card(
+        label(check.quantity, result.kind),
+        QUANTITIES[check.quantity].symbol,
+        value,
+        f"{sign} {limit}",
+        verdicts.margin(check),
+        used_share(check),
+        verdicts.check_word(check).value,
+    )
+
+
+def used_share(check: Check) -> float:
+    """Share of a limit that is used up: value over limit, of a lower limit the inverse; temperatures in °C."""
+    offset = QUANTITIES[check.quantity].display.offset
+    value, limit = check.value + offset, check.limit + offset
+    upper, lower = (value, limit) if check.bound is Bound.AT_MOST else (limit, value)
+    if lower <= 0.0 or not math.isfinite(upper / lower):
+        return 0.0 if check.ok else math.inf
+    return max(upper / lower, 0.0)
+
+
+def findings_of(result: Result) -> Iterable[Finding]:
+    """Why there is no solution, warnings from the gravest on, and checks that were not made."""
+    if result.failure is not None:
+        yield _finding(result.failure.code, result.failure.message, grave=True)
+    for effect in (Effect.NO_VERDICT, Effect.QUESTIONS_RESULT, Effect.INFORMATION):
+        for notice in result.warnings:
+            if notice.effect is effect:
+                yield _finding(notice.code, notice.message, grave=effect is not Effect.INFORMATION)
+    for notice in result.not_checked:
+        yield replace(_finding(notice.code, notice.message, grave=False), remedy="")
+
+
+def _finding(code: str, message: str, grave: bool) -> Finding:
+    known = explanations().get(code)
+    title, remedy = (known.title, known.remedy) if known is not None else ("", "")
+    return Finding(code, title, plain_text(message), remedy, grave)
+
+
+def rows_of(result: Result) -> Iterable[tuple[str, str, str, str]]:
+    """Every result, as the table of the terminal has it."""
+    if not result.outcome.solved:
+        return
+    for name, value in result.values.items():
+        if name in QUANTITIES and math.isfinite(value) and name != "wall_time":
+            said = meaning(name, result.kind) + remark_on_zero(name, value) + temperature_remark(name, result)
+            quantity = QUANTITIES[name].suited(value)
+            yield said, quantity.symbol, quantity.format(value), quantity.display.label
+
+
+def figures(text: str) -> tuple[Figure, ...]:
+    """The figures that a report would have, of every bearing."""
+    return tuple(
+        Figure(plain_text(f"{one.result.name}: {drawn.name}"), drawn.caption, drawn.image.decode())
+        for one in solved(text).solutions
+        for drawn in view_of(one.result).report_figures(one)
+    )
+
+
+def compared(text: str) -> tuple[Table, ...]:
+    """Every method that knows the bearing, side by side."""
+    from babbitt.report.comparison_table import compared_rows, head
+    from babbitt.study.comparison import compare_methods
+
+    tables = []
+    for one in compare_methods(read(text)):
+        variants = [*one.methods, *one.choices]
+        rows = tuple(
+            (f"{row.meaning} {row.unit}".strip(), *row.cells) for row in compared_rows(one.compared, variants)
+        )
+        heads = tuple(head(variant, one.asked) for variant in variants)
+        remarks = tuple(line for line in (*one.sentences, *one.left_out.splitlines()) if line)
+        tables.append(Table(plain_text(one.name), heads, rows, remarks))
+    return tuple(tables)
+
+
+def report_of(text: str, report_format: Any) -> bytes:
+    """The report, as `babbitt solve --report` writes it."""
+    from babbitt.report.document import report
+
+    return report(solved(text), report_format)
+
+
+def json_of(text: str) -> str:
+    """The results, as `babbitt solve --json` writes them."""
+    from babbitt.report.export import write_json
+
+    return write_json(solved(text))

@@ -1,0 +1,135 @@
+"""A case while it is changed: what it gives, its text, and the way back."""
+
+from __future__ import annotations
+
+import copy
+import itertools
+from collections.abc import Mapping
+from typing import Any
+
+from babbitt.app.form import Path
+from babbitt.case.document import DocumentError, read_document
+from babbitt.case.with_units import case_text
+
+__all__ = ["CaseDocument", "with_changed"]
+
+MOST_STEPS = 200
+"""Changes that can be taken back."""
+
+
+class CaseDocument:
+    """The text of a case, in step with what it gives, and all its earlier texts.
+
+    Parameters
+    ----------
+    text : str
+        YAML or JSON.
+    """
+
+    def __init__(self, text: str) -> None:
+        self._texts, self._place = [text], 0
+        self._resting: str | None = None
+
+    @property
+    def text(self) -> str:
+        """As it stands."""
+        return self._texts[self._place]
+
+    @property
+    def given(self) -> dict[str, Any]:
+        """What it says; empty for a text that is no mapping."""
+        try:
+            found = read_document(self.text).plain()
+        except DocumentError:
+            return {}
+        return found if isinstance(found, dict) else {}
+
+    @property
+    def can_undo(self) -> bool:
+        """Whether there is an earlier text."""
+        return self._place > 0
+
+    @property
+    def can_redo(self) -> bool:
+        """Whether a change was taken back."""
+        return self._place + 1 < len(self._texts)
+
+    def write(self, text: str) -> None:
+        """Take another text in its place."""
+        if text == self.text:
+            return
+        self._texts = [*self._texts[: self._place + 1], text][-MOST_STEPS:]
+        self._place = len(self._texts) - 1
+
+    def change(self, path: Path, value: Any) -> None:
+        """Put a value in a field; None takes the field away."""
+        self.write(case_text(with_changed(self.given, path, value)))
+
+    def slide(self, path: Path, value: Any) -> None:
+        """Put a value in a field while it moves: the way back leads to where the movement began."""
+        if self._resting is None:
+            self._resting = self.text
+        self._texts[self._place] = case_text(with_changed(self.given, path, value))
+
+    def keep(self) -> None:
+        """End a movement."""
+        moved, resting = self.text, self._resting
+        self._resting = None
+        if resting is not None:
+            self._texts[self._place] = resting
+            self.write(moved)
+
+    def has(self, path: Path) -> bool:
+        """Whether the case gives something at a path."""
+        place: Any = self.given
+        for step in path:
+            try:
+                place = place[step]
+            except (LookupError, TypeError):
+                return False
+        return True
+
+    def undo(self) -> None:
+        """Go back by one change."""
+        self._place = max(self._place - 1, 0)
+
+    def redo(self) -> None:
+        """Go forward by one change that was taken back."""
+        self._place = min(self._place + 1, len(self._texts) - 1)
+
+
+def with_changed(given: Mapping[str, Any], path: Path, value: Any) -> dict[str, Any]:
+    """What a case gives with another value at a path; None takes it away, and a list keeps its order.
+
+    A part that was given by a word, such as ``method: film``, becomes a mapping of this ``kind`` where a field
+    within it is set.
+
+    >>> with_changed({"method": "film"}, ("method", "thermal"), "full")
+    {'method': {'kind': 'film', 'thermal': 'full'}}
+    >>> with_changed({"grooves": [{"angle": 0}]}, ("grooves", 0, "angle"), None)
+    {'grooves': [{}]}
+    """
+    made = copy.deepcopy(dict(given))
+    place: Any = made
+    for step, following in itertools.pairwise(path):
+        if isinstance(place, list) and step == len(place):
+            place.append(None)
+        inside = place[int(step)] if isinstance(place, list) else place.get(step)
+        if isinstance(inside, str) and isinstance(following, str):
+            inside = {"kind": inside}
+        if not isinstance(inside, dict | list):
+            inside = [] if isinstance(following, int) else {}
+        place[step] = inside
+        place = inside
+    _put(place, path[-1], value)
+    return made
+
+
+def _put(place: Any, step: str | int, value: Any) -> None:
+    if isinstance(place, list):
+        index = int(step)
+        place[index : index + 1] = [] if value is None else [value]
+    elif value is None:
+        place.pop(step, None)
+    else:
+        place[step] = value

@@ -1,0 +1,218 @@
+"""The form of a case: one control a field, errors under their fields."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable
+from typing import Any
+
+from nicegui import ui
+
+from babbitt.app.answer import Fault
+from babbitt.app.document import CaseDocument
+from babbitt.app.form import NONE, TEXT, Choice, Entry, Group, Item, Path, Rows, as_text, form_of, sections_of
+from babbitt.app.units import in_unit, split
+from babbitt.app.words import sections, word
+
+__all__ = ["FormView"]
+
+PAUSE = 300
+"""Milliseconds after the last key at which a field is taken."""
+
+
+class FormView:
+    """Controls of a case; `changed` is called when one of them changed the document.
+
+    Parameters
+    ----------
+    document : CaseDocument
+    changed : callable
+    """
+
+    def __init__(self, document: CaseDocument, changed: Callable[[], None]) -> None:
+        self.document, self._changed = document, changed
+        self._inputs: dict[Path, Any] = {}
+        self._open = set(list(sections())[:1])
+        self._box = ui.column().classes("form")
+        self.draw()
+
+    def draw(self) -> None:
+        """Draw all controls anew: another case, or another way to give a part."""
+        self._inputs.clear()
+        self._box.clear()
+        given = self.document.given
+        if not isinstance(given.get("kind"), str):
+            return
+        try:
+            items = form_of(given)
+        except KeyError:  # no kind of the case language: the faults tell
+            return
+        with self._box:
+            for heading, under in sections_of(items, sections(), word("section_other")).items():
+                is_open = heading in self._open
+                section = ui.expansion(heading, value=is_open, on_value_change=self._keep(heading))
+                with section.classes("section"):
+                    self._list(under)
+
+    def blame(self, faults: Iterable[Fault]) -> None:
+        """Show what is wrong under the fields that are to blame."""
+        said: dict[Path, str] = {}
+        for fault in faults:
+            said.setdefault(path_of(fault.field), fault.message)
+        for path, control in self._inputs.items():
+            message = said.get(path, "")
+            control.error = message or None
+
+    def _keep(self, heading: str) -> Callable[[Any], None]:
+        def kept(event: Any) -> None:
+            (self._open.add if event.value else self._open.discard)(heading)
+
+        return kept
+
+    def _list(self, items: Iterable[Item]) -> None:
+        for item in items:
+            match item:
+                case Entry():
+                    self._entry(item)
+                case Choice():
+                    self._choice(item)
+                case Group():
+                    self._group(item)
+                case Rows():
+                    self._rows(item)
+
+    def _entry(self, entry: Entry) -> None:
+        if entry.is_switch:
+            ui.switch(
+                entry.label, value=bool(entry.value), on_change=lambda e: self._take(entry.path, bool(e.value))
+            ).tooltip(entry.help)
+        elif entry.options:
+            options = list(entry.options) if entry.is_required else [NONE, *entry.options]
+            value = as_text(entry.value) if as_text(entry.value) in options else options[0]
+            found = ui.select(
+                options, value=value, label=entry.label,
+                on_change=lambda e: self._take(entry.path, e.value or None),
+            )  # fmt: skip
+            self._known(entry, found)
+        elif isinstance(entry.value, list):
+            self._text(entry, ", ".join(map(as_text, entry.value)), lambda text: _listed(text))
+        elif entry.units:
+            self._quantity(entry)
+        else:
+            self._text(entry, as_text(entry.value), _number if entry.is_number else _word)
+
+    def _text(self, entry: Entry, value: str, read: Callable[[str], Any]) -> None:
+        found = ui.input(
+            entry.label, value=value, placeholder=entry.example,
+            on_change=lambda e: self._take(entry.path, read(e.value or "")),
+        )  # fmt: skip
+        self._known(entry, found)
+
+    def _quantity(self, entry: Entry) -> None:
+        number, unit = split(as_text(entry.value), entry.units)
+        chosen = unit or entry.units[0]
+        with ui.row().classes("quantity"):
+            field = ui.input(entry.label, value=number, placeholder=entry.example).classes("grow")
+            select = ui.select(list(entry.units), value=chosen).classes("unit").props("dense borderless")
+            select.props(f'aria-label="{word("unit")}: {entry.label}"')
+
+        def taken() -> None:
+            text = (field.value or "").strip()
+            self._take(entry.path, f"{text} {select.value}" if _is_number(text) else text or None)
+
+        def converted(event: Any) -> None:
+            nonlocal chosen
+            if _is_number(field.value or ""):
+                field.value = in_unit(field.value, chosen, event.value)
+            chosen = event.value
+            taken()
+
+        field.on_value_change(lambda _: taken())
+        select.on_value_change(converted)
+        self._known(entry, field)
+
+    def _known(self, entry: Entry, control: Any) -> None:
+        control.props("dense" + (f" debounce={PAUSE}" if isinstance(control, ui.input) else ""))
+        hint = "; ".join(part for part in (entry.help, entry.allowed) if part)
+        if hint:
+            control.tooltip(hint)
+        self._inputs[entry.path] = control
+
+    def _choice(self, choice: Choice) -> None:
+        names = {way: word("as_words") if way == TEXT else way.replace("_", " ") for way in choice.ways}
+        options = names if choice.is_required else {NONE: word("not_given"), **names}
+        value = choice.way if choice.way in options else next(iter(options))
+
+        def chosen(event: Any) -> None:
+            way = event.value
+            self._take(choice.path, None if way == NONE else "" if way == TEXT else {"kind": way})
+            self.draw()
+
+        found = ui.select(options, value=value, label=choice.label, on_change=chosen)
+        found.props("dense").tooltip(choice.help)
+        self._inputs[choice.path] = found
+        if choice.items:
+            with ui.column().classes("inner"):
+                self._list(choice.items)
+
+    def _group(self, group: Group) -> None:
+        with ui.expansion(group.label, value=group.is_given).classes("inner").props("dense"):
+            self._list(group.items)
+
+    def _rows(self, rows: Rows) -> None:
+        with ui.expansion(f"{rows.label} ({len(rows.rows)})", value=bool(rows.rows)).classes("inner") as box:
+            box.props("dense").tooltip(rows.help)
+            for number, items in enumerate(rows.rows):
+                with ui.row().classes("row-head"):
+                    ui.label(f"{number + 1}")
+                    self._button("delete", word("remove"), (*rows.path, number), None)
+                self._list(items)
+            self._button("add", word("add"), (*rows.path, len(rows.rows)), {})
+
+    def _button(self, icon: str, says: str, path: Path, value: Any) -> None:
+        def pressed() -> None:
+            self._take(path, value)
+            self.draw()
+
+        ui.button(icon=icon, on_click=pressed).props(f'flat dense round aria-label="{says}"').tooltip(says)
+
+    def _take(self, path: Path, value: Any) -> None:
+        before = self.document.text
+        self.document.change(path, value)
+        if self.document.text != before:
+            self._changed()
+
+
+def path_of(field: str) -> Path:
+    """The path of a field as messages write it.
+
+    >>> path_of("bearings[1 'Output wheel'].supply.pressure")
+    ('bearings', 1, 'supply', 'pressure')
+    """
+    steps: list[str | int] = []
+    for name, number in re.findall(r"([A-Za-z_]\w*)(?=[.\[]|$)|\[(\d+)[^\]]*\]", field):
+        steps.append(name if name else int(number))
+    return tuple(steps)
+
+
+def _is_number(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True
+
+
+def _number(text: str) -> Any:
+    text = text.strip()
+    if not text:
+        return None
+    return (int(text) if re.fullmatch(r"[+-]?\d+", text) else float(text)) if _is_number(text) else text
+
+
+def _word(text: str) -> Any:
+    return text.strip() or None
+
+
+def _listed(text: str) -> Any:
+    return [_number(one) for one in text.split(",") if one.strip()] or None

@@ -1,0 +1,100 @@
+"""A value of the case under a slider, for an answer that follows the hand."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from typing import Any
+
+from nicegui import ui
+
+from babbitt.app.document import CaseDocument
+from babbitt.app.form import Entry, Item, Path, Rows, as_text, form_of
+from babbitt.app.units import split
+from babbitt.app.words import word
+
+__all__ = ["Slider", "quantities"]
+
+SPAN = 2.0
+"""Ends of a slider: the value over this, and times this."""
+
+
+class Slider:
+    """A slider for each quantity that was picked.
+
+    Parameters
+    ----------
+    document : CaseDocument
+    moving, stopped : callable
+        Called while a value moves, and when it stopped.
+    """
+
+    def __init__(self, document: CaseDocument, moving: Callable[[], None], stopped: Callable[[], None]) -> None:
+        self.document, self._moving, self._stopped = document, moving, stopped
+        self._picked: list[Path] = []
+        self._box = ui.column().classes("w-full")
+        self.draw()
+
+    def draw(self) -> None:
+        """Draw the sliders anew."""
+        self._box.clear()
+        given = self.document.given
+        try:
+            entries = {one.path: one for one in quantities(form_of(given))}
+        except KeyError:
+            return
+        self._picked = [path for path in self._picked if path in entries] or list(entries)[:3]
+        with self._box:
+            ui.select(
+                {path: " ".join(map(str, path)).replace("_", " ") for path in entries},
+                value=self._picked, multiple=True, label=word("pick_field"), on_change=self._pick,
+            ).props("dense use-chips").classes("w-full")  # fmt: skip
+            for path in self._picked:
+                self._slider(entries[path])
+
+    def _pick(self, event: Any) -> None:
+        self._picked = list(event.value)
+        self.draw()
+
+    def _slider(self, entry: Entry) -> None:
+        number, unit = split(as_text(entry.value), entry.units)
+        value = float(number)
+        first, last = sorted((value / SPAN, value * SPAN)) if value else (-1.0, 1.0)
+        says = f"{' '.join(map(str, entry.path)).replace('_', ' ')}"
+        with ui.row().classes("slider"):
+            ui.label(says).classes("name")
+            found = ui.slider(min=first, max=last, step=_step(last - first), value=value).classes("grow")
+            found.props(f'aria-label="{says}" label')
+            shown = ui.label(f"{value:g} {unit}").classes("number")
+
+        def moved(event: Any) -> None:
+            shown.text = f"{event.args:.6g} {unit}"
+            self.document.slide(entry.path, f"{event.args:.6g} {unit}".strip())
+            self._moving()
+
+        def stopped(event: Any) -> None:
+            self.document.slide(entry.path, f"{event.args:.6g} {unit}".strip())
+            self.document.keep()
+            self._stopped()
+
+        found.on("update:model-value", moved, throttle=0.05, leading_events=False)
+        found.on("change", stopped)
+
+
+def quantities(items: tuple[Item, ...]) -> Iterator[Entry]:
+    """The fields with a number and a unit, as the form has them."""
+    for item in items:
+        if isinstance(item, Entry):
+            text = as_text(item.value)
+            if item.units and text and split(text, item.units)[1]:
+                yield item
+        elif isinstance(item, Rows):
+            for row in item.rows:
+                yield from quantities(row)
+        else:
+            yield from quantities(item.items)
+
+
+def _step(span: float) -> float:
+    """A round step, about a hundredth of a span."""
+    return float(10.0 ** math.floor(math.log10(span / 100.0)))

@@ -1,0 +1,175 @@
+"""Worker processes of the page: bounded in time and memory, replaced when they die, the latest question first."""
+
+from __future__ import annotations
+
+import asyncio
+import math
+import os
+import time
+from collections.abc import Callable
+from concurrent.futures import CancelledError
+from dataclasses import dataclass
+from multiprocessing import get_context
+from typing import Any
+
+from pebble import ProcessFuture, ProcessPool
+
+__all__ = ["LONGEST", "Ended", "Latest", "Solver"]
+
+LONGEST = 30.0
+"""Seconds that an answer may take."""
+
+STALE = 5.0
+"""Seconds after which a question that is no longer of interest is ended: before that its answer is near, and a new
+process takes as long."""
+
+POLL = 0.5
+"""Seconds between two looks at a question that runs."""
+
+LARGEST = 4 << 30
+"""Bytes of memory of a worker."""
+
+
+class Ended(Exception):  # noqa: N818 - not an error of the program
+    """A question that was not answered: ended by its time limit, withdrawn, or its process died.
+
+    Attributes
+    ----------
+    why : str
+        ``too_long``, ``cancelled`` or ``died``: keys of the catalogue of words.
+    """
+
+    def __init__(self, why: str) -> None:
+        super().__init__(why)
+        self.why = why
+
+
+class Solver:
+    """Processes that answer the questions of all sessions.
+
+    Parameters
+    ----------
+    workers : int, optional
+        As many as cores less one by default, and at least one.
+    """
+
+    def __init__(self, workers: int | None = None) -> None:
+        count = workers or max(1, (os.cpu_count() or 1) - 1)
+        self._pool = ProcessPool(max_workers=count, initializer=_prepared, context=get_context("spawn"))
+
+    def start(self, function: Callable[..., Any], *given: Any, longest: float = LONGEST) -> ProcessFuture[Any]:
+        """Ask; the answer comes by the future."""
+        return self._pool.schedule(function, args=given, timeout=longest)
+
+    async def ask(self, function: Callable[..., Any], *given: Any, longest: float = LONGEST) -> Any:
+        """Ask and wait.
+
+        Raises
+        ------
+        Ended
+        """
+        return await outcome_of(self.start(function, *given, longest=longest))
+
+    def close(self) -> None:
+        """End all processes."""
+        self._pool.stop()  # type: ignore[no-untyped-call]
+        self._pool.join()
+
+
+async def outcome_of(future: ProcessFuture[Any]) -> Any:
+    """The answer of a future.
+
+    Raises
+    ------
+    Ended
+    """
+    try:
+        return await asyncio.wrap_future(future)
+    except TimeoutError:
+        raise Ended("too_long") from None
+    except (CancelledError, asyncio.CancelledError):
+        raise Ended("cancelled") from None
+    except Exception as error:
+        from pebble import ProcessExpired
+
+        if isinstance(error, ProcessExpired | MemoryError):
+            raise Ended("died") from None
+        raise
+
+
+@dataclass
+class _Question:
+    function: Callable[..., Any]
+    given: tuple[Any, ...]
+
+
+class Latest:
+    """The questions of one session: of those that wait only the latest is asked, and answers come in their order.
+
+    Parameters
+    ----------
+    solver : Solver
+    """
+
+    def __init__(self, solver: Solver) -> None:
+        self._solver = solver
+        self._waiting: _Question | None = None
+        self._running: ProcessFuture[Any] | None = None
+        self._begun = math.inf
+
+    async def ask(self, function: Callable[..., Any], *given: Any) -> Any:
+        """The answer; None where a later question has taken the place of this one.
+
+        Raises
+        ------
+        Ended
+        """
+        mine = self._waiting = _Question(function, given)
+        while self._running is not None:
+            running = self._running
+            await asyncio.wait([asyncio.wrap_future(running)], timeout=POLL)
+            if self._waiting is not mine:
+                return None
+            self._end_if_stale(running)
+        self._begun = math.inf
+        self._running = future = self._solver.start(mine.function, *mine.given)
+        try:
+            return await outcome_of(future)
+        finally:
+            if self._running is future:
+                self._running = None
+
+    def _end_if_stale(self, running: ProcessFuture[Any]) -> None:
+        """Withdraw a question that nobody waits for and that has been worked at for long."""
+        if running.done():
+            self._running = None if self._running is running else self._running
+        elif running.running():
+            self._begun = min(self._begun, time.monotonic())
+            if time.monotonic() - self._begun > STALE:
+                running.cancel()  # type: ignore[no-untyped-call]
+
+
+def _prepared() -> None:
+    """Bound the memory of a worker, and load what the first question needs."""
+    try:
+        import resource
+    except ImportError:  # not on Windows: there memory is not bounded
+        pass
+    else:
+        resource.setrlimit(resource.RLIMIT_DATA, (LARGEST, LARGEST))
+    from babbitt.app.answer import answer
+    from babbitt.core.kind import kinds
+
+    answer(kinds()["journal"].read_template())
+
+
+def loaded() -> None:
+    """Load the kernels of films, so that no question of a visitor waits for them."""
+    from babbitt.app.answer import answer
+    from babbitt.app.document import CaseDocument
+    from babbitt.core.kind import kinds
+
+    document = CaseDocument(kinds()["journal"].read_template())
+    for thermal in ("global", "adiabatic"):
+        document.change(("method",), {"kind": "film", "thermal": thermal})
+        answer(document.text)

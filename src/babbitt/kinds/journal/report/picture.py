@@ -1,0 +1,146 @@
+"""A journal bearing seen along its shaft, as a drawing for the screen."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from babbitt.core.quantities import QUANTITIES
+from babbitt.core.solution import Solution
+from babbitt.kinds.journal.film.field import Array, field_of, inside, step_patches
+from babbitt.kinds.journal.film.isothermal import under_found_load
+from babbitt.kinds.journal.film.model import FeedSize, FilmCase
+from babbitt.report.picture import Handle, Picture
+from babbitt.reynolds.solution import FilmSolution
+from babbitt.reynolds.surface.unwrapped_mesh import GROOVE_GAP, bore_gap
+
+__all__ = ["film_picture", "round_picture"]
+
+PLAY, DEEP, HIGHEST, BACK = 0.22, 0.1, 0.55, 0.25
+"""Clearance, depth of a groove, highest pressure and thickness of the bush as drawn, over the radius."""
+
+NAMES = 0.12
+"""Room for the highest pressure beyond its area, over the radius."""
+
+NARROWEST = 0.02
+"""Half the angle of a feed as drawn, rad, at least."""
+
+DOWN = -0.5 * math.pi
+
+
+def round_picture(solution: Solution) -> Picture | None:
+    """A round bore with its journal; the load downward, as the methods of one dimension have it."""
+    values = solution.result.values
+    if not {"eccentricity_ratio", "attitude_angle"} <= values.keys():
+        return None
+    picture = _empty(solution)
+    around = np.linspace(0.0, 2.0 * math.pi, 181)
+    _bush(picture, np.full_like(around, 1.0 + PLAY), around)
+    sense = math.copysign(1.0, values.get("angular_speed", 1.0))
+    centres = DOWN + sense * values["attitude_angle"]
+    ratio = PLAY * values["eccentricity_ratio"]
+    _journal(picture, ratio * math.cos(centres), ratio * math.sin(centres))
+    picture.load(DOWN, values.get("load", math.nan), sense)
+    return picture
+
+
+def film_picture(solution: Solution) -> Picture | None:
+    """Bore with grooves, pockets and steps, journal, load, and the pressure in the mid-plane."""
+    if not solution.result.outcome.solved:
+        return None
+    case: FilmCase = under_found_load(solution.problem, solution.state)
+    film: FilmSolution = solution.state.solution
+    field = field_of(film, case.load_angle - math.pi)
+    picture = _empty(solution)
+    radius = _bore(film, field.theta)
+    _pressure(picture, field.theta, radius, field.mid_plane_pressure)
+    _bush(picture, radius, field.theta)
+    for number, feed in enumerate(case.bearing.feeds):
+        if feed.width is None or abs(feed.axial_position) <= 0.5 * feed.width:
+            _feed(picture, field.theta, radius, feed, _field_of(case.bearing.feeds, number))
+    x, y = PLAY * film.position / film.film.clearance
+    _journal(picture, float(x), float(y))
+    picture.load(case.load_angle, film.load, case.rotation.sense, Handle("load_angle", case.load_angle))
+    return picture
+
+
+def _empty(solution: Solution) -> Picture:
+    values = solution.result.values
+    said = [
+        f"{QUANTITIES[name].meaning.lower()} {QUANTITIES[name].with_unit(values[name])}"
+        for name in ("eccentricity_ratio", "attitude_angle")
+        if name in values
+    ]
+    return Picture(
+        1.0 + PLAY + BACK + HIGHEST + NAMES, f"{solution.result.name} seen along the shaft: {', '.join(said)}"
+    )
+
+
+def _bore(solution: FilmSolution, theta: Array) -> Array:
+    """Drawn radius of the bore: grooves closed, steps that reach the mid-plane deepened."""
+    film = solution.film
+    gap = bore_gap(film, theta)
+    land = gap < 0.5 * GROOVE_GAP
+    radius = 1.0 + PLAY * np.interp(theta, theta[land], gap[land], period=2.0 * math.pi)
+    for step in step_patches(film):
+        if step.z[0] <= 0.0 <= step.z[1]:
+            deeper = min(PLAY * step.depth / film.clearance, DEEP)
+            radius = np.where(inside(theta, step.theta), radius + deeper, radius)
+    return np.asarray(radius)
+
+
+def _bush(picture: Picture, radius: Array, theta: Array) -> None:
+    """The metal between the bore and its back."""
+    bore = radius * np.cos(theta), radius * np.sin(theta)
+    back = (1.0 + PLAY + BACK) * np.cos(theta), (1.0 + PLAY + BACK) * np.sin(theta)
+    picture.area(back, "bush", hole=bore)
+    picture.outline(bore, "bore")
+
+
+def _pressure(picture: Picture, theta: Array, radius: Array, pressure: Array) -> None:
+    """Outward from the bush, the highest as `HIGHEST`."""
+    highest = float(pressure.max())
+    if not highest > 0.0:
+        return
+    base = 1.0 + PLAY + BACK
+    angles = np.linspace(theta[0], theta[-1], 361)
+    outer = base + 0.9 * HIGHEST * np.interp(angles, theta, np.maximum(pressure, 0.0)) / highest
+    x, y = np.cos(angles), np.sin(angles)
+    picture.area(
+        (np.concatenate((outer * x, base * x[::-1])), np.concatenate((outer * y, base * y[::-1]))), "pressure"
+    )
+    top = int(outer.argmax())
+    quantity = QUANTITIES["maximum_pressure"]
+    beside = outer[top] + 0.12
+    picture.text(beside * x[top], beside * y[top], quantity.with_unit(highest))
+
+
+def _feed(picture: Picture, theta: Array, radius: Array, feed: FeedSize, field: str) -> None:
+    """A notch of the bore that may be turned."""
+    half = max(0.5 * feed.extent, NARROWEST)
+    angles = feed.angle + np.linspace(-half, half, 24)
+    inner = np.interp(angles, theta, radius, period=2.0 * math.pi)
+    ring = np.concatenate((inner, (inner + DEEP)[::-1]))
+    both = np.concatenate((angles, angles[::-1]))
+    picture.area((ring * np.cos(both), ring * np.sin(both)), "feed", Handle(field, feed.angle))
+
+
+def _field_of(feeds: Sequence[FeedSize], number: int) -> str:
+    """Field of a case with the angle of a feed: grooves, pockets and holes stand in lists of their own."""
+    family = _family(feeds[number])
+    return f"{family}.{sum(_family(one) == family for one in feeds[:number])}.angle"
+
+
+def _family(feed: FeedSize) -> str:
+    if feed.bore_hole is not None:
+        return "holes"
+    return "grooves" if feed.width is None else "pockets"
+
+
+def _journal(picture: Picture, x: float, y: float) -> None:
+    picture.circle(x, y, 1.0, "journal")
+    picture.circle(0.0, 0.0, 0.018, "centre bearing")
+    picture.circle(x, y, 0.022, "centre")
+    picture.outline(([0.0, x], [0.0, y]), "centres")

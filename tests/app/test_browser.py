@@ -1,0 +1,229 @@
+"""The page in a real browser: what a designer does, by mouse and by keyboard alone."""
+
+import json
+import os
+import re
+import shutil
+import socket
+import subprocess
+import sys
+import time
+from urllib.request import Request, urlopen
+
+import pytest
+
+from babbitt.core.kind import kinds
+
+BROWSER = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(BROWSER is None, reason="no Chromium among the programs of the system"),
+]
+LONG = 120_000
+"""Milliseconds: a loaded machine is slow, and no test depends on the clock."""
+
+
+@pytest.fixture(scope="module")
+def server(tmp_path_factory):
+    """Address of a page that serves the template of a journal bearing."""
+    with socket.socket() as found:
+        found.bind(("127.0.0.1", 0))
+        port = found.getsockname()[1]
+    # The library of the page starts nothing where it believes to be tested itself.
+    environment = {name: value for name, value in os.environ.items() if not name.startswith("PYTEST")}
+    address = f"http://127.0.0.1:{port}"
+    with (tmp_path_factory.mktemp("server") / "log").open("w+") as log:
+        process = subprocess.Popen(
+            [sys.executable, "-m", "babbitt", "app", "--no-browser", "--port", str(port)],
+            stdout=log, stderr=subprocess.STDOUT, env=environment,
+        )  # fmt: skip
+        for _ in range(600):
+            try:
+                urlopen(address, timeout=5).close()
+                break
+            except OSError:
+                log.seek(0)
+                assert process.poll() is None, log.read()
+                time.sleep(0.1)
+        yield address
+        process.terminate()
+        process.wait(30)
+
+
+@pytest.fixture(scope="module")
+def chromium():
+    playwright = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
+    options = [
+        "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
+        "--disable-component-update", "--disable-sync",
+    ]  # fmt: skip
+    with playwright.sync_playwright() as driver:
+        started = driver.chromium.launch(executable_path=BROWSER, args=options)
+        yield started
+        started.close()
+
+
+@pytest.fixture
+def page(chromium, server):
+    """The page with its first answer, and no request to any other host."""
+    opened = chromium.new_page(viewport={"width": 1280, "height": 900})
+    opened.set_default_timeout(LONG)
+    foreign, errors = [], []
+    opened.on(
+        "request",
+        lambda one: foreign.append(one.url) if not one.url.startswith((server, "data:", "blob:")) else None,
+    )
+    opened.on("pageerror", lambda one: errors.append(str(one)))
+    opened.goto(server)
+    opened.wait_for_selector(".verdict")
+    yield opened
+    assert foreign == []
+    assert errors == []
+    opened.close()
+
+
+def film_thickness(page):
+    """Of the card, in µm."""
+    said = page.locator(".card", has_text="Minimum film thickness").first.inner_text()
+    return float(re.search(r"= ([\d.]+) µm", said).group(1))
+
+
+def until(page, condition):
+    """Wait until something holds on the page."""
+    for _ in range(600):
+        if condition():
+            return
+        page.wait_for_timeout(100)
+    raise AssertionError("did not come about")
+
+
+def section(page, heading):
+    page.locator(".section", has_text=heading).locator(".q-expansion-item__container > .q-item").first.click()
+
+
+def solved_by_command(text, tmp_path):
+    """The same case by `babbitt solve`."""
+    (tmp_path / "case.yaml").write_text(text)
+    subprocess.run(
+        [sys.executable, "-m", "babbitt", "solve", "case.yaml", "--json", "out.json"], cwd=tmp_path, check=True,
+        capture_output=True,
+    )  # fmt: skip
+    return json.loads((tmp_path / "out.json").read_text())
+
+
+def text_of(page):
+    page.get_by_role("tab", name="Text").click()
+    page.wait_for_selector(".cm-line")
+    return "\n".join(page.locator(".cm-line").all_inner_texts())
+
+
+def test_a_slider_thins_the_film(page):
+    before = film_thickness(page)
+    handle = page.locator(".slider", has_text="load").first.locator(".q-slider")
+    box = handle.bounding_box()
+    y = box["y"] + 0.5 * box["height"]
+    page.mouse.move(box["x"] + 0.34 * box["width"], y)
+    page.mouse.down()
+    page.mouse.move(box["x"] + 0.9 * box["width"], y, steps=5)
+    page.mouse.up()
+    until(page, lambda: film_thickness(page) < 0.9 * before)
+    page.get_by_label("Undo").click()
+    until(page, lambda: film_thickness(page) == before)
+
+
+def test_a_wrong_unit_is_told_at_its_field(page):
+    page.get_by_label("Diameter", exact=True).fill("12 kg")
+    page.wait_for_selector(".fault")
+    assert "is a mass" in page.locator(".fault").first.inner_text()
+    until(page, lambda: any("is a mass" in one for one in page.locator(".q-field__messages").all_inner_texts()))
+    page.get_by_label("Diameter", exact=True).fill("120")
+    page.wait_for_selector(".verdict")
+
+
+def test_the_method_is_changed_and_compared_and_turned(page):
+    """From the standard to a film, then the load is turned by hand: the case follows."""
+    section(page, "Method and limits")
+    page.get_by_label("Method", exact=True).click()
+    page.get_by_role("option", name="film", exact=True).click()
+    page.wait_for_selector(".picture .load.handle.line", state="attached")
+    assert page.locator(".answer", has_text="Film in two dimensions").count()
+    handle = page.locator(".picture .load.line.handle").bounding_box()
+    x, y = handle["x"] + 0.5 * handle["width"], handle["y"] + 4.0
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x + 90.0, y + 25.0, steps=4)
+    page.mouse.up()
+    until(page, lambda: page.locator(".picture .load.line.handle").get_attribute("data-angle") != "-90")
+    angle = float(page.locator(".picture .load.line.handle").get_attribute("data-angle"))
+    assert f"load_angle: {angle:.1f} deg" in text_of(page)
+    page.get_by_role("tab", name="Figures").click()
+    page.get_by_role("button", name="Draw the figures").click()
+    page.wait_for_selector(".figure svg")
+
+
+@pytest.mark.parametrize("kind", [name for name in kinds() if name not in ("thrust", "hydrostatic_journal")])
+def test_every_template_opens_and_comes_back_from_its_link(page, kind):
+    name = kinds()[kind].description
+    page.get_by_role("button", name="New").click()
+    page.get_by_role("menuitem", name=name, exact=True).click()
+    title = re.search(r"(?m)^name: (.*?)\s*(#.*)?$", kinds()[kind].read_template()).group(1)
+    until(page, lambda: title[:12] in text_of(page))
+    page.wait_for_selector(".verdict")
+    page.get_by_label("Copy a link to this case").click()
+    until(page, lambda: "#case=" in page.evaluate("location.href"))
+    link = page.evaluate("location.href")
+    page.goto("about:blank")
+    page.goto(link)
+    page.wait_for_selector(".verdict")
+    until(page, lambda: title[:12] in text_of(page))
+
+
+def test_the_report_and_the_numbers_are_those_of_the_command(page, tmp_path):
+    with page.expect_download() as began:
+        page.get_by_role("button", name="Report").click()
+        page.get_by_role("menuitem", name="PDF").click()
+    assert began.value.path().read_bytes().startswith(b"%PDF-")
+    with page.expect_download() as began:
+        page.get_by_role("button", name="Report").click()
+        page.get_by_role("menuitem", name="Results (JSON)").click()
+    shown = json.loads(began.value.path().read_text())
+    found = solved_by_command(kinds()["journal"].read_template(), tmp_path)
+    for one in (*shown["results"], *found["results"]):
+        one["values"].pop("wall_time", None)
+    assert shown["results"] == found["results"]
+
+
+def test_a_case_file_is_opened(page, tmp_path):
+    text = kinds()["journal"].read_template().replace("name: Example bearing", "name: <b>Opened</b>")
+    (tmp_path / "own.yaml").write_text(text)
+    page.locator("input[type=file]").set_input_files(tmp_path / "own.yaml")
+    until(page, lambda: "<b>Opened</b>" in text_of(page))
+    assert page.locator("b", has_text="Opened").count() == 0
+    (tmp_path / "large.yaml").write_text("#" * 2_000_000)
+    page.locator("input[type=file]").set_input_files(tmp_path / "large.yaml")
+    page.get_by_text("larger than 1 MB").wait_for()
+
+
+def test_by_keyboard_alone(page):
+    """Reach the diameter by tabs and change it."""
+    before = film_thickness(page)
+    for _ in range(60):
+        page.keyboard.press("Tab")
+        if page.evaluate("document.activeElement.getAttribute('aria-label')") == "Diameter":
+            break
+    else:
+        raise AssertionError("the diameter is out of reach")
+    page.keyboard.press("Control+A")
+    page.keyboard.type("140")
+    until(page, lambda: film_thickness(page) != before)
+
+
+@pytest.mark.parametrize(
+    ("headers", "status"), [({"Host": "evil.example"}, 403), ({"Origin": "http://evil.example"}, 403)]
+)
+def test_foreign_pages_are_refused(server, headers, status):
+    from urllib.error import HTTPError
+
+    with pytest.raises(HTTPError) as refused:
+        urlopen(Request(server, headers=headers), timeout=30)
+    assert refused.value.code == status

@@ -1,0 +1,176 @@
+"""The form of every kind: drawn from the schema, and what is set in it is read back as the same case."""
+
+import pytest
+
+from babbitt.app.document import CaseDocument, with_changed
+from babbitt.app.form import NONE, Choice, Entry, Group, Rows, as_text, form_of, sections_of
+from babbitt.app.form_view import path_of
+from babbitt.app.link import case_of, link_of
+from babbitt.app.units import in_unit, split
+from babbitt.app.words import sections, word
+from babbitt.case import parse_case
+from babbitt.core.kind import kinds
+
+TEMPLATES = {name: kind.read_template() for name, kind in kinds().items()}
+
+
+def entries(items):
+    """Every field with a value of its own."""
+    for item in items:
+        if isinstance(item, Entry):
+            yield item
+        elif isinstance(item, Rows):
+            for row in item.rows:
+                yield from entries(row)
+        else:
+            yield from entries(item.items)
+
+
+def choices(items):
+    """Paths of all parts that may be given in several ways."""
+    for item in items:
+        if isinstance(item, Choice):
+            yield item.path
+        if isinstance(item, Choice | Group):
+            yield from choices(item.items)
+        elif isinstance(item, Rows):
+            for row in item.rows:
+                yield from choices(row)
+
+
+def value_at(given, path):
+    for step in path:
+        if isinstance(given, str):
+            return None  # a part that is given by a word has the defaults of its fields
+        given = given.get(step) if isinstance(given, dict) else given[step]
+        if given is None:
+            return None
+    return given
+
+
+@pytest.mark.parametrize("kind", TEMPLATES)
+def test_the_form_shows_what_the_case_gives(kind):
+    given = CaseDocument(TEMPLATES[kind]).given
+    found = list(entries(form_of(given)))
+    assert len({entry.path for entry in found}) == len(found) > 10
+    for entry in found:
+        assert entry.value == value_at(given, entry.path), entry.path
+        if entry.units and entry.value is not None and not isinstance(entry.value, list):
+            number, unit = split(as_text(entry.value), entry.units)
+            assert unit or not number.replace(".", "").isdecimal(), entry
+
+
+@pytest.mark.parametrize("kind", TEMPLATES)
+def test_every_value_that_is_given_has_a_control(kind):
+    """No field of the template is out of reach of the form, whatever kind of bearing it is."""
+    given = CaseDocument(TEMPLATES[kind]).given
+    items = form_of(given)
+    shown = {entry.path for entry in entries(items)} | set(choices(items))
+
+    def leaves(value, path):
+        if isinstance(value, dict):
+            for name, one in value.items():
+                yield from leaves(one, (*path, name))
+        elif isinstance(value, list) and value and isinstance(value[0], dict):
+            for number, one in enumerate(value):
+                yield from leaves(one, (*path, number))
+        else:
+            yield path
+
+    chosen = {"kind"}
+    for path in leaves(given, ()):
+        if path[-1] not in chosen and path != ("babbitt",):
+            assert path in shown or any(path[: len(one)] == one for one in shown), path
+
+
+@pytest.mark.parametrize("kind", TEMPLATES)
+def test_a_value_that_is_set_again_leaves_the_same_case(kind):
+    document = CaseDocument(TEMPLATES[kind])
+    before = parse_case(document.text)
+    entry = next(one for one in entries(form_of(document.given)) if one.units and isinstance(one.value, str))
+    document.change(entry.path, entry.value)
+    assert parse_case(document.text) == before
+
+
+def test_fields_of_other_methods_do_not_show():
+    document = CaseDocument(TEMPLATES["journal"])
+    document.change(("method",), {"kind": "film"})
+    film = {entry.path for entry in entries(form_of(document.given)) if entry.path[0] == "method"}
+    document.change(("method",), {"kind": "iso7902"})
+    standard = {entry.path for entry in entries(form_of(document.given)) if entry.path[0] == "method"}
+    assert ("method", "thermal") in film
+    assert standard == {("method", "characteristics")}
+
+
+def test_a_part_that_is_not_given_can_be_chosen():
+    (bore,) = (one for one in form_of(CaseDocument(TEMPLATES["journal"]).given) if one.path == ("bore",))
+    assert isinstance(bore, Choice)
+    assert bore.way == NONE
+    assert "lobes" in bore.ways
+    (supply,) = (one for one in form_of(CaseDocument(TEMPLATES["journal"]).given) if one.path == ("supply",))
+    assert isinstance(supply, Group)
+    assert supply.is_given
+
+
+def test_every_section_names_fields_of_some_kind():
+    known = {item.path[0] for text in TEMPLATES.values() for item in form_of(CaseDocument(text).given)}
+    headings = sections_of(form_of(CaseDocument(TEMPLATES["journal"]).given), sections(), word("section_other"))
+    assert next(iter(headings)) == "Geometry"
+    for heading, names in sections().items():
+        assert set(names) & known, heading
+
+
+def test_the_way_back_and_forth():
+    document = CaseDocument("kind: journal\nload: 10 kN\n")
+    document.change(("load",), "12 kN")
+    document.slide(("load",), "13 kN")
+    document.slide(("load",), "14 kN")
+    document.keep()
+    assert document.given["load"] == "14 kN"
+    document.undo()
+    assert document.given["load"] == "12 kN"  # one movement is one step
+    document.undo()
+    assert not document.can_undo
+    document.redo()
+    document.redo()
+    assert document.given["load"] == "14 kN"
+    assert not document.can_redo
+    document.undo()
+    document.change(("load",), "20 kN")
+    assert not document.can_redo
+
+
+def test_lists_grow_and_shrink():
+    given = with_changed({}, ("grooves", 0, "angle"), "90 deg")
+    assert given == {"grooves": [{"angle": "90 deg"}]}
+    given = with_changed(given, ("grooves", 1), {})
+    assert with_changed(given, ("grooves", 0), None) == {"grooves": [{}]}
+
+
+def test_units_are_converted():
+    assert float(in_unit("1", "in", "mm")) == pytest.approx(25.4)
+    assert float(in_unit("20", "degC", "degF")) == pytest.approx(68.0)
+    assert split("3000 rpm", ("rpm", "1/s")) == ("3000", "rpm")
+    assert split("H7/e7", ("mm",)) == ("H7/e7", "")
+
+
+@pytest.mark.parametrize("kind", TEMPLATES)
+def test_a_link_holds_the_whole_case(kind):
+    assert case_of("#" + link_of(TEMPLATES[kind])) == TEMPLATES[kind]
+
+
+@pytest.mark.parametrize(
+    "fragment", ["", "#", "#case=", "#case=%%%", "#case=AAAA", "#other=1", "#case=" + "A" * 4001]
+)
+def test_a_link_without_a_case_is_refused(fragment):
+    assert case_of(fragment) is None
+
+
+def test_a_link_that_unpacks_to_gigabytes_is_refused():
+    assert case_of("#" + link_of("x" * 3_000_000)) is None
+
+
+def test_places_of_faults():
+    assert path_of("bearings[1 'Output wheel'].supply.pressure") == ("bearings", 1, "supply", "pressure")
+    assert path_of("grooves[0].angle") == ("grooves", 0, "angle")
+    assert path_of("") == ()
