@@ -11,6 +11,7 @@ from typing import Any
 from babbitt.case import CaseError, located, parse_case
 from babbitt.case.case_file import CaseFile
 from babbitt.case.method_mapping import METHOD, choices_of
+from babbitt.core.check_text import margin, value_and_limit
 from babbitt.core.files.reading import Reach
 from babbitt.core.notices import Effect, InputError, explanations
 from babbitt.core.quantities import QUANTITIES
@@ -220,7 +221,7 @@ def shown(solution: Solution) -> Shown:
         view_of(result).title or result.method,
         result.verdict.value,
         result.verdict.key,
-        "" if governing is None else f"{label(governing.quantity, result.kind)}: {verdicts.margin(governing)}",
+        "" if governing is None else f"{label(governing.quantity, result.kind)}: {margin(governing)}",
         cards_of(result),
         tuple(findings_of(result)),
         "" if picture is None else picture.svg(),
@@ -246,14 +247,14 @@ def cards_of(result: Result) -> tuple[Card, ...]:
 
 
 def _checked(check: Check, result: Result) -> Card:
-    value, limit = verdicts.value_and_limit(check)
+    value, limit = value_and_limit(check)
     sign = "≤" if check.bound is Bound.AT_MOST else "≥"
     return Card(
         label(check.quantity, result.kind),
         QUANTITIES[check.quantity].symbol,
         value,
         f"{sign} {limit}",
-        verdicts.margin(check),
+        margin(check),
         used_share(check),
         verdicts.check_word(check).value,
     )

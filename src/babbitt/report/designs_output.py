@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from babbitt import __version__
+from babbitt.core.check_text import comparison
 from babbitt.core.files.spreadsheet import Cell, rows_text, workbook
 from babbitt.core.files.writing import require_distinct, require_writable, write_file
 from babbitt.core.quantities import QUANTITIES
@@ -17,7 +18,6 @@ from babbitt.report.designs_table import bearing_rows, kinds_said
 from babbitt.report.document import GENERATOR_TAG, TEMPLATES
 from babbitt.report.sweep_output import require_ending
 from babbitt.report.text import plain_text
-from babbitt.report.verdict import comparison
 from babbitt.study.designs import ComparedBearing, Designs
 
 __all__ = ["designs_page", "designs_record", "designs_rows", "require_designs_outputs", "write_designs_outputs"]

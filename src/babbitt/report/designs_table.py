@@ -12,13 +12,13 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
+from babbitt.core.check_text import margin
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Result
 from babbitt.report.comparison_table import WIDEST_HEAD
 from babbitt.report.meanings import meaning
 from babbitt.report.table import PIPED_WIDTH, console
 from babbitt.report.text import counted, plain_text
-from babbitt.report.verdict import margin
 from babbitt.study.designs import ABSENT, ComparedBearing, Designs
 
 __all__ = ["DesignRow", "bearing_rows", "difference", "kinds_said", "print_designs", "short_designs"]

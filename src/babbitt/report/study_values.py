@@ -13,10 +13,12 @@ from numpy.typing import NDArray
 from babbitt.core.notices import explanations
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.units import KINDS
-from babbitt.report.study_table_parts import DASH
 from babbitt.report.text import plain_text
 
-__all__ = ["Scale", "StudyTable", "check_title", "input_scale", "output_scale", "percent", "significant"]
+__all__ = ["DASH", "Scale", "StudyTable", "check_title", "input_scale", "output_scale", "percent", "significant"]
+
+DASH = "–"
+"""Stands where a table has no value."""
 
 SHOWN = {"um": "µm", "degC": "°C", "deg": "°", "mm2/s": "mm²/s", "m2": "m²", "m3": "m³", "": ""}
 

@@ -9,6 +9,7 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
+from babbitt.core.check_text import margin
 from babbitt.core.files.spreadsheet import Cell, rows_text
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Result, Verdict
@@ -19,7 +20,7 @@ from babbitt.report.findings import not_checked
 from babbitt.report.sweep_columns import sweep_columns
 from babbitt.report.table import NAME_WIDTH, console_for, fitting, measured
 from babbitt.report.text import plain_text
-from babbitt.report.verdict import margin, missed_codes
+from babbitt.report.verdict import missed_codes
 from babbitt.study.case_sweep import CaseSweep, SweptField
 
 REFUSED = "refused"
