@@ -92,7 +92,8 @@ class PiecewiseCubic:
         index = interval_of(node_levels, levels)
         cubics = self.coefficients[:, index]
         distance = distances_of(cubics, np.diff(self.nodes)[index], node_levels[index + 1], levels)
-        return np.asarray(self.nodes[index] + distance).view(type(levels))
+        found: Array = np.asarray(self.nodes[index] + distance).view(type(levels))
+        return found
 
 
 def distances_of(cubics: Array, widths: Array, ends: Array, levels: Array) -> Array:
@@ -109,7 +110,7 @@ def distances_of(cubics: Array, widths: Array, ends: Array, levels: Array) -> Ar
     """
     c0, c1, c2, c3 = cubics
     low, high = np.zeros_like(levels), widths
-    distance = high * (levels - c0) / (ends - c0)
+    distance: Array = high * (levels - c0) / (ends - c0)
     for _ in range(_MOST_STEPS):
         excess = c0 + distance * (c1 + distance * (c2 + distance * c3)) - levels
         low, high = np.where(excess > 0.0, low, distance), np.where(excess > 0.0, distance, high)

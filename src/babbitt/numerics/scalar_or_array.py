@@ -47,7 +47,8 @@ def sense_of(value: Value) -> Value:
     >>> sense_of(-3.0), sense_of(0.0)
     (-1.0, 1.0)
     """
-    return functions_for(value).copysign(1.0, value)
+    sense: Value = functions_for(value).copysign(1.0, value)
+    return sense
 
 
 def holds_anywhere(value: Any) -> bool:

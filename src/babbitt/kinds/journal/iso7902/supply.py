@@ -63,7 +63,8 @@ def gap_factor(eccentricity_ratio: float, attitude_angle: float, before_load: fl
     1.6
     """
     angle = before_load + attitude_angle
-    return 1.0 - eccentricity_ratio * functions_for(angle).cos(angle)
+    cosine: float = functions_for(angle).cos(angle)
+    return 1.0 - eccentricity_ratio * cosine
 
 
 def share_at_place(eccentricity_ratio: float, attitude_angle: float, before: float, behind: float) -> float:
