@@ -79,6 +79,14 @@ def test_the_fits_are_those_next_to_the_recommended_clearance():
     )
 
 
+def test_large_bearings_without_a_fit_get_the_recommended_clearance():
+    (one, _), *_ = proposed(
+        diameter=1.2, load=500e3, speed="300 rpm", lubricants=("ISO VG 46",), fits=(), proposals=1
+    ).answer.proposals
+    wanted = 0.8e-3 * (0.6 * 300.0 * math.pi / 30.0) ** 0.25
+    assert one.values["relative_clearance"] == pytest.approx(wanted, rel=3e-3)
+
+
 def test_what_cannot_be_kept_is_told_with_the_nearest_miss():
     study = proposed(load=250e3, lubricants=("ISO VG 68",))
     answer = study.answer

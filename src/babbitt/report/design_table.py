@@ -14,6 +14,10 @@ from babbitt.study.study import Study, reasons_of
 
 __all__ = ["design_tables"]
 
+REMEDIES = (
+    "Try another diameter, a cooler supply or one of more pressure, other oils, another metal or other clearances."
+)
+
 Cells = dict[tuple[str, str], str]
 
 
@@ -32,7 +36,9 @@ def design_tables(study: Study) -> Iterator[StudyTable]:
         yield StudyTable("Why", (("no.", ""), ("governed by", ""), ("rules", "")), reasons, 3)
     else:
         rows = [_single(study, place, one) for place, one in enumerate(found.nearest, 1)]
-        says = f"{counts}. The designs below miss theirs least: negative margins, by the check that governs."
+        codes = dict.fromkeys(one.code for one in found.nearest if one.code)
+        missed = "; ".join(map(check_title, codes))
+        says = f"{counts}. These miss theirs least, by: {missed}. {REMEDIES}"
         yield _table("No design keeps all limits: the nearest misses", rows, (says, criterion))
     if found.refuted:
         rows = [_pair(study, place, pair) for place, pair in enumerate(found.refuted, 1)]

@@ -48,20 +48,28 @@ BORE_CLASS = "H7"
 FITS = 3
 """How many fits are tried: those of `JOURNAL_CLASSES` and c8 with a mean clearance nearest to the recommended."""
 
-POCKET_SHARE = 0.8
-"""Width of a pocket over that of the bearing, and (`HOLE_SHARE`) of a hole over the diameter. Assumptions."""
+NEAR = math.log(1.3)
+"""Logarithm of the ratio to the recommended clearance up to which a fit will do (assumption)."""
 
-HOLE_SHARE = 0.1
+TOLERANCE = 0.15
+"""Of a clearance that no fit has: by which it may be smaller or larger (assumption)."""
+
+POCKET_SHARE = 0.8
+"""Width of a pocket over that of the bearing. Assumption."""
+
+HOLE_SHARE, LARGEST_HOLE = 0.1, 20e-3
+"""Diameter of a hole over that of the bearing, and in m at most. Assumptions."""
 
 METHODS = ("iso7902", "film")
 """What a proposal is found with, and what confirms it."""
 
 REASONS = {
     "lubricant": "viscosity grades of the catalogue (ISO 3448)",
-    "clearance": "fits nearest to the recommended clearance, 0.8e-3 U^(1/4) (Vogelpohl)",
+    "clearance": "fits nearest to the recommended clearance, 0.8e-3 U^(1/4) (Vogelpohl); where none is near, that "
+    f"±{TOLERANCE:.0%} (assumption)",
     "width": f"B/D of {WIDTH_RATIOS[0]:g} to {WIDTH_RATIOS[1]:g} in whole steps (assumption)",
-    "supply_element": f"pockets of {POCKET_SHARE:g} B at both sides, or a hole of {HOLE_SHARE:g} D opposite "
-    "the load (assumptions)",
+    "supply_element": f"pockets of {POCKET_SHARE:g} B at both sides, or a hole of {HOLE_SHARE:g} D, "
+    f"at most {1e3 * LARGEST_HOLE:g} mm, opposite the load (assumptions)",
     "method": "the procedure finds, the film confirms",
 }
 
@@ -107,7 +115,7 @@ def duty(
         "name": f"Bearing for {load} at {speed}, D = {diameter}",
         "diameter": diameter,
         "width_ratio": 0.7,
-        "clearance": f"{BORE_CLASS}/e8",
+        "clearance": {"kind": "relative", "mean": "1.5 permille"},
         "span": "360 deg",
         "supply_element": _hole(size),
         "lubricant": "ISO VG 46",
@@ -129,7 +137,9 @@ def choices(case: CaseFile, given: Mapping[str, Vary]) -> dict[str, Vary]:
     diameter = problem.bearing.diameter
     made = dict(given)
     made.setdefault("lubricant", _listed(one.name for one in catalogue() if one.name.startswith("ISO VG")))
-    made.setdefault("clearance", _listed(_fits(diameter, recommended_relative_clearance(surface_speed(problem)))))
+    made.setdefault(
+        "clearance", _listed(_clearances(diameter, recommended_relative_clearance(surface_speed(problem))))
+    )
     made.setdefault("width", _listed(_millimetres(one) for one in _widths(diameter)))
     made.setdefault("supply_element", _listed(_feeds(diameter)))
     made["method"] = _listed(METHODS)
@@ -141,8 +151,11 @@ def _listed(values: Iterator[Any] | Sequence[Any]) -> Vary:
     return Vary(values=tuple(values))
 
 
-def _fits(diameter: float, recommended: float) -> tuple[str, ...]:
-    """Fits whose mean relative clearance is nearest to the recommended one, the narrowest first."""
+def _clearances(diameter: float, recommended: float) -> tuple[Any, ...]:
+    """Fits whose mean relative clearance is nearest to the recommended one, the narrowest first.
+
+    Where none comes near it, as of large bearings, the recommended clearance itself stands at their end.
+    """
     means = {}
     for journal in (*JOURNAL_CLASSES, "c8"):
         try:
@@ -151,11 +164,17 @@ def _fits(diameter: float, recommended: float) -> tuple[str, ...]:
             )
         except InputError:  # of a diameter beyond the tables
             continue
-    if not means:
-        says = f"there are no ISO 286 fits for a diameter of {_millimetres(diameter)}; name clearances"
-        raise InputError("E003", f"study.vary.clearance: {says}, such as clearance: [{{kind: relative, ...}}]")
-    nearest = sorted(means, key=lambda fit: abs(math.log(means[fit] / recommended)))[:FITS]
-    return tuple(sorted(nearest, key=means.__getitem__))
+    misses = {fit: abs(math.log(mean / recommended)) for fit, mean in means.items()}
+    nearest = sorted(misses, key=misses.__getitem__)[:FITS]
+    fits = tuple(sorted(nearest, key=means.__getitem__))
+    if min(misses.values(), default=math.inf) <= NEAR:
+        return fits
+    ends = {
+        "mean": recommended,
+        "minimum": recommended * (1.0 - TOLERANCE),
+        "maximum": recommended * (1.0 + TOLERANCE),
+    }
+    return (*fits, {"kind": "relative", **{name: f"{1e3 * value:.2f} permille" for name, value in ends.items()}})
 
 
 def _widths(diameter: float) -> tuple[float, ...]:
@@ -178,7 +197,7 @@ def _pocket(width: float) -> dict[str, Any]:
 def _hole(diameter: float) -> dict[str, Any]:
     return {
         "kind": "hole",
-        "diameter": _millimetres(max(1e-3, round(HOLE_SHARE * diameter, 3))),
+        "diameter": _millimetres(min(max(1e-3, round(HOLE_SHARE * diameter, 3)), LARGEST_HOLE)),
         "place": "opposite",
     }
 
@@ -211,7 +230,7 @@ def shown(fields: Mapping[str, Any], values: Mapping[str, float]) -> dict[tuple[
     feed = str(fields["supply_element"]).replace("_", " ").replace(",", "")
     return {
         ("lubricant", ""): str(fields["lubricant"]),
-        ("clearance", ""): str(fields["clearance"]),
+        ("clearance", ""): str(fields["clearance"]).replace("permille", "‰").replace("imum", "."),
         ("feed", ""): feed.replace("place ", "").replace("width ", "").replace("diameter ", ""),
         ("B", "mm"): f"{1e3 * fields['width']:.4g}",
         ("ψ", "‰"): f"{1e3 * values['relative_clearance']:.2f}",
