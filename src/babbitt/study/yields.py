@@ -37,6 +37,9 @@ ALL = "all bearings"
 PERCENTILES = (0.135, 1.0, 5.0, 50.0, 95.0, 99.0, 99.865)
 """The outer ones are three standard deviations of a normal law from its mean."""
 
+CONSTANT = 1e-12
+"""Standard deviation over the mean of what does not vary but by round-off."""
+
 NEAR_NORMAL = (0.5, 1.0)
 """Assumption: largest magnitudes of skewness and excess kurtosis of what is near a normal law."""
 
@@ -230,7 +233,7 @@ def _capabilities(own: Columns, bearing: str) -> list[Capability]:
 
 
 def _near_normal(values: Array) -> bool:
-    if values.size < 3 or values.std() == 0.0:
+    if values.size < 3 or values.std() <= CONSTANT * abs(values.mean()):
         return False
     return bool(abs(stats.skew(values)) < NEAR_NORMAL[0] and abs(stats.kurtosis(values)) < NEAR_NORMAL[1])
 
