@@ -304,7 +304,7 @@ def attempt(
 ) -> SurfaceEquilibrium:
     """Coarse rings first, heavier loads step by step, then the fine ring, with ``refinement`` times the lines.
 
-    On a ring on which nodes flicker no state of theirs may satisfy all rows: `FINER` lines decide then.
+    On a ring on which nodes flicker no state of theirs may satisfy all rows: `FINER` rings decide then.
     """
     per_turn = resolution.ring_intervals
     size = math.hypot(*load)
@@ -332,12 +332,13 @@ def attempt(
         last_gap = gap
         if settled:
             share = min(1.0, 4.0 * share)
-    for lines, slowly in ((per_turn, patient), (FINER * per_turn, False)):
-        fine = SurfaceState.of(build_ring(film, unit, lines, resolution.axial_unknowns, density), effort)
+    for finer in FINER:
+        ring = build_ring(film, unit, finer * per_turn, resolution.axial_unknowns, density)
+        fine = SurfaceState.of(ring, effort)
         fine.start_from(sample)
-        at, status, steps, gap = carried(fine, load, at, resolution.tolerance, max_steps, slowly)
+        at, status, steps, gap = carried(fine, load, at, resolution.tolerance, max_steps, patient and finer == 1)
         sample, total = fine, total + steps
-        if status != FLICKERING:
+        if status != FLICKERING and not (finer > 1 and status == TOO_MANY_STEPS):
             break
     return SurfaceEquilibrium(film, fine, at, status, total, gap)
 
@@ -367,8 +368,8 @@ CALM = 1e-4
 let be: what an equilibrium with such nodes may miss of its load (`position_under`)."""
 LEAST_FORCE = 1e-13
 """Force that is round-off, in the units of the kernels."""
-FINER = 2
-"""Times the lines of a ring that does not settle, of which one is drawn that decides."""
+FINER = (1, 2, 4)
+"""Times the lines of a grid that a ring has: the next where the nodes of one do not settle."""
 
 
 def coarse_ring(film: JournalFilm, unit: float, resolution: Resolution, motions: int = 2) -> UnwrappedMesh:
@@ -386,9 +387,10 @@ def ring_from(
 ) -> SurfaceEquilibrium:
     """As `ring_at`, from a ring of `coarse_ring`, which stays as it is."""
     total, coarse, density, effort = 0, None, None, Effort(math.inf)
-    for per_turn in (None, resolution.ring_intervals, FINER * resolution.ring_intervals):
+    for finer in (0, *FINER):
         ring = first
-        if per_turn is not None:
+        if finer:
+            per_turn = finer * resolution.ring_intervals
             ring = build_ring(film, unit, per_turn, resolution.axial_unknowns, density, motions=at.size)
         sample = SurfaceState.of(ring, effort)
         gap = sample.gap(at)
@@ -399,13 +401,13 @@ def ring_from(
         density = line_density(film, at, gap)
         settled, rounds = _wet_set(sample, at, rate)
         total += rounds
-        if not settled:
+        if not settled and finer < 2:
             sample.work.wet[:] = True
             for share in APPROACH:
                 settled, rounds = _wet_set(sample, share * at, rate)
                 total += rounds
         coarse = sample
-        if settled and per_turn is not None:
+        if settled and finer:
             break
     if not settled:
         return SurfaceEquilibrium(film, sample, at, TOO_MANY_STEPS, total, gap)
