@@ -47,9 +47,10 @@ CLOSED = 1e-4
 """Error of the heat balance over the dissipation."""
 SAME = 1e-2
 """Difference of forces over the load at the position found: lines are laid for another place."""
-SHIFTED = 5e-3
-"""Over the smallest gap, the way of the journal that makes up for a greater difference: a starved film that carries
-next to no load is as stiff as others, and what its lines decide about its place is per cents of that load."""
+LIGHT, SHIFTED = 0.01, 5e-3
+"""Load over stiffness times smallest gap of a film that carries next to no load, and over that gap the way of the
+journal that makes up for a greater difference of forces there: what lines decide about the place of a journal in a
+starved film, which is stiff all the same, is per cents of such a load."""
 FINE = Resolution(4, 384)
 """Grid that decides where the usual one has another force at the position: near contact that is its error."""
 ABOUT_THE_CENTRE = ("axial viscosity", "hole", "pockets")
@@ -206,9 +207,10 @@ def _of_forces(kind: str, film: JournalFilm, load: tuple[float, float], found: F
     if not again.outcome.solved:
         yield f"at its position {again.outcome.name}"
         return
-    more = again.force - found.force
-    shift = math.hypot(*np.linalg.solve(found.stiffness, more))
-    if math.hypot(*more) > SAME * size and shift > SHIFTED * found.minimum_film_thickness:
+    more, gap = again.force - found.force, found.minimum_film_thickness
+    light = size < LIGHT * gap * float(np.linalg.norm(found.stiffness))
+    moved = light and math.hypot(*np.linalg.solve(found.stiffness, more)) <= SHIFTED * gap
+    if math.hypot(*more) > SAME * size and not moved:
         yield f"at its position another force by {math.hypot(*more) / size:.1e}"
 
 

@@ -5,6 +5,7 @@ The same by the thousand in `benchmarks/robustness/films.py`.
 
 import dataclasses
 
+import films
 import numpy as np
 import pytest
 from films import (
@@ -38,6 +39,18 @@ def test_random_films_with_every_option_answer_for_their_balances():
 def test_films_that_were_at_fault_answer_for_their_balances(index):
     """Starved under next to no load, a void of 1.05, nodes that flicker by a thousandth of the load."""
     assert list(option_film_faults(20261126, index)) == []
+
+
+@pytest.mark.parametrize("wrong", [0.97, 1.03])
+def test_another_force_at_the_position_is_a_fault(monkeypatch, wrong):
+    def other(film, position, **grid):
+        found = film_at_position(film, position, **grid)
+        return dataclasses.replace(found, force=wrong * found.force)
+
+    assert list(option_film_faults(7, 2)) == []
+    monkeypatch.setattr(films, "film_at_position", other)
+    (fault,) = option_film_faults(7, 2)
+    assert "at its position another force" in fault
 
 
 @pytest.mark.parametrize("unknowns", [4, 8])
