@@ -43,8 +43,12 @@ __all__ = ["cavitating_film_at", "equilibrium_from"]
 
 Array = NDArray[np.float64]
 
-SLIGHT = 0.05
-"""By which the void of single nodes next to streamers may lie outside 0 to 1 (1 in 600 random films: 0.025)."""
+SLIGHT = 0.25
+"""By which the void of single nodes beside the edge of a streamer may lie outside 0 to 1, on any grid.
+
+The elements of the width let a full node send oil to its neighbours with either sign. Of 1829 random films with
+cavities below ambient, whose sides draw oil in, the void of 33 lies outside by more than 0.05, of one by 0.197.
+"""
 
 
 def equilibrium_from(

@@ -56,6 +56,9 @@ ZERO = np.zeros(4)
 OUT_OF_WORK = 3
 """Status of a search that has used up its bound on work (beside those of ``_equilibrium``)."""
 
+FLICKERING = 4
+"""Status of a search whose film, by nodes that change sides for ever, misses its load by more than `CALM`."""
+
 SMALLEST_BOUND, FINE_SOLUTIONS = 2.0e8, 400
 """Bound on the work of a search: multiplications that every grid may spend, or so many solutions on the finest
 ring, whichever is more. An assumption: ordinary films take fewer than a hundred solutions."""
@@ -175,6 +178,18 @@ def position_under(
     return found.at, found.status, found.steps, found.room
 
 
+def carried(
+    sample: SurfaceState, load: Array, at: Array, tolerance: float, max_steps: int, patient: bool
+) -> tuple[Array, int, int, float]:
+    """As `position_under`, with smooth coefficients and the load held against the film in its final state."""
+    at, status, steps, gap = position_under(sample, load, at, tolerance, max_steps, patient)
+    if status == CONVERGED:
+        sample.evaluate(at, smooth=True)
+        if math.hypot(*(sample.force + load)) > CALM * math.hypot(*load) + LEAST_FORCE:
+            status = FLICKERING
+    return at, status, steps, gap
+
+
 @dataclass(eq=False)
 class PseudoTime:
     """Steps of an overdamped journal (``_equilibrium.damped_step``) under a load of a size."""
@@ -234,8 +249,8 @@ class _Carrying:
             return TOO_MANY_STEPS
         if sample.effort.spent:
             return OUT_OF_WORK
-        floor = self.tolerance * self.size_of_load + 1e-13
-        if size <= floor or (step > CYCLING and size <= 1e-4 * self.size_of_load):
+        floor = self.tolerance * self.size_of_load + LEAST_FORCE
+        if size <= floor or (step > CYCLING and size <= CALM * self.size_of_load):
             self.calm += 1
             if changed == 0 or self.calm > 4:
                 return CONVERGED
@@ -273,9 +288,7 @@ def find_surface_equilibrium_near(
         return near
     effort = Effort.for_ring(film, unit, resolution)
     sample = replace(near.sample, effort=effort)
-    at, status, steps, gap = position_under(sample, load, at, resolution.tolerance, max_steps, False)
-    if status == CONVERGED:
-        sample.evaluate(at, smooth=True)
+    at, status, steps, gap = carried(sample, load, at, resolution.tolerance, max_steps, False)
     return thick_enough(SurfaceEquilibrium(film, sample, at, status, near.steps + steps, gap))
 
 
@@ -289,7 +302,10 @@ def attempt(
     refinement: int,
     patient: bool,
 ) -> SurfaceEquilibrium:
-    """Coarse rings first, heavier loads step by step, then the fine ring, with ``refinement`` times the lines."""
+    """Coarse rings first, heavier loads step by step, then the fine ring, with ``refinement`` times the lines.
+
+    On a ring on which nodes flicker no state of theirs may satisfy all rows: `FINER` rings decide then.
+    """
     per_turn = resolution.ring_intervals
     size = math.hypot(*load)
     share = min(1.0, MODERATE_LOAD / max(size, 1e-300))
@@ -316,12 +332,15 @@ def attempt(
         last_gap = gap
         if settled:
             share = min(1.0, 4.0 * share)
-    fine = SurfaceState.of(build_ring(film, unit, per_turn, resolution.axial_unknowns, density), effort)
-    fine.start_from(sample)
-    at, status, steps, gap = position_under(fine, load, at, resolution.tolerance, max_steps, patient)
-    if status == CONVERGED:
-        fine.evaluate(at, smooth=True)
-    return SurfaceEquilibrium(film, fine, at, status, total + steps, gap)
+    for finer in FINER:
+        ring = build_ring(film, unit, finer * per_turn, resolution.axial_unknowns, density)
+        fine = SurfaceState.of(ring, effort)
+        fine.start_from(sample)
+        at, status, steps, gap = carried(fine, load, at, resolution.tolerance, max_steps, patient and finer == 1)
+        sample, total = fine, total + steps
+        if status != FLICKERING and not (finer > 1 and status == TOO_MANY_STEPS):
+            break
+    return SurfaceEquilibrium(film, fine, at, status, total, gap)
 
 
 STARVED_START = 0.5
@@ -347,6 +366,10 @@ WET_ROUNDS = 60
 CALM = 1e-4
 """Change of the force over the last half of the rounds, relative, up to which nodes that change sides for ever are
 let be: what an equilibrium with such nodes may miss of its load (`position_under`)."""
+LEAST_FORCE = 1e-13
+"""Force that is round-off, in the units of the kernels."""
+FINER = (1, 2, 4)
+"""Times the lines of a grid that a ring has: the next where the nodes of one do not settle."""
 
 
 def coarse_ring(film: JournalFilm, unit: float, resolution: Resolution, motions: int = 2) -> UnwrappedMesh:
@@ -364,9 +387,10 @@ def ring_from(
 ) -> SurfaceEquilibrium:
     """As `ring_at`, from a ring of `coarse_ring`, which stays as it is."""
     total, coarse, density, effort = 0, None, None, Effort(math.inf)
-    for per_turn in (None, resolution.ring_intervals):
+    for finer in (0, *FINER):
         ring = first
-        if per_turn is not None:
+        if finer:
+            per_turn = finer * resolution.ring_intervals
             ring = build_ring(film, unit, per_turn, resolution.axial_unknowns, density, motions=at.size)
         sample = SurfaceState.of(ring, effort)
         gap = sample.gap(at)
@@ -377,12 +401,14 @@ def ring_from(
         density = line_density(film, at, gap)
         settled, rounds = _wet_set(sample, at, rate)
         total += rounds
-        if not settled:
+        if not settled and finer < 2:
             sample.work.wet[:] = True
             for share in APPROACH:
                 settled, rounds = _wet_set(sample, share * at, rate)
                 total += rounds
         coarse = sample
+        if settled and finer:
+            break
     if not settled:
         return SurfaceEquilibrium(film, sample, at, TOO_MANY_STEPS, total, gap)
     sample.evaluate(at, rate, smooth=True)
