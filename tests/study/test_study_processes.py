@@ -23,7 +23,7 @@ pytestmark = pytest.mark.slow
 STUDY = {
     "kind": "tolerance",
     "samples": 400,
-    "outputs": ["minimum_film_thickness", "friction_power"],
+    "outputs": ["minimum_film_thickness", "friction_power", "iterations"],  # iterations: row by row, not as arrays
     "vary": {"clearance": {"fit": "H7/e8"}, "load": {"uniform": ["20 kN", "60 kN"]}},
 }
 
