@@ -103,7 +103,7 @@ class Plan:
             "rows_in_chunk": chunk_size(self.seconds_a_row),
             "batches": batch_sizes(grids.samples_of(self.block), self.block.sampling),
             "kind": self.case.kind,
-            "case": json.loads(json.dumps(dict(self.task.given), default=str)),
+            "case": json.loads(json.dumps(_given(self.case), default=str)),
             "text": self.case.text,
         }
 
@@ -183,18 +183,15 @@ def plan(case: CaseFile, block: StudyBlock) -> Plan:
     """
     stated, block = block.vary, _completed(case, block)
     inputs, rows = require_possible(case, block)
-    if block.kind == "design":
-        reasons = design.rules_of(case.kind).REASONS
-        inputs = tuple(one if one.path in stated else replace(one, reason=reasons[one.path]) for one in inputs)
-    task = _task(case, inputs)
-    if block.kind == "design" or block.over_tolerance:
-        task = replace(task, given=size.at_all_clearances(task.given))
-    if block.kind == "size":
-        task = replace(task, limits=block.limits)
+    rules = design.rules_of(case.kind) if block.kind == "design" else None
+    if rules is not None:
+        inputs = tuple(
+            one if one.path in stated else replace(one, reason=rules.REASONS[one.path]) for one in inputs
+        )
+    task = _task(case, block, inputs)
     results = _results_of_nominal(case, task)
     require_known(task.limits, results)
-    designing = block.kind == "design"
-    outputs = design.rules_of(case.kind).OUTPUTS if designing else _outputs(block, results)
+    outputs = _outputs(block, results) if rules is None else rules.OUTPUTS
     checks = {one.code: one for result in results for one in counted(result, task.limits or (ALL_LIMITS,))}
     told = tuple(
         {"code": one.code, "quantity": one.quantity, "limit": one.limit, "bound": one.bound.value}
@@ -218,8 +215,7 @@ def require_possible(case: CaseFile, block: StudyBlock) -> tuple[tuple[Input, ..
     inputs = _inputs(case, block)
     indices.require_numeric(block, inputs)
     optimum.require_pymoo(block, inputs)
-    designing = block.kind == "design"
-    rows = design.planned(inputs, block, case.kind) if designing else grids.planned(block, inputs)
+    rows = design.planned(inputs, block, case.kind) if block.kind == "design" else grids.planned(block, inputs)
     grids.require_bearable(rows, 12 + len(inputs) + len(block.outputs))
     return inputs, rows
 
@@ -240,14 +236,22 @@ def _inputs(case: CaseFile, block: StudyBlock) -> tuple[Input, ...]:
     return spectrum.inputs_of_spectrum(case, block) if block.kind == "spectrum" else inputs_of(case, block)
 
 
-def _task(case: CaseFile, inputs: tuple[Input, ...]) -> RowTask:
-    """The case as workers get it: the files that it names in their place."""
+def _task(case: CaseFile, block: StudyBlock, inputs: tuple[Input, ...]) -> RowTask:
+    """The case as workers get it."""
+    given = _given(case)
+    if block.kind == "design" or block.over_tolerance:
+        given = size.at_all_clearances(given)
+    assert case.origin is not None, "what stands in it was just read"
+    limits = block.limits if block.kind == "size" else ()
+    return RowTask(case.kind, given, case.origin.file, case.origin.reach, inputs, limits=limits)
+
+
+def _given(case: CaseFile) -> dict[str, Any]:
+    """What stands in a case, with the files that it names in their place."""
     origin = case.origin
     if origin is None:
         raise InputError("E005", f"{case.name}: only a case from a file, a text or a dictionary can be varied")
-    model = KINDS[case.kind]
-    given = model.with_named_files(dict(origin.given), NamedFiles(origin.file.parent, origin.reach))
-    return RowTask(case.kind, given, origin.file, origin.reach, inputs)
+    return KINDS[case.kind].with_named_files(dict(origin.given), NamedFiles(origin.file.parent, origin.reach))
 
 
 def _results_of_nominal(case: CaseFile, task: RowTask) -> tuple[Result, ...]:
@@ -343,7 +347,7 @@ def case_of(study: Study, row: int) -> CaseFile:
     given = dict(study.description["case"])
     case = case_from_dict(given, study.description["name"])
     inputs = _inputs(case, study.block)
-    task = _task(case, inputs)
+    task = _task(case, study.block, inputs)
     made = task.case({one.path: study.columns[one.path][places[0]] for one in inputs})
     assert made.origin is not None, "it was read just now"
     return made.with_origin(replace(made.origin, given=with_units(made.origin.given, made)))
