@@ -17,8 +17,7 @@ from babbitt.case.kinds import KINDS
 from babbitt.case.loading import case_from_dict
 from babbitt.case.named_files import NamedFiles
 from babbitt.case.parts.study import StudyBlock
-from babbitt.case.with_units import case_text, with_units
-from babbitt.core.files.writing import replace_synced
+from babbitt.case.with_units import with_units
 from babbitt.core.nearest_name import unknown_name
 from babbitt.core.notices import InputError
 from babbitt.core.quantities import QUANTITIES
@@ -34,7 +33,7 @@ from babbitt.study.sampling import batch_sizes
 from babbitt.study.store import FORMAT, Store
 from babbitt.study.workers import Alone, Processes, Workers
 
-__all__ = ["Study", "open_study", "plan", "require_possible", "run_study", "write_designs"]
+__all__ = ["Study", "case_of", "open_study", "plan", "require_possible", "run_study"]
 
 KEY_RESULTS = (
     "minimum_film_thickness",
@@ -194,8 +193,8 @@ def plan(case: CaseFile, block: StudyBlock) -> Plan:
     outputs = _outputs(block, results) if rules is None else rules.OUTPUTS
     checks = {one.code: one for result in results for one in counted(result, task.limits or (ALL_LIMITS,))}
     told = tuple(
-        {"code": one.code, "quantity": one.quantity, "limit": one.limit, "bound": one.bound.value}
-        for one in checks.values()
+        {"code": code, "quantity": one.quantity, "limit": one.limit, "bound": one.bound.value}
+        for code, one in checks.items()
     )
     task = replace(task, outputs=outputs, codes=tuple(checks))
     values, groups = grids.nominal(inputs)
@@ -215,7 +214,8 @@ def require_possible(case: CaseFile, block: StudyBlock) -> tuple[tuple[Input, ..
     inputs = _inputs(case, block)
     indices.require_numeric(block, inputs)
     optimum.require_pymoo(block, inputs)
-    rows = design.planned(inputs, block, case.kind) if block.kind == "design" else grids.planned(block, inputs)
+    designing = block.kind == "design"
+    rows = design.planned(inputs, block, case.kind) if designing else grids.planned(block, inputs)
     grids.require_bearable(rows, 12 + len(inputs) + len(block.outputs))
     return inputs, rows
 
@@ -351,52 +351,6 @@ def case_of(study: Study, row: int) -> CaseFile:
     made = task.case({one.path: study.columns[one.path][places[0]] for one in inputs})
     assert made.origin is not None, "it was read just now"
     return made.with_origin(replace(made.origin, given=with_units(made.origin.given, made)))
-
-
-def write_designs(study: Study, folder: Path | None = None) -> tuple[Path, ...]:
-    """Write the best designs of a study, each as a case file that runs; where they are.
-
-    Parameters
-    ----------
-    study : Study
-        Nothing is written of kinds that seek no designs.
-    folder : Path, optional
-        By default `DESIGNS` in the folder of the study; nothing is written where it is not stored.
-    """
-    rows = _best_rows(study)
-    folder = folder or (None if study.folder is None else study.folder / DESIGNS)
-    if folder is None or rows is None:
-        return ()
-    folder.mkdir(parents=True, exist_ok=True)
-    for left in (one for name in rows for one in folder.glob(f"{name.rpartition('-')[0]}-*.yaml")):
-        left.unlink(missing_ok=True)
-    for name, (row, said) in rows.items():
-        case = case_of(study, row)
-        assert case.origin is not None, "it was read just now"
-        heads = "".join(f"# {line}\n" for line in (f"Row {row} of the study of {case.name}", *said))
-        replace_synced(folder / f"{name}.yaml", f"{heads}{case_text(case.origin.given)}".encode())
-    return tuple(folder / f"{name}.yaml" for name in rows)
-
-
-def _best_rows(study: Study) -> dict[str, tuple[int, tuple[str, ...]]] | None:
-    """By the name of a file the row of a best design, and what is said of it; None for kinds without designs."""
-    match study.kind:
-        case "optimise":
-            return {f"design-row-{row}": (row, ()) for row in optimum.optimum_of(study).rows}
-        case "design":
-            found = enumerate(design.designs_of(study).proposals, 1)
-            return {f"proposal-{place}": (one.row, reasons_of(study, one)) for place, (one, _) in found}
-    return None
-
-
-def reasons_of(study: Study, one: design.Candidate) -> tuple[str, ...]:
-    """Why a proposed design is as it is."""
-    limits = {check["code"]: check["limit"] for check in study.description["checks"]}
-    return tuple(design.rules_of(study.description["kind"]).reasons(one.values, limits))
-
-
-DESIGNS = "designs"
-"""Folder of the best designs, in that of their study."""
 
 
 def _workers(workers: int | Workers, made: Plan) -> Workers:
