@@ -131,7 +131,8 @@ def test_the_command_proposes_writes_and_reports(run, tmp_path):
 
 def test_a_design_is_a_study_of_a_case(run, tmp_path):
     case = {
-        "kind": "journal", "name": "Duty", "diameter": "120 mm", "width": "60 mm", "clearance": "H7/e8",
+        "kind": "journal", "name": "Duty", "diameter": "120 mm", "width": "60 mm",
+        "clearance": {"kind": "relative", "mean": "1.2 permille"},
         "span": "360 deg", "supply_element": {"kind": "hole", "diameter": "12 mm", "place": "opposite"},
         "lubricant": "ISO VG 32", "supply": {"temperature": "45 degC", "pressure": "0.2 MPa"},
         "materials": {"bearing_metal": "SnSb8Cu4", "bearing": "C10", "journal": "42CrMo4"},

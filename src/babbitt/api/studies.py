@@ -21,6 +21,7 @@ from babbitt.core.optional_package import how_to_install, optional_package
 from babbitt.core.result import Verdict
 from babbitt.core.units import AS_WRITTEN, KINDS, SiField
 from babbitt.study import study as engine
+from babbitt.study.best_designs import write_designs
 from babbitt.study.design import Designs, designs_of
 from babbitt.study.engine import InterruptedStudyError
 from babbitt.study.indices import Indices, indices_of
@@ -211,7 +212,7 @@ def run(
         found = engine.run_study(made, workers=_workers(workers), folder=folder)
     except InterruptedStudyError as error:
         raise KeyboardInterrupt(str(error)) from None
-    engine.write_designs(found)
+    write_designs(found)
     return Study(found, public)
 
 

@@ -52,8 +52,8 @@ def design(
     from babbitt.core.units import QuantityError, read
     from babbitt.report.study_output import require_study_outputs, write_study
     from babbitt.report.study_table import print_study
+    from babbitt.study.best_designs import write_designs
     from babbitt.study.design import designs_of, duty_study
-    from babbitt.study.study import write_designs
 
     require_study_outputs({}, xlsx, report, plots)
     try:

@@ -126,8 +126,9 @@ def computed(
 ) -> Study:
     """Plan and compute a study; nothing is written before all of it was found possible."""
     from babbitt.report.study_progress import StudyProgress
+    from babbitt.study.best_designs import write_designs
     from babbitt.study.engine import InterruptedStudyError
-    from babbitt.study.study import plan, run_study, write_designs
+    from babbitt.study.study import plan, run_study
 
     made = plan(case, block)
     count = workers or os.cpu_count() or 1

@@ -9,8 +9,9 @@ from typing import Any
 from babbitt.core.check_text import number
 from babbitt.report.study_values import DASH, StudyTable, check_title, percent
 from babbitt.report.text import plain_text
+from babbitt.study.best_designs import reasons_of
 from babbitt.study.design import CRITERION, Candidate, designs_of, rules_of
-from babbitt.study.study import Study, reasons_of
+from babbitt.study.study import Study
 
 __all__ = ["design_tables"]
 

@@ -18,8 +18,7 @@ from babbitt.case.kinds import KINDS
 from babbitt.case.loading import case_from_dict
 from babbitt.case.named_files import NamedFiles
 from babbitt.case.parts.study import StudyBlock
-from babbitt.case.with_units import case_text, with_units
-from babbitt.core.files.writing import replace_synced
+from babbitt.case.with_units import with_units
 from babbitt.core.nearest_name import unknown_name
 from babbitt.core.notices import InputError
 from babbitt.core.quantities import QUANTITIES
@@ -38,7 +37,7 @@ from babbitt.study.table_cells import BearingTable
 from babbitt.study.table_rows import inputs_as_told, inputs_of_table, table_in
 from babbitt.study.workers import Alone, Processes, Workers
 
-__all__ = ["Study", "open_study", "plan", "plan_table", "require_possible", "run_study", "write_designs"]
+__all__ = ["Study", "case_of", "open_study", "plan", "plan_table", "require_possible", "run_study"]
 
 KEY_RESULTS = (
     "minimum_film_thickness",
@@ -122,7 +121,7 @@ class Plan:
             "rows_in_chunk": chunk_size(self.seconds_a_row),
             "batches": batch_sizes(grids.samples_of(self.block), self.block.sampling),
             "kind": self.case.kind,
-            "case": json.loads(json.dumps(dict(self.task.given), default=str)),
+            "case": json.loads(json.dumps(_given(self.case), default=str)),
             "text": self.case.text,
         }
 
@@ -209,9 +208,7 @@ def plan(case: CaseFile, block: StudyBlock) -> Plan:
     stated, block = block.vary, _completed(case, block)
     inputs, rows = require_possible(case, block)
     inputs = tuple(_with_reason(case, block, one) if one.path not in stated else one for one in inputs)
-    task = _task(case, inputs, block)
-    if block.kind == "size":
-        task = replace(task, limits=block.limits)
+    task = _task(case, block, inputs)
     return _planned(case, block, task, rows, nominal_example(case, task))
 
 
@@ -233,7 +230,7 @@ def plan_table(case: CaseFile, table: BearingTable, outputs: Sequence[str] = ())
 def _plan_of_table(case: CaseFile, block: StudyBlock, table: BearingTable) -> Plan:
     inputs, values = inputs_of_table(case, table)
     grids.require_bearable(table.count, 12 + len(inputs) + len(block.outputs))
-    task = _task(case, inputs, block)
+    task = _task(case, block, inputs)
     return replace(_planned(case, block, task, table.count, first_solved(case, task, values)), given=values)
 
 
@@ -298,18 +295,24 @@ def _inputs(case: CaseFile, block: StudyBlock) -> tuple[Input, ...]:
     return (*(() if clearance is None else (clearance,)), *inputs_of(case, block))
 
 
-def _task(case: CaseFile, inputs: tuple[Input, ...], block: StudyBlock) -> RowTask:
-    """The case as workers get it: the files that it names in their place."""
+def _task(case: CaseFile, block: StudyBlock, inputs: tuple[Input, ...]) -> RowTask:
+    """The case as workers get it."""
+    given, fields = _given(case), KINDS[case.kind].model_fields
+    if block.over_tolerance and corners.CASES not in fields:
+        raise InputError("E004", f"a clearance of kind {case.kind!r} has no tolerances")
+    if block.over_tolerance or block.kind in ("corners", "design"):
+        given = corners.at_all_clearances(given, fields)
+    assert case.origin is not None, "what stands in it was just read"
+    limits = block.limits if block.kind == "size" else ()
+    return RowTask(case.kind, given, case.origin.file, case.origin.reach, inputs, limits=limits)
+
+
+def _given(case: CaseFile) -> dict[str, Any]:
+    """What stands in a case, with the files that it names in their place."""
     origin = case.origin
     if origin is None:
         raise InputError("E005", f"{case.name}: only a case from a file, a text or a dictionary can be varied")
-    model = KINDS[case.kind]
-    given = model.with_named_files(dict(origin.given), NamedFiles(origin.file.parent, origin.reach))
-    if block.over_tolerance and corners.CASES not in model.model_fields:
-        raise InputError("E004", f"a clearance of kind {case.kind!r} has no tolerances")
-    if block.over_tolerance or block.kind in ("corners", "design"):
-        given = corners.at_all_clearances(given, model.model_fields)
-    return RowTask(case.kind, given, origin.file, origin.reach, inputs)
+    return KINDS[case.kind].with_named_files(dict(origin.given), NamedFiles(origin.file.parent, origin.reach))
 
 
 def _outputs(block: StudyBlock, results: Sequence[Result]) -> tuple[str, ...]:
@@ -397,56 +400,10 @@ def case_of(study: Study, row: int) -> CaseFile:
     case = case_from_dict(given, study.description["name"])
     told = study.description["inputs"]
     inputs = inputs_as_told(told) if study.kind == "table" else _inputs(case, study.block)
-    task = _task(case, inputs, study.block)
+    task = _task(case, study.block, inputs)
     made = task.case({one.path: study.columns[one.path][places[0]] for one in inputs})
     assert made.origin is not None, "it was read just now"
     return made.with_origin(replace(made.origin, given=with_units(made.origin.given, made)))
-
-
-def write_designs(study: Study, folder: Path | None = None) -> tuple[Path, ...]:
-    """Write the best designs of a study, each as a case file that runs; where they are.
-
-    Parameters
-    ----------
-    study : Study
-        Nothing is written of kinds that seek no designs.
-    folder : Path, optional
-        By default `DESIGNS` in the folder of the study; nothing is written where it is not stored.
-    """
-    rows = _best_rows(study)
-    folder = folder or (None if study.folder is None else study.folder / DESIGNS)
-    if folder is None or rows is None:
-        return ()
-    folder.mkdir(parents=True, exist_ok=True)
-    for left in (one for name in rows for one in folder.glob(f"{name.rpartition('-')[0]}-*.yaml")):
-        left.unlink(missing_ok=True)
-    for name, (row, said) in rows.items():
-        case = case_of(study, row)
-        assert case.origin is not None, "it was read just now"
-        heads = "".join(f"# {line}\n" for line in (f"Row {row} of the study of {case.name}", *said))
-        replace_synced(folder / f"{name}.yaml", f"{heads}{case_text(case.origin.given)}".encode())
-    return tuple(folder / f"{name}.yaml" for name in rows)
-
-
-def _best_rows(study: Study) -> dict[str, tuple[int, tuple[str, ...]]] | None:
-    """By the name of a file the row of a best design, and what is said of it; None for kinds without designs."""
-    match study.kind:
-        case "optimise":
-            return {f"design-row-{row}": (row, ()) for row in optimum.optimum_of(study).rows}
-        case "design":
-            found = enumerate(design.designs_of(study).proposals, 1)
-            return {f"proposal-{place}": (one.row, reasons_of(study, one)) for place, (one, _) in found}
-    return None
-
-
-def reasons_of(study: Study, one: design.Candidate) -> tuple[str, ...]:
-    """Why a proposed design is as it is."""
-    limits = {check["code"]: check["limit"] for check in study.description["checks"]}
-    return tuple(design.rules_of(study.description["kind"]).reasons(one.values, limits))
-
-
-DESIGNS = "designs"
-"""Folder of the best designs, in that of their study."""
 
 
 def _workers(workers: int | Workers, made: Plan) -> Workers:
