@@ -28,7 +28,7 @@ def default_axes(case: CaseFile, block: StudyBlock) -> StudyBlock:
     if block.kind != "map" or block.vary:
         return block
     kind = find_kind(case.kind)
-    vary = {}
+    vary: dict[str, Vary] = {}
     for names in kind.envelope if kind is not None else SPEED_AND_LOAD:
         found = next((axis for name in names if (axis := _axis(case, name, block.points)) is not None), None)
         if found is None:

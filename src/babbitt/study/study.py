@@ -214,8 +214,8 @@ def plan(case: CaseFile, block: StudyBlock) -> Plan:
     values, groups = grids.nominal(inputs)
     seconds = timed(task, {"row": np.array([0]), "group": groups, **values})
     not_checked = tuple({"code": code, "message": said} for code, said in lacks.items() if code not in checks)
-    told = (tuple(map(_described, each.values())) for each in (checks, advisories))
-    return Plan(case, block, task, rows, seconds, *told, not_checked)
+    limits, advised = (tuple(map(_described, each.values())) for each in (checks, advisories))
+    return Plan(case, block, task, rows, seconds, limits, advised, not_checked)
 
 
 def require_possible(case: CaseFile, block: StudyBlock) -> tuple[tuple[Input, ...], int]:
