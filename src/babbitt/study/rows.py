@@ -20,7 +20,8 @@ from babbitt.core.kind import find_kind, imported
 from babbitt.core.notices import InputError
 from babbitt.core.result import ROUND_OFF, Outcome, Result, Verdict
 from babbitt.core.result_name import ResultName
-from babbitt.study.inputs import Input, given_with
+from babbitt.study.inputs import Input
+from babbitt.study.shares import given_with
 
 __all__ = [
     "Columns",
