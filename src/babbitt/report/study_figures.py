@@ -53,6 +53,9 @@ MOST_LINES = 400
 
 CLASSES = 30
 
+LEGEND_LINE, MM_PER_INCH = 3.5, 25.4
+"""mm."""
+
 
 def study_drawings(study: Study, image_format: str) -> tuple[Drawing, ...]:
     """All figures of a study.
@@ -246,7 +249,10 @@ def _curves(study: Study, along: Mapping[str, Any], others: list[dict[str, Any]]
         panel.set_xlabel(axis_text(input_scale(along)))
         panel.set_ylabel(axis_text(scale))
     if others and panels:
-        panels[0].legend(frameon=False, fontsize=5.5, handlelength=1.5)
+        handles, labels = panels[0].get_legend_handles_labels()
+        high = figure.get_figheight() * MM_PER_INCH
+        figure.subplots_adjust(top=1.0 - (6.0 + LEGEND_LINE * math.ceil(len(labels) / 3)) / high)
+        figure.legend(handles, labels, loc="upper left", ncols=3, frameon=False, fontsize=6, handlelength=2.0)
     return figure
 
 

@@ -163,9 +163,9 @@ class Engine:
             for future in [one for one in running if one.done() and not one.cancelled()]:
                 self._take(future, running, done)
             self.workers.stop()
-            finished = joined([done[number] for number in sorted(done)]) if done else None
-            rows = 0 if finished is None else np.unique(finished["row"]).size
-            raise InterruptedStudyError(rows, count, finished) from None
+            kept = joined([done[number] for number in sorted(done)]) if done else None
+            rows = 0 if kept is None else np.unique(kept["row"]).size
+            raise InterruptedStudyError(rows, count, kept) from None
 
     def _fill(self, running: dict[Future[Columns], int], waiting: Iterator[tuple[int, Columns]]) -> None:
         """Keep a few more chunks at the workers than they compute at once, not all, which would take memory."""

@@ -6,7 +6,6 @@ import csv
 import typing
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from pathlib import Path as FilePath
 from typing import Any
 
 import numpy as np
@@ -15,16 +14,13 @@ from numpy.typing import NDArray
 from babbitt.case.aliases import parts_in
 from babbitt.case.case_file import CaseFile
 from babbitt.case.field_types import attributes_of_field, field_annotations, quantity_in
-from babbitt.case.loading import build_case
 from babbitt.case.named_files import NamedFiles, TableError
 from babbitt.case.part import Part
 from babbitt.case.parts.clearance import FitClearance
 from babbitt.case.parts.fields import WholeNumber
 from babbitt.case.parts.study import StudyBlock, Vary
 from babbitt.case.suggestions import near_typo
-from babbitt.case.variation import CaseVariation, variation_of
-from babbitt.core.files.printing import printable
-from babbitt.core.files.reading import Reach
+from babbitt.case.variation import variation_of
 from babbitt.core.files.spreadsheet import read_rows
 from babbitt.core.notices import InputError
 from babbitt.core.units import KINDS, QuantityError, SiField, SiNumber, read
@@ -32,11 +28,10 @@ from babbitt.core.units.kinds import Kind
 from babbitt.properties.fits import tolerance_limits
 from babbitt.properties.lubricants import Lubricant, viscosity_index
 from babbitt.study.laws import CUT, Choices, Difference, HalfNormal, Law, Listed, Normal, Triangular, Uniform
-from babbitt.study.shares import EVERYWHERE, SHARED, places_of, share_of
+from babbitt.study.shares import EVERYWHERE, SHARED, places_of, require_buildable, share_of
 
 __all__ = [
     "Input",
-    "given_with",
     "inputs_of",
     "meaning_of",
     "model_of",
@@ -419,7 +414,7 @@ def _require_possible(case: CaseFile, one: Input) -> None:
         refusals = []
         for value in one.listed:
             try:
-                _case_with(variation, one, value)
+                require_buildable(variation, one, value)
                 return
             except InputError as error:
                 refusals.append(error)
@@ -427,31 +422,11 @@ def _require_possible(case: CaseFile, one: Input) -> None:
     low, high = one.law.support  # type: ignore[union-attr]
     for value, side in ((low, "smallest"), (high, "largest")):
         try:
-            _case_with(variation, one, value)
+            require_buildable(variation, one, value)
         except InputError as error:
             shown = f"{value:.6g} {one.unit}".strip()
             says = f"the {side} value {shown} of its distribution ({one.law.words}) is not possible"
             raise _refused(one.path, f"{says}: {error.message}") from None
-
-
-def given_with(one: Input, given: dict[str, Any], file: FilePath, reach: Reach, value: Any) -> dict[str, Any]:
-    """What stands in a case, with a value of an input in all its fields.
-
-    Raises
-    ------
-    InputError
-        E005 where a path leads through something that is no mapping or list.
-    """
-    for field, each in one.places(value):
-        given = CaseVariation(file, given, field, reach=reach).given_with(each)
-    return given
-
-
-def _case_with(variation: CaseVariation, one: Input, value: Any) -> None:
-    """Build the case with a value of an input; what it is refused for is raised."""
-    given = given_with(one, variation.given, variation.file, variation.reach, value)
-    title = f"{printable(variation.file)} with {one.path}: {value}"
-    build_case(given, title, NamedFiles(variation.file.parent, variation.reach))
 
 
 def _require_order(path: str, law: str, given: Sequence[Any], holds: bool, allowed: str = "rising values") -> None:

@@ -21,7 +21,8 @@ from babbitt.core.notices import InputError
 from babbitt.core.result import ROUND_OFF, Outcome, Result, Verdict
 from babbitt.core.result_name import ResultName
 from babbitt.study.appraisal import ALL_LIMITS, appraised
-from babbitt.study.inputs import Input, given_with
+from babbitt.study.inputs import Input
+from babbitt.study.shares import given_with
 
 __all__ = [
     "Columns",
@@ -202,7 +203,7 @@ def _lines(task: RowTask, row: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
     names = [str(one.problem.name) for one in calculations]
     for one, name in zip(calculations, names, strict=True):
         if names.count(name) > 1:
-            name = str(ResultName(name, state=one.problem.variant))
+            name = str(ResultName(name, state=getattr(one.problem, "variant", "")))
         try:
             # Of several steady states the first, as everywhere that one answer is asked for.
             yield {**row, "bearing": name, **_answer(task, one.solve()[0].result)}

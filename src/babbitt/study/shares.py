@@ -1,15 +1,24 @@
-"""A quantity that stands in several places of a case, varied by one share in all of them: ``*.load``."""
+"""How values get into the fields of a case, and quantities that vary by one share in all places: ``*.load``."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import Any
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 from babbitt.case.case_file import CaseFile
 from babbitt.case.field_types import field_annotations, quantity_in
+from babbitt.case.loading import build_case
+from babbitt.case.named_files import NamedFiles
+from babbitt.case.variation import CaseVariation
+from babbitt.core.files.printing import printable
+from babbitt.core.files.reading import Reach
 from babbitt.core.units import QuantityError, SiField, SiNumber, read
 
-__all__ = ["EVERYWHERE", "SHARED", "places_of", "share_of"]
+if TYPE_CHECKING:
+    from babbitt.study.inputs import Input
+
+__all__ = ["EVERYWHERE", "SHARED", "given_with", "places_of", "require_buildable", "share_of"]
 
 EVERYWHERE = "*."
 """What the path of such a field begins with."""
@@ -73,3 +82,23 @@ def _in_si(value: Any, unit: str) -> Any:
         return read(value, unit)
     except QuantityError:
         return None
+
+
+def given_with(one: Input, given: dict[str, Any], file: Path, reach: Reach, value: Any) -> dict[str, Any]:
+    """What stands in a case, with a value of an input in all its fields.
+
+    Raises
+    ------
+    InputError
+        E005 where a path leads through something that is no mapping or list.
+    """
+    for field, each in one.places(value):
+        given = CaseVariation(file, given, field, reach=reach).given_with(each)
+    return given
+
+
+def require_buildable(variation: CaseVariation, one: Input, value: Any) -> None:
+    """Build the case with a value of an input; what it is refused for is raised."""
+    given = given_with(one, variation.given, variation.file, variation.reach, value)
+    title = f"{printable(variation.file)} with {one.path}: {value}"
+    build_case(given, title, NamedFiles(variation.file.parent, variation.reach))

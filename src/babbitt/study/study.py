@@ -250,8 +250,8 @@ def _planned(case: CaseFile, block: StudyBlock, task: RowTask, rows: int, exampl
     task = replace(task, outputs=outputs, codes=tuple(checks), advisories=tuple(advisories))
     seconds = timed(task, {"row": np.array([0]), "group": np.array([grids.NOMINAL], object), **example.values})
     not_checked = tuple({"code": code, "message": said} for code, said in lacks.items() if code not in checks)
-    told, recommended = (tuple(map(_described, each.values())) for each in (checks, advisories))
-    return Plan(case, block, task, rows, seconds, told, recommended, not_checked)
+    limits, advised = (tuple(map(_described, each.values())) for each in (checks, advisories))
+    return Plan(case, block, task, rows, seconds, limits, advised, not_checked)
 
 
 def require_possible(case: CaseFile, block: StudyBlock) -> tuple[tuple[Input, ...], int]:

@@ -162,8 +162,8 @@ def _margins() -> Iterator[Comparison]:
         then = recommended().results[name]
         for what, unit, of in (("governing margin", "%", _margin), ("outlet temperature", "°C", _warm)):
             yield Comparison(what, name, of(now), of(then), None, unit, "ours", 1, information=OURS)
-        yields = (100.0 * one.yields[name] for one in (real(), recommended()))
-        yield Comparison("yield", name, *yields, None, "%", "ours", 0, information=OURS)
+        before, after = (100.0 * one.yields[name] for one in (real(), recommended()))
+        yield Comparison("yield", name, before, after, None, "%", "ours", 0, information=OURS)
 
 
 def _margin(result: Result) -> float:

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING
 
 from babbitt.case.case_file import CaseFile
 from babbitt.case.loading import case_from_dict
-from babbitt.case.variation import variation_of
 from babbitt.core.units import SiNumber
 from babbitt.solving import solve
-from babbitt.study.size import Scan, find_size, scan_values
+from babbitt.study.size import size_block, size_of
+from babbitt.study.study import plan, run_study
 from babbitt.validation.case import Comparison, Story, ValidationCase
 from babbitt.validation.figure import INK, LINES, MARKERS
 from babbitt.validation.published.short_bearing import closed_form
@@ -44,9 +44,9 @@ def root(width_ratio: float, eccentricity_ratio: float) -> float:
 def found(width_ratio: float, eccentricity_ratio: float) -> float:
     """The upper end of the permitted loads by the search, N."""
     near = root(width_ratio, eccentricity_ratio)
-    variation = variation_of(_case(width_ratio, eccentricity_ratio, near), "load")
-    scan = Scan(scan_values(near / 3.0, 3.0 * near, 24), "N", None, SiNumber)
-    size = find_size(variation, scan, ("C101",))
+    case = _case(width_ratio, eccentricity_ratio, near)
+    block = size_block(case, "load", SiNumber(near / 3.0), SiNumber(3.0 * near), 24, limits=("C101",))
+    size = size_of(run_study(plan(case, block)))
     return size.intervals[-1].upper.value
 
 
