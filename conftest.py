@@ -1,6 +1,10 @@
 """What all tests share, those in the docstrings included."""
 
 import gc
+import os
+
+# Tests run side by side, a process on each core: threads of linear algebra would only wait for each other.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import pytest
 from hypothesis import settings

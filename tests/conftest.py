@@ -8,6 +8,12 @@ from babbitt import cli
 
 
 @pytest.fixture
+def no_images(monkeypatch):
+    """Figures are drawn but not written: their letters are most of the work of a report read for its words."""
+    monkeypatch.setattr("matplotlib.figure.Figure.savefig", lambda *_, **__: None)
+
+
+@pytest.fixture
 def run(capsys, monkeypatch, tmp_path):
     """Run the command line in an empty folder; give exit status, standard output and standard error."""
     monkeypatch.chdir(tmp_path)

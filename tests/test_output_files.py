@@ -108,6 +108,7 @@ def test_a_sweep_on_standard_output_is_alone_there(run, tmp_path):
     assert [path.name for path in tmp_path.iterdir()] == ["case.yaml"]
 
 
+@pytest.mark.usefixtures("no_images")
 def test_fields_of_bearings_with_like_names_do_not_replace_each_other(run, tmp_path):
     xarray = pytest.importorskip("xarray")
     h5netcdf = pytest.importorskip("h5netcdf")

@@ -571,6 +571,7 @@ CHEAP = {
 
 
 @pytest.mark.parametrize("kind", CHEAP)
+@pytest.mark.usefixtures("no_images")
 def test_notes_and_source_reach_the_report(kind):
     said = report_of(CHEAP[kind] | SHOWN)
     assert all(words in said for words in SHOWN.values())

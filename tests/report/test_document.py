@@ -232,6 +232,7 @@ def test_every_way_through_the_procedure_can_be_printed(name):
     assert "–e" not in page.text
 
 
+@pytest.mark.usefixtures("no_figures")
 def test_eleven_bearings_on_paper(tmp_path):
     path = tmp_path / "gear.pdf"
     write_report(solved("Marine reverse gear", *GEAR), path)

@@ -351,6 +351,7 @@ def machine(*names):
     return MachineResult("m", tuple(map(solution, names)), "0" * 64)
 
 
+@pytest.mark.usefixtures("no_images")
 def test_plots_of_a_film_are_written_numbered_as_the_bearings(tmp_path):
     written = write_plots(machine("two", "pinion"), tmp_path / "plots")
     assert len(written) == 12
@@ -454,6 +455,7 @@ def test_a_missing_extra_is_named(package, tmp_path, monkeypatch):
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.usefixtures("no_images")
 def test_the_orbit_is_drawn_where_there_is_one():
     case = film_bearings.film(dynamic_load={"kind": "rotating", "magnitude": "10 kN"})
     found = film_solution(case)

@@ -16,6 +16,8 @@ from babbitt.report.export import to_json
 from babbitt.report.table import print_machine
 from babbitt.solving import MachineResult, solve
 
+pytestmark = pytest.mark.usefixtures("no_images")
+
 CASE = """
 kind: journal
 name: Two pockets
