@@ -11,7 +11,7 @@ unexport PYTHONDONTWRITEBYTECODE
 FAST := src tests/case tests/characteristics tests/design tests/docs tests/files tests/fits tests/export \
 	tests/infinitely_long_bearing tests/lubricants tests/materials tests/grooved_long_bearing tests/shaft tests/iso7902 tests/units
 
-.PHONY: demo test test-fast minima lint docs bench clean
+.PHONY: demo test test-fast test-thorough minima lint docs bench clean
 
 demo: $(VENV)/.demo  ## solve the marine reverse gear: table, PDF and JSON
 	mkdir -p out
@@ -19,10 +19,13 @@ demo: $(VENV)/.demo  ## solve the marine reverse gear: table, PDF and JSON
 	@ls -l out/marine_reverse_gear.pdf out/marine_reverse_gear.json
 
 test: $(VENV)/.kernels  ## tests, doctests and published cases
-	$(BIN)/python -m pytest -n auto --dist worksteal
+	$(BIN)/python -m pytest -n auto --dist worksteal -m 'not thorough'
+
+test-thorough: $(VENV)/.kernels  ## the longest tests, which make test leaves out
+	$(BIN)/python -m pytest -n auto --dist worksteal -m thorough
 
 test-fast: $(VENV)/.test  ## what solves no film, or few
-	$(BIN)/python -m pytest -n auto --dist worksteal -m 'not slow' $(FAST)
+	$(BIN)/python -m pytest -n auto --dist worksteal -m 'not slow and not thorough' $(FAST)
 
 minima: $(VENV)-minima/.made  ## a smoke set on the lowest versions that pyproject.toml allows
 	$(VENV)-minima/bin/babbitt check examples/*.yaml

@@ -67,6 +67,7 @@ def test_threads_give_the_same_bits():
         assert one.stiffness.tobytes() == other.stiffness.tobytes()
 
 
+@pytest.mark.thorough
 @pytest.mark.slow
 def test_a_folder_that_cannot_be_written_costs_a_line(tmp_path):
     """A folder for machine code that is a file: nobody can write in it, whoever he is."""

@@ -17,7 +17,16 @@ NOT_PASSED = {
 limit; a heel with an unstable state; a heel and a shaft in statics, of which nothing is held against a limit."""
 
 
-@pytest.mark.parametrize("name", CASES)
+LONG = ("example_reverse_gear_film", "example_starved_journal", "example_helical_gear_shaft", "example_unbalanced_fan")
+"""Cases that take longer than five seconds; shorter ones of their kinds are always compared."""
+
+
+def cases():
+    """Each case; the long ones are left to `make test-thorough`."""
+    return [pytest.param(name, marks=[pytest.mark.thorough] * (name in LONG)) for name in CASES]
+
+
+@pytest.mark.parametrize("name", cases())
 def test_answer_is_that_of_the_golden(name):
     """And examples have an operating point, a verdict, and a record of known quantities."""
     machine = solved(name)

@@ -334,6 +334,7 @@ accuracy: draft
 """
 
 
+@pytest.mark.thorough
 def test_films_that_nothing_feeds_end_with_a_status_beside_the_standard():
     (found,) = compare_methods(parse_case(FED_BY_NOTHING))
     results = {one.label: one.result for one in found.variants}

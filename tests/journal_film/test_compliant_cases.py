@@ -110,6 +110,7 @@ def test_elastic_bearing_tells_its_displacement_and_what_it_assumes():
     assert not any("rigid surfaces" in said for said in soft.assumptions)
 
 
+@pytest.mark.thorough
 def test_heat_balance_of_an_elastic_bearing_closes():
     found = answer(load="60 kN", accuracy="draft", compliance=[RING])
     assert abs(found.energy_balance_error) < 1e-6

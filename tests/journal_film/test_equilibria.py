@@ -258,6 +258,7 @@ def random_film(rng):
     return one, (float(size * math.cos(direction)), float(size * math.sin(direction)))
 
 
+@pytest.mark.thorough
 def test_the_indices_of_random_pressurised_films_sum_to_one():
     """All but one of sixteen: beside a groove in which the journal would sink the last place is nearer to contact
     than the search looks."""

@@ -164,6 +164,7 @@ def test_a_table_of_the_same_load_gives_the_same_orbit(mixed):
     np.testing.assert_allclose(table.position, mixed.position, atol=2e-3 * GROOVED.clearance)
 
 
+@pytest.mark.thorough
 def test_a_mass_above_the_critical_one_leaves_its_orbit(monkeypatch):
     light = (0.0, -2e3)
     from babbitt.reynolds.stability.routh import critical_mass
@@ -220,6 +221,7 @@ def test_an_orbit_that_does_not_close_is_no_solution():
     assert "cycles" in result.message
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(("mass", "begun"), [(0.0, (10.0, 150.0, 450.0, 650.0)), (100.0, (10.0, 450.0))])
 def test_a_short_pulse_is_seen_wherever_it_lies_in_the_cycle(mass, begun):
     """300 kN for 10 of 720 degrees: a march whose steps grow while the load rests would pass over it."""
@@ -311,6 +313,7 @@ def test_the_peak_of_a_fine_table_is_read():
     assert -found.load[:, 1].min() == pytest.approx(3.2e5, rel=1e-12)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(("ratio", "told"), [(0.52, True), (1.0, False)])
 def test_a_film_force_that_the_grid_blurs_is_told(ratio, told):
     """Near half the speed wedge and squeeze nearly cancel; a load that turns with the journal is no such case."""

@@ -84,6 +84,7 @@ def test_a_narrow_half_sommerfeld_film_is_that_of_dubois_and_ocvirk(eccentricity
     assert math.tan(result.attitude_angle) == pytest.approx(tangent, rel=0.02)
 
 
+@pytest.mark.thorough
 def test_a_half_sommerfeld_film_claims_neither_flow_nor_stiffness():
     result = answer(**HALF, eccentricity_ratio=0.5)
     for name in ("total_flow", "side_flow", "supply_flow", "stiffness_xx", "damping_yy", "critical_mass"):

@@ -60,6 +60,7 @@ def answers():
     return {name: film_check(design(text)) for name, text in texts.items()}
 
 
+@pytest.mark.thorough
 def test_a_bore_is_distorted_where_it_is_asked_for_and_nowhere_else(answers):
     rigid, stiff, distorted, both = (answers[name] for name in ("rigid", "stiff", "distorted", "both"))
     assert stiff.eccentricity_ratio == pytest.approx(rigid.eccentricity_ratio, abs=1e-4)

@@ -58,6 +58,7 @@ def test_a_process_that_is_killed_costs_its_chunks_only(made, table, monkeypatch
     assert killed
 
 
+@pytest.mark.thorough
 def test_a_local_cluster_gives_the_same_table_though_a_worker_is_killed(made, table, monkeypatch):
     distributed = pytest.importorskip("distributed")
     from babbitt.study.engine import Engine
@@ -94,6 +95,7 @@ def _wait_for_chunks(folder: Path, count: int, process: subprocess.Popen) -> Non
         Event().wait(0.01)
 
 
+@pytest.mark.thorough
 def test_a_study_that_is_killed_goes_on_to_the_table_of_an_undisturbed_one(tmp_path):
     import pyarrow.parquet as parquet
 

@@ -62,6 +62,7 @@ def test_warnings_need_no_work_that_a_runout_has_used_up(monkeypatch):
     assert "W209" in {notice.code for notice in result.warnings}
 
 
+@pytest.mark.thorough
 def test_ordinary_bearings_stay_far_below_the_bound(allow):
     allow(60_000)
     (result,) = solve(parse_case(ADIABATIC)).results

@@ -259,6 +259,7 @@ def test_a_leaning_line_pivot_falls_over_below_a_film():
     assert balances(of, 5, 1.02 * film).min() < 0.0
 
 
+@pytest.mark.thorough
 def test_however_far_the_housing_tilts_the_end_is_told():
     """No tilt ends in a search without result: a film, a corner that touches, or a pad that falls over."""
     for tilt in (200e-6, 400e-6, 1e-3):

@@ -465,6 +465,7 @@ def test_what_the_runout_does_is_said_and_doubted():
     assert f"the film of {even:.1f} µm that an even share has" in warning
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("oil", ["{kind: viscosity, viscosity: 50 mPa s}", f"{BALANCE}}}"])
 def test_concave_pads_tell_their_crown_and_the_largest_load_they_carry(oil):
     """The same end at any thrust beyond; at a little less than the load that is told they have a film."""
