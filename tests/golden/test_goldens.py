@@ -17,7 +17,12 @@ NOT_PASSED = {
 limit; a heel with an unstable state; a heel and a shaft in statics, of which nothing is held against a limit."""
 
 
-LONG = ("example_reverse_gear_film", "example_starved_journal", "example_helical_gear_shaft", "example_unbalanced_fan")
+LONG = (
+    "example_reverse_gear_film",
+    "example_starved_journal",
+    "example_helical_gear_shaft",
+    "example_unbalanced_fan",
+)
 """Cases that take longer than five seconds; shorter ones of their kinds are always compared."""
 
 
