@@ -19,6 +19,13 @@ Assumptions by measurement (docs/theory/procedure.md, ``benchmarks/one_temperatu
 with temperatures of their own and walls that conduct differ by less, from ISO 7902 and from films of one
 temperature alike."""
 
+THINNER_OIL = 0.55
+"""Viscosity over that of one temperature with which the film of a tilted journal must keep its limit.
+
+Assumption: it makes the film of an aligned journal 0.69 times as thick (``THINNER``) at eccentricity ratios about
+0.7, where that goes with the viscosity to the power of 0.6. Four films of tilted journals with temperatures of their
+own are as thick as with 0.58 to 0.65 of it (docs/theory/procedure.md)."""
+
 RISE_OF_METAL = 6.2e-3
 """K over the root of Pa m/s: rise of the hottest bush above the inlet over sqrt(p̄ U), fast and loaded bearings.
 
@@ -48,6 +55,7 @@ def warnings_about_margins(
     values: Mapping[str, float],
     of_metal: Collection[str],
     viscosity: Callable[[float], float],
+    over_viscosity: Callable[[float], float] | None = None,
 ) -> Iterator[Notice]:
     """Whether a limit is kept by less than films with temperatures of their own usually differ.
 
@@ -60,6 +68,8 @@ def warnings_about_margins(
         Codes of the checks that hold the metal to its limit; see `checks_of_metal`.
     viscosity : callable
         Dynamic viscosity of the oil, Pa s, over the temperature in K.
+    over_viscosity : callable, optional
+        Least film thickness in m over a factor of the viscosity; None where it goes at most with that.
     """
     near = []
     hottest = above_inlet(values, RISE_OF_METAL)
@@ -69,6 +79,8 @@ def warnings_about_margins(
         thinner = thinner_oil(check, values, viscosity)
         if check.code in FILM_CHECKS and check.margin < max(THINNER, thinner - 1.0):
             near.append(_about_film(check, values, thinner))
+        elif check.code in FILM_CHECKS and over_viscosity is not None:
+            near += _about_narrowed_gap(check, min(THINNER_OIL, 1.0 / thinner), over_viscosity)
         if check.code in of_metal and check.limit < max(check.value + HOTTER, hottest):
             margin = check.limit - check.value
             near.append(Notice("W191", "temperature", {"margin": margin, "check": check.code}))
@@ -88,6 +100,15 @@ def _about_film(check: Check, values: Mapping[str, float], thinner: float) -> No
         "margin": check.margin, "check": check.code, "loaded": above_inlet(values, RISE_OF_LOADED_FILM),
         "asked": thinner - 1.0,
     })  # fmt: skip
+
+
+def _about_narrowed_gap(check: Check, factor: float, over_viscosity: Callable[[float], float]) -> Iterator[Notice]:
+    thin = over_viscosity(factor)
+    said = {"margin": check.margin, "check": check.code, "factor": factor}
+    if thin <= 0.0:
+        yield Notice("W191", "no_film", said)
+    elif thin < check.limit:
+        yield Notice("W191", "narrowed_gap", said | {"thin": thin})
 
 
 def thinner_oil(check: Check, values: Mapping[str, float], viscosity: Callable[[float], float]) -> float:

@@ -56,6 +56,7 @@ from babbitt.kinds.journal.film.thermal_results import (
     warnings_about_heat,
     with_own_coefficients,
 )
+from babbitt.kinds.journal.film.thinner_oil import film_over_viscosity
 from babbitt.kinds.journal.film.transition import transition_speed
 from babbitt.kinds.journal.film.unloaded import missing_without_load
 from babbitt.kinds.journal.film.values import fills_of, film_values, rows_of, supply_pressures, tilt_values
@@ -304,7 +305,9 @@ def _warnings(
         yield from warnings_about_whirl(whirl)
     if case.heat is None:
         viscosity = usable_viscosity(case.lubricant)
-        yield from warnings_about_margins(checks, values, checks_of_metal(case.limits), viscosity)
+        over_viscosity = film_over_viscosity(case, state)
+        metal = checks_of_metal(case.limits)
+        yield from warnings_about_margins(checks, values, metal, viscosity, over_viscosity)
     solved = {"W109"} if whirl is not None else set()  # the dynamics of the film are solved for
     yield from (warning for warning in warnings_about_running(case, values, checks) if warning.code not in solved)
 
