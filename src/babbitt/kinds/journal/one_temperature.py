@@ -23,8 +23,8 @@ THINNER_OIL = 0.55
 """Viscosity over that of one temperature with which the film of a tilted journal must keep its limit.
 
 Assumption: it makes the film of an aligned journal 0.69 times as thick (``THINNER``) at eccentricity ratios about
-0.7, where that goes with the viscosity to the power of 0.6. Four films of tilted journals with temperatures of their
-own are as thick as with 0.58 to 0.65 of it (docs/theory/procedure.md)."""
+0.7, where that goes with the viscosity to the power of 0.6. Four films of tilted journals with temperatures of
+their own are as thick as with 0.58 to 0.65 of it (docs/theory/procedure.md)."""
 
 RISE_OF_METAL = 6.2e-3
 """K over the root of Pa m/s: rise of the hottest bush above the inlet over sqrt(p̄ U), fast and loaded bearings.

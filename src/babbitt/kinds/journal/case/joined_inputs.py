@@ -23,12 +23,16 @@ from babbitt.design.cooling import STILL_AIR_COEFFICIENT, heat_transfer_coeffici
 from babbitt.kinds.journal.case.journal import JournalBearing
 from babbitt.kinds.journal.case.machine import SeveralBearings, SingleBearing
 from babbitt.kinds.journal.case.operating_point import OperatingPoint, stating
+from babbitt.kinds.journal.case.turned_supply import warnings_about_turned_supply
 from babbitt.properties.lubricants import Lubricant
 
 
 @dataclass(frozen=True)
 class Inputs:
-    """A bearing with what it shares with its machine."""
+    """A bearing with what it shares with its machine.
+
+    `turned_supply` questions supply elements that turn with the load from one operating point to another.
+    """
 
     bearing: JournalBearing
     lubricant: Lubricant
@@ -38,6 +42,7 @@ class Inputs:
     width: float
     shared_assumptions: tuple[str, ...]
     shared_warnings: tuple[Notice, ...]
+    turned_supply: tuple[Notice, ...]
 
 
 @dataclass(frozen=True)
@@ -73,6 +78,7 @@ def inputs(bearing: JournalBearing, shared: SingleBearing | SeveralBearings) -> 
         tuple(about_grouped_digits(shared.model_copy(update={"bearings": ()})))
         if isinstance(shared, SeveralBearings)
         else (),
+        tuple(warnings_about_turned_supply(bearing, width)),
     )
 
 

@@ -38,6 +38,7 @@ def warnings_about(inputs: Inputs, point: OperatingPoint | None) -> tuple[Notice
     return (
         *_about_span(inputs.bearing, point),
         *_about_direction(inputs.bearing),
+        *inputs.turned_supply,
         *_about_feeds(inputs.bearing),
         *warnings_about_numbers(inputs, point),
     )

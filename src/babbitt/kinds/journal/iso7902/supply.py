@@ -14,6 +14,8 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import Protocol
 
+from babbitt.kinds.journal.feed_pressure import pressed_area
+
 FIT_RANGE = (0.05, 0.7)
 """Range of relative width in which the fits ``q_H`` and ``q_P`` are defined."""
 
@@ -222,7 +224,7 @@ class Pockets:
 
     def pressed_area(self, bearing_diameter: float) -> float:
         """Projected area in m² over which one pocket presses on the journal."""
-        return self.width * bearing_diameter * math.sin(min(0.5 * self.extent, 0.5 * math.pi))
+        return pressed_area(bearing_diameter, self.width, min(self.extent, math.pi))
 
     def relative_width(self, bearing_width: float) -> float:
         """Pocket width over bearing width."""
@@ -266,7 +268,7 @@ class HalfCircumferentialGroove:
 
     def pressed_area(self, bearing_diameter: float) -> float:
         """Projected area in m² over which the groove presses on the journal."""
-        return self.width * bearing_diameter
+        return pressed_area(bearing_diameter, self.width, math.pi)
 
     def axial_width(self, bearing_width: float) -> float:
         """Width in m over which the groove gives oil to the film."""
