@@ -1,16 +1,17 @@
-"""Limits kept by less than films with temperatures of their own differ from that of one temperature."""
+"""Limits kept by less than films with temperatures of their own differ from one temperature, or can tell."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 
 from babbitt.core.notices import Notice
 from babbitt.core.result import Check
 from babbitt.design.bounds import FILM_CHECKS
 from babbitt.design.conditions import Limits
+from babbitt.design.kept_temperatures import kept_by_little
 
-__all__ = ["checks_of_metal", "warnings_about_margins"]
+__all__ = ["checks_of_metal", "warnings_about_kept_temperatures", "warnings_about_margins"]
 
 THINNER, HOTTER = 0.45, 15.0
 """Margin of the film thickness, and K above the outlet, by which films with temperatures of their own may differ.
@@ -104,11 +105,11 @@ def _about_film(check: Check, values: Mapping[str, float], thinner: float) -> No
 
 def _about_narrowed_gap(check: Check, factor: float, over_viscosity: Callable[[float], float]) -> Iterator[Notice]:
     thin = over_viscosity(factor)
-    said = {"margin": check.margin, "check": check.code, "factor": factor}
+    margin, code = check.margin, check.code
     if thin <= 0.0:
-        yield Notice("W191", "no_film", said)
+        yield Notice("W191", "no_film", {"margin": margin, "check": code, "factor": factor})
     elif thin < check.limit:
-        yield Notice("W191", "narrowed_gap", said | {"thin": thin})
+        yield Notice("W191", "narrowed_gap", {"margin": margin, "check": code, "factor": factor, "thin": thin})
 
 
 def thinner_oil(check: Check, values: Mapping[str, float], viscosity: Callable[[float], float]) -> float:
@@ -126,6 +127,20 @@ def thinner_oil(check: Check, values: Mapping[str, float], viscosity: Callable[[
     one = values.get("starved_effective_temperature" if limited else "effective_temperature", math.inf)
     loaded = above_inlet(values, RISE_OF_LOADED_FILM)
     return viscosity(one) / viscosity(loaded) if loaded > one else 1.0
+
+
+def warnings_about_kept_temperatures(
+    checks: Iterable[Check], of_metal: Collection[str], supply_temperature: float
+) -> Iterator[Notice]:
+    """Limits of the metal that a film with temperatures of its own keeps by less than it can tell; K."""
+    near = kept_by_little((check for check in checks if check.code in of_metal), supply_temperature)
+    if near:
+        yield Notice("W172", "kept", {
+            "uncertain": max(one.uncertain for one in near),
+            "kept": tuple(
+                Notice("W172", "temperature", {"margin": one.margin, "check": one.check}) for one in near
+            ),
+        })  # fmt: skip
 
 
 def checks_of_metal(limits: Limits) -> tuple[str, ...]:

@@ -62,7 +62,11 @@ from babbitt.kinds.journal.film.transition import transition_speed
 from babbitt.kinds.journal.film.unloaded import is_unloaded, missing_without_load
 from babbitt.kinds.journal.film.values import fills_of, film_values, rows_of, supply_pressures, tilt_values
 from babbitt.kinds.journal.film.whirl import whirl_of
-from babbitt.kinds.journal.one_temperature import checks_of_metal, warnings_about_margins
+from babbitt.kinds.journal.one_temperature import (
+    checks_of_metal,
+    warnings_about_kept_temperatures,
+    warnings_about_margins,
+)
 from babbitt.reynolds.model import END_DAM, Cavitation
 from babbitt.reynolds.stability.whirl_checks import (
     warnings_about_whirl,
@@ -310,6 +314,9 @@ def _warnings(
         metal = checks_of_metal(case.limits)
         yield from _warnings_about_feed_pressure(case, state, values)
         yield from warnings_about_margins(checks, values, metal, viscosity, over_viscosity)
+    elif case.oil_supply is not None:
+        supplied = case.oil_supply.temperature
+        yield from warnings_about_kept_temperatures(checks, checks_of_metal(case.limits), supplied)
     solved = {"W109"} if whirl is not None else set()  # the dynamics of the film are solved for
     yield from (warning for warning in warnings_about_running(case, values, checks) if warning.code not in solved)
 
