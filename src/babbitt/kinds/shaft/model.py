@@ -17,9 +17,6 @@ __all__ = ["STANDARD_GRAVITY", "Array", "Piece", "PointLoad", "Shaft", "Support"
 
 Array = NDArray[np.float64]
 
-STANDARD_GRAVITY = 9.80665
-"""Standard acceleration of gravity in m/s² (CGPM 1901)."""
-
 Vector = tuple[float, float, float]
 
 

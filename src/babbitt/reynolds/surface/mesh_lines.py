@@ -36,9 +36,9 @@ RIM_ELEMENTS = (0.7, 2.5)
 GROOVE_ELEMENTS = (0.1, 0.3, 0.6)
 """Where axial elements end beside a groove around the whole bore: shares of the land from its rim.
 
-The film is full along it and breaks a little farther out, where the gap widens, so that the pressure has a kink
-that a single polynomial spreads over the land: the flow of cool oil into the gap was too large, thermal films up to
-8 % too thick."""
+The film is full along it and breaks a little farther out, where the gap widens, so that the pressure has a kink. A
+single polynomial spreads that over the land: too much cool oil came into the gap, and thermal films were up to 8 %
+too thick."""
 
 PLACES, RIM_PLACES = 240, 720
 """Places per turn at which a wanted density is known, without and with the rims of supplies."""

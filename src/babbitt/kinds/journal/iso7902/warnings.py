@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping
 from babbitt.core.notices import Notice
 from babbitt.core.result import Check
 from babbitt.design.oil import usable_viscosity
+from babbitt.design.screening import STANDARD_GRAVITY
 from babbitt.design.span import TABULATED_SPANS
 from babbitt.design.warnings import (
     RIGID_FILM_UP_TO,
@@ -46,6 +47,11 @@ SURELY_SCREENED = 0.1
 
 Assumption: of 400 random bearings that kept it (``benchmarks/whirl_screening.py``) no film of one temperature
 whirls under its load as a mass; one of another 194 does, which kept it by 0.3 % (docs/theory/screening.md)."""
+
+HEAVIER = 1.1
+"""Weight of the rotor over the load above which the screening says nothing (an assumption).
+
+It was tried with the mass that the bearing carries as its load, and does not know the mass; a tenth is rounding."""
 
 PRESSURE_OF_LOAD = 0.5
 """Supply pressure over specific load from which W192 warns (assumption).
@@ -203,6 +209,12 @@ def _of_running(
     viscosity = usable_viscosity(case.lubricant)
     yield from warnings_about_margins(checks, values, checks_of_metal(case.limits), viscosity)
     screening = next((check for check in checks if check.code == "C112"), None)
+    if case.rotor_mass is not None and screening is not None and screening.ok:
+        heavier = case.rotor_mass * STANDARD_GRAVITY / values["load"]
+        if heavier > HEAVIER:
+            yield Notice(
+                "W194", "heavy", {"rotor_mass": case.rotor_mass, "load": values["load"], "times": heavier}
+            )
     if case.rotor_mass is not None and screening is not None and screening.margin < SURELY_SCREENED:
         yield Notice("W194", "kept" if screening.ok else "missed", {
             "rotor_mass": case.rotor_mass, "eccentricity_ratio": values["eccentricity_ratio"],
