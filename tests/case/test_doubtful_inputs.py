@@ -35,7 +35,7 @@ def notices(result, code):
 @pytest.mark.parametrize(("mass", "questioned"), [("2400 kg", False), ("2800 kg", True), ("600 t", True)])
 def test_a_rotor_heavier_than_the_load_is_not_screened(mass, questioned):
     """600 t on a bearing of 24 kN passed cleanly; the film fails C115."""
-    found = answer(more=f"rotor_mass: {mass}\n")
+    found = answer("1.3 permille", "1.5 permille", f"rotor_mass: {mass}\n")
     assert bool(notices(found, "W194")) is questioned
     assert found.verdict is (Verdict.REMARKS if questioned else Verdict.PASS)
 
@@ -54,7 +54,7 @@ def test_limits_of_the_clearance_that_nothing_solves_are_named(limits, code, eff
 
 def test_limits_that_are_solved_and_ordinary_fits_are_not_named():
     text = BEARING.replace(
-        "mean: 1.3 permille", "mean: 1.3 permille, minimum: 0.6 permille, maximum: 2.7 permille"
+        "mean: 1.3 permille", "mean: 1.3 permille, minimum: 0.8 permille, maximum: 2.7 permille"
     )
     found = solve(parse_case(text + "clearance_cases: all\n")).results
     assert len(found) == 3

@@ -13,6 +13,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from babbitt.design.screening import STANDARD_GRAVITY
+
 __all__ = ["STANDARD_GRAVITY", "Array", "Piece", "PointLoad", "Shaft", "Support", "in_planes"]
 
 Array = NDArray[np.float64]

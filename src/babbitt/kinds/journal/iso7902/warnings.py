@@ -51,7 +51,7 @@ whirls under its load as a mass; one of another 194 does, which kept it by 0.3 %
 HEAVIER = 1.1
 """Weight of the rotor over the load above which the screening says nothing (an assumption).
 
-It was tried with the mass that the bearing carries as its load, and does not know the mass; a tenth is rounding."""
+It was tried with masses that the bearing carries as its load, and knows no mass; a tenth is rounding."""
 
 PRESSURE_OF_LOAD = 0.5
 """Supply pressure over specific load from which W192 warns (assumption).
