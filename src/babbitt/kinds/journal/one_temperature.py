@@ -78,6 +78,8 @@ def warnings_about_margins(
         if check.advisory or not check.ok:
             continue
         thinner = thinner_oil(check, values, viscosity)
+        if check.code in FILM_CHECKS and check.limit <= 0.0:
+            continue  # any film keeps it, and there is no share of zero
         if check.code in FILM_CHECKS and check.margin < max(THINNER, thinner - 1.0):
             near.append(_about_film(check, values, thinner))
         elif check.code in FILM_CHECKS and over_viscosity is not None:
