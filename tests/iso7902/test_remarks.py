@@ -91,6 +91,12 @@ def test_margins_at_the_usual_difference(margin, told):
     assert not list(warnings_about_margins((hot,), {}, (), alike))
 
 
+def test_a_limit_of_zero_is_kept_by_no_share():
+    """6.28 µm of 0 was "kept by 0.000628 %"."""
+    film = Check("C102", "minimum_film_thickness", 6.28e-6, 0.0, Bound.AT_LEAST, "test")
+    assert not list(warnings_about_margins((film,), {}, (), alike))
+
+
 @pytest.mark.parametrize(("reynolds", "questioned"), [(0.47, False), (0.48, True), (1.01, False)])
 def test_a_laminar_film_near_its_end_is_questioned(reynolds, questioned):
     """Films with temperatures of their own have up to twice the Reynolds number; a miss needs no question."""

@@ -9,7 +9,8 @@ from babbitt.core.notices import InputError
 from babbitt.core.notices.words import explanations
 from babbitt.core.result import Verdict
 from babbitt.core.units import ZERO_CELSIUS
-from babbitt.kinds.tilting_pad_journal.warnings import STARVED_CHECKS, UNCERTAIN, UNCERTAIN_SHARE
+from babbitt.design.kept_temperatures import UNCERTAIN, UNCERTAIN_SHARE
+from babbitt.kinds.tilting_pad_journal.warnings import STARVED_CHECKS
 from babbitt.report.bearing_table import bearing_table
 from babbitt.report.citations import citations_of
 from babbitt.report.table import console

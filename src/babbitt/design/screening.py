@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from babbitt.numerics.scalar_or_array import functions_for
 
+STANDARD_GRAVITY = 9.80665
+"""Standard acceleration of gravity in m/s² (CGPM 1901)."""
+
 ROTORDYNAMIC_CHECK_ABOVE = 20.0
 """Surface speed in m/s above which a rotordynamic check is recommended."""
 

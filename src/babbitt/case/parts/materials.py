@@ -11,7 +11,7 @@ from pydantic import Field
 from babbitt.case.part import Issue, Part, exactly_one, refused, rule
 from babbitt.case.parts.fields import Name
 from babbitt.case.shorthand import Shorthand
-from babbitt.core.notices import InputError
+from babbitt.core.notices import InputError, Notice
 from babbitt.core.units import si
 from babbitt.properties.materials import (
     AlloyFamily,
@@ -95,7 +95,8 @@ class Metal(Part):
         if not self._is_own():
             yield from refused(("name",), lambda: bearing_metal(self.name))
 
-    def _in_the_catalogue(self) -> BearingMetal | None:
+    def in_the_catalogue(self) -> BearingMetal | None:
+        """The metal of the catalogue of that name; None for one of one's own."""
         try:
             return bearing_metal(self.name)
         except InputError:
@@ -125,7 +126,7 @@ class Metal(Part):
 
     def metal(self) -> BearingMetal:
         """Give the metal with its limits, those of one's own for loads of every character."""
-        known = self._in_the_catalogue()
+        known = self.in_the_catalogue()
         if known is not None:
             return self._with_own_limits(known)
 
@@ -142,6 +143,13 @@ class Metal(Part):
             loads,
             limiting_temperature=given(self.temperature),
         )
+
+
+def warnings_about_family(metal: Metal) -> Iterator[Notice]:
+    """Question a metal of the catalogue that is given another family: limits of both would be mixed."""
+    known = metal.in_the_catalogue()
+    if known is not None and metal.family is not None and known.family.value != metal.family:
+        yield Notice("W175", values={"metal": known.name, "known": known.family.value, "given": metal.family})
 
 
 MetalInput = Annotated[Metal, Shorthand(_named, "a name in the catalogue")]

@@ -1,21 +1,22 @@
-"""Limits kept by less than films with temperatures of their own differ from that of one temperature."""
+"""Limits kept by less than films with temperatures of their own differ from one temperature, or can tell."""
 
 from __future__ import annotations
 
 import math
 import operator
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from functools import reduce
+from functools import partial, reduce
 from typing import Any
 
 from babbitt.core.notices import Notice
 from babbitt.core.result import Check
 from babbitt.design.bounds import FILM_CHECKS
 from babbitt.design.conditions import Limits
+from babbitt.design.kept_temperatures import kept_by_little
 from babbitt.numerics.scalar_or_array import functions_for, holds_anywhere, larger
 
-__all__ = ["checks_of_metal", "warnings_about_margins"]
+__all__ = ["checks_of_metal", "warnings_about_kept_temperatures", "warnings_about_margins"]
 
 THINNER, HOTTER = 0.45, 15.0
 """Margin of the film thickness, and K above the outlet, by which films with temperatures of their own may differ.
@@ -23,6 +24,13 @@ THINNER, HOTTER = 0.45, 15.0
 Assumptions by measurement (docs/theory/procedure.md, ``benchmarks/one_temperature.py``): nineteen of twenty films
 with temperatures of their own and walls that conduct differ by less, from ISO 7902 and from films of one
 temperature alike."""
+
+THINNER_OIL = 0.55
+"""Viscosity over that of one temperature with which the film of a tilted journal must keep its limit.
+
+Assumption: it makes the film of an aligned journal 0.69 times as thick (``THINNER``) at eccentricity ratios about
+0.7, where that goes with the viscosity to the power of 0.6. Four films of tilted journals with temperatures of
+their own are as thick as with 0.58 to 0.65 of it (docs/theory/procedure.md)."""
 
 RISE_OF_METAL = 6.2e-3
 """K over the root of Pa m/s: rise of the hottest bush above the inlet over sqrt(p̄ U), fast and loaded bearings.
@@ -53,6 +61,7 @@ def warnings_about_margins(
     values: Mapping[str, float],
     of_metal: Collection[str],
     viscosity: Callable[[float], float],
+    over_viscosity: Callable[[float], float] | None = None,
 ) -> Iterator[Notice]:
     """Whether a limit is kept by less than films with temperatures of their own usually differ.
 
@@ -65,12 +74,14 @@ def warnings_about_margins(
         Codes of the checks that hold the metal to its limit; see `checks_of_metal`.
     viscosity : callable
         Dynamic viscosity of the oil, Pa s, over the temperature in K.
+    over_viscosity : callable, optional
+        Least film thickness in m over a factor of the viscosity; None where it goes at most with that.
     """
     near = [
         one
         for check in checks
         if not check.advisory and check.ok
-        for one in _near(check, values, of_metal, viscosity)
+        for one in _near(check, values, of_metal, viscosity, over_viscosity)
     ]
     if reduce(operator.or_, (one.holds for one in near), False):
         yield Notice("W191", "kept", {"kept": tuple(one.notice() for one in near if holds_anywhere(one.holds))})
@@ -89,13 +100,20 @@ def _near(
     values: Mapping[str, float],
     of_metal: Collection[str],
     viscosity: Callable[[float], float],
+    over_viscosity: Callable[[float], float] | None,
 ) -> Iterator[_Near]:
     """What of one limit that is kept may be too near."""
     said = {"check": check.code}
     if check.code in FILM_CHECKS:
         thinner = thinner_oil(check, values, viscosity)
         asked = larger(thinner - 1.0, THINNER)
-        yield _Near(check.margin < asked, lambda: _about_film(check, values, thinner))
+        by_little = (check.margin < asked) & (
+            check.limit > 0.0
+        )  # any film keeps zero, and there is no share of it
+        yield _Near(by_little, lambda: _about_film(check, values, thinner))
+        if over_viscosity is not None and not by_little:
+            gap = _about_narrowed_gap(check, min(THINNER_OIL, 1.0 / thinner), over_viscosity)
+            yield from (_Near(True, partial(_itself, found)) for found in gap)
     if check.code in of_metal:
         hottest = larger(check.value + HOTTER, above_inlet(values, RISE_OF_METAL))
         margin = {"margin": check.limit - check.value}
@@ -109,6 +127,10 @@ def _near(
         yield _Near(check.margin < LIGHTER, lambda: Notice("W191", "critical_mass", lighter | said))
 
 
+def _itself(notice: Notice) -> Notice:
+    return notice
+
+
 def _about_film(check: Check, values: Mapping[str, float], thinner: float) -> Notice:
     if not holds_anywhere(thinner - 1.0 > THINNER):
         return Notice("W191", "film", {"margin": check.margin, "check": check.code})
@@ -116,6 +138,15 @@ def _about_film(check: Check, values: Mapping[str, float], thinner: float) -> No
         "margin": check.margin, "check": check.code, "loaded": above_inlet(values, RISE_OF_LOADED_FILM),
         "asked": thinner - 1.0,
     })  # fmt: skip
+
+
+def _about_narrowed_gap(check: Check, factor: float, over_viscosity: Callable[[float], float]) -> Iterator[Notice]:
+    thin = over_viscosity(factor)
+    margin, code = check.margin, check.code
+    if thin <= 0.0:
+        yield Notice("W191", "no_film", {"margin": margin, "check": code, "factor": factor})
+    elif thin < check.limit:
+        yield Notice("W191", "narrowed_gap", {"margin": margin, "check": code, "factor": factor, "thin": thin})
 
 
 def thinner_oil(check: Check, values: Mapping[str, float], viscosity: Callable[[float], float]) -> float:
@@ -133,6 +164,20 @@ def thinner_oil(check: Check, values: Mapping[str, float], viscosity: Callable[[
     one = values.get("starved_effective_temperature" if limited else "effective_temperature", math.inf)
     loaded = above_inlet(values, RISE_OF_LOADED_FILM)
     return viscosity(one) / viscosity(larger(loaded, one))
+
+
+def warnings_about_kept_temperatures(
+    checks: Iterable[Check], of_metal: Collection[str], supply_temperature: float
+) -> Iterator[Notice]:
+    """Limits of the metal that a film with temperatures of its own keeps by less than it can tell; K."""
+    near = kept_by_little((check for check in checks if check.code in of_metal), supply_temperature)
+    if near:
+        yield Notice("W172", "kept", {
+            "uncertain": max(one.uncertain for one in near),
+            "kept": tuple(
+                Notice("W172", "temperature", {"margin": one.margin, "check": one.check}) for one in near
+            ),
+        })  # fmt: skip
 
 
 def checks_of_metal(limits: Limits) -> tuple[str, ...]:

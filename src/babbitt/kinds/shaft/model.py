@@ -13,12 +13,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from babbitt.design.screening import STANDARD_GRAVITY
+
 __all__ = ["STANDARD_GRAVITY", "Array", "Piece", "PointLoad", "Shaft", "Support", "in_planes"]
 
 Array = NDArray[np.float64]
-
-STANDARD_GRAVITY = 9.80665
-"""Standard acceleration of gravity in m/s² (CGPM 1901)."""
 
 Vector = tuple[float, float, float]
 

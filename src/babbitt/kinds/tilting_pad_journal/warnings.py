@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from babbitt.core.notices import Notice
 from babbitt.core.result import Check
 from babbitt.design.bounds import FILM_CHECKS, NO_BOUNDS, TEMPERATURE_CHECKS, Bounds
+from babbitt.design.kept_temperatures import kept_by_little
 from babbitt.design.warnings import (
     warnings_about_heat_balance,
     warnings_about_heating,
@@ -19,12 +20,6 @@ from babbitt.kinds.tilting_pad_journal.state import PadFilms
 from babbitt.reynolds.tilting_pads.pivots import LineContact
 
 __all__ = ["starved_bounds", "warnings_about_kept_temperatures", "warnings_of_solution"]
-
-UNCERTAIN, UNCERTAIN_SHARE = 6.0, 0.2
-"""By how much the hottest bore may be hotter than computed: K, or a share of its rise above the fresh oil where
-that is more. The bearing of Fillon, Bligoud and Frene (1992) lies 0.7 K below the measurement with a rise of 9 K
-and 5.2 K with one of 31 K (`babbitt validate fillon_1992`): misses grow with the rise, up to a sixth of it. A
-fifth, and no less than 6 K, for nothing tells that small rises are known better. Assumption: of one bearing."""
 
 BORE_CHECKS = ("C108", "C404", "C405")
 """Limits of bores: of the metal, alarm and trip of a probe."""
@@ -106,15 +101,15 @@ def warnings_about_kept_temperatures(films: PadFilms, checks: Iterable[Check]) -
     """Limits of bores that are kept by less than their films can tell."""
     if films.thermal is None:
         return
-    supply, near, uncertain = films.thermal.heat.supply_temperature, [], 0.0
-    for check in checks:
-        unknown = max(UNCERTAIN, UNCERTAIN_SHARE * (check.value - supply))
-        if check.code in BORE_CHECKS and check.ok and check.limit - check.value < unknown:
-            margin = check.limit - check.value
-            near.append(Notice("W415", "temperature", {"margin": margin, "check": check.code}))
-            uncertain = max(uncertain, unknown)
+    of_bore = [check for check in checks if check.code in BORE_CHECKS]
+    near = kept_by_little(of_bore, films.thermal.heat.supply_temperature)
     if near:
-        yield Notice("W415", "kept", {"kept": tuple(near), "uncertain": uncertain})
+        yield Notice("W415", "kept", {
+            "uncertain": max(one.uncertain for one in near),
+            "kept": tuple(
+                Notice("W415", "temperature", {"margin": one.margin, "check": one.check}) for one in near
+            ),
+        })  # fmt: skip
 
 
 def starved_bounds(case: PadCase, films: PadFilms) -> Bounds:

@@ -13,7 +13,7 @@ from babbitt.core.solution import Calculation
 from babbitt.kinds.journal.case import one_dimension
 from babbitt.kinds.journal.case.film_cases import film_case
 from babbitt.kinds.journal.case.iso7902_cases import iso7902_case
-from babbitt.kinds.journal.case.joined_inputs import Inputs, Point, inputs
+from babbitt.kinds.journal.case.joined_inputs import Inputs, Point, every_clearance, inputs
 from babbitt.kinds.journal.case.journal import JournalBearing
 from babbitt.kinds.journal.case.machine import SeveralBearings, SingleBearing
 from babbitt.kinds.journal.case.one_dimension_cases import long_film_case, segment_case
@@ -154,7 +154,7 @@ def _expanded(bearing: JournalBearing, case: CaseFile, make: Maker[DesignT]) -> 
     joined = inputs(bearing, case)
     relative = bearing.clearance.at_20_degrees(bearing.diameter).relative(bearing.diameter)
     tolerance = (relative.minimum, relative.maximum) if relative.minimum < relative.maximum else None
-    every = (bearing.clearance_cases or case.clearance_cases) == "all"
+    every = every_clearance(bearing, case)
     for point in bearing.operating_points or (None,):
         of_point = _turned(joined, point)
         for clearance_case in ("minimum", "mean", "maximum") if every else ("mean",):

@@ -76,7 +76,11 @@ def film_case(inputs: Inputs, at: Point, thermal: str | None = None) -> FilmCase
             *heat_assumptions(inputs, thermal),
             *(asperities.assumptions if asperities is not None else ()),
         ),
-        warnings=(*layout.warnings, *warnings_about_numbers(inputs, point)),
+        warnings=(
+            *layout.warnings,
+            *(inputs.turned_supply if layout.by_element else ()),
+            *warnings_about_numbers(inputs, point),
+        ),
         kind=bearing.kind,
         turbulence=LAWS_OF_TURBULENCE[bearing.turbulence],
         pressure_viscosity=bearing.pressure_viscosity.law() if bearing.pressure_viscosity is not None else None,

@@ -41,11 +41,12 @@ ALMOST_A_TURN = math.radians(359.0)
 
 @dataclass(frozen=True)
 class FilmLayout:
-    """Feeds of the film, the assumptions behind them, and warnings."""
+    """Feeds of the film, the assumptions behind them, and warnings; `by_element` where they follow the load."""
 
     feeds: tuple[FeedSize, ...]
     assumptions: tuple[str, ...] = ()
     warnings: tuple[Notice, ...] = ()
+    by_element: bool = False
 
 
 def film_layout(bearing: JournalBearing, point: OperatingPoint | None, width: float, sense: float) -> FilmLayout:
@@ -99,30 +100,54 @@ def _by_rule(bearing: JournalBearing, point: OperatingPoint | None, width: float
     if element is None:
         return _by_lines(load, span)
     unread = () if full else _not_used(bearing, point, ("span",), "unbroken")
+    feeds = feeds_of_element(element, span, load, sense, bearing.diameter, width)
     match element:
         case UnevenPockets():
-            feeds = tuple(
-                FeedSize(load + turn, element.extent, element.width)
-                for turn in (-sense * element.entry_angle, sense * element.exit_angle)
-            )
             said = ("The film has the pockets at their true angles, width and extent.",)
-            return FilmLayout(feeds, said, unread)
+            return FilmLayout(feeds, said, unread, by_element=True)
         case GrooveElement():
-            around = 2.0 * HALF if element.kind == "groove_360" else HALF
-            said = (f"The film has the groove of {written(element.width, 'mm')} around {written(around, 'deg')}.",)
-            return FilmLayout((FeedSize(load + HALF, around, element.width),), said, unread)
+            around = written(feeds[0].extent, "deg")
+            said = (f"The film has the groove of {written(element.width, 'mm')} around {around}.",)
+            return FilmLayout(feeds, said, unread, by_element=True)
         case HoleElement() | SlotElement() | PocketElement():
-            extent = next(_of_element(element, load, bearing.diameter, width)).extent
-            side = QUARTER if full else span / 2.0 + extent / 2.0
-            places = {"opposite": (HALF,), "side": (-sense * QUARTER,), "both_sides": (-side, side)}
-            feeds = tuple(
-                feed
-                for turn in places[element.place]
-                for feed in _of_element(element, load + turn, bearing.diameter, width)
-            )
             by_span = not full and element.place == "both_sides"
             said = (*_describe_element(element), *((_at_the_ends(element, span),) if by_span else ()))
-            return FilmLayout(feeds, said, () if by_span else unread)
+            return FilmLayout(feeds, said, () if by_span else unread, by_element=True)
+
+
+def feeds_of_element(
+    element: SupplyElementInput, span: float, load: float, sense: float, diameter: float, width: float
+) -> tuple[FeedSize, ...]:
+    """Where a supply element whose place is counted from the load stands in the bore.
+
+    Parameters
+    ----------
+    element : SupplyElementInput
+    span : float
+        Of the loaded arc, rad.
+    load : float
+        Direction of the load, rad from +x.
+    sense : float
+        1 if the journal turns counter-clockwise, -1 if not.
+    diameter, width : float
+        m.
+    """
+    match element:
+        case UnevenPockets():
+            turns = (-sense * element.entry_angle, sense * element.exit_angle)
+            return tuple(FeedSize(load + turn, element.extent, element.width) for turn in turns)
+        case GrooveElement():
+            around = 2.0 * HALF if element.kind == "groove_360" else HALF
+            return (FeedSize(load + HALF, around, element.width),)
+        case HoleElement() | SlotElement() | PocketElement():
+            extent = next(_of_element(element, load, diameter, width)).extent
+            side = QUARTER if span > ALMOST_A_TURN else span / 2.0 + extent / 2.0
+            places = {"opposite": (HALF,), "side": (-sense * QUARTER,), "both_sides": (-side, side)}
+            return tuple(
+                feed
+                for turn in places[element.place]
+                for feed in _of_element(element, load + turn, diameter, width)
+            )
 
 
 def _by_lines(load: float, span: float) -> FilmLayout:

@@ -22,13 +22,19 @@ from babbitt.design.conditions import (
 from babbitt.design.cooling import STILL_AIR_COEFFICIENT, heat_transfer_coefficient
 from babbitt.kinds.journal.case.journal import JournalBearing
 from babbitt.kinds.journal.case.machine import SeveralBearings, SingleBearing
+from babbitt.kinds.journal.case.mean_clearance import warnings_about_mean_clearance
 from babbitt.kinds.journal.case.operating_point import OperatingPoint, stating
+from babbitt.kinds.journal.case.turned_supply import warnings_about_turned_supply
 from babbitt.properties.lubricants import Lubricant
 
 
 @dataclass(frozen=True)
 class Inputs:
-    """A bearing with what it shares with its machine."""
+    """A bearing with what it shares with its machine.
+
+    `turned_supply` questions supply elements that turn with the load from one operating point to another,
+    `of_clearance` limits of the clearance at which nothing is solved.
+    """
 
     bearing: JournalBearing
     lubricant: Lubricant
@@ -38,6 +44,8 @@ class Inputs:
     width: float
     shared_assumptions: tuple[str, ...]
     shared_warnings: tuple[Notice, ...]
+    turned_supply: tuple[Notice, ...]
+    of_clearance: tuple[Notice, ...]
 
 
 @dataclass(frozen=True)
@@ -76,7 +84,14 @@ def inputs(bearing: JournalBearing, shared: SingleBearing | SeveralBearings) -> 
         tuple(about_grouped_digits(shared.model_copy(update={"bearings": ()})))
         if isinstance(shared, SeveralBearings)
         else (),
+        tuple(warnings_about_turned_supply(bearing, width)),
+        () if every_clearance(bearing, shared) else tuple(warnings_about_mean_clearance(bearing)),
     )
+
+
+def every_clearance(bearing: JournalBearing, shared: SingleBearing | SeveralBearings) -> bool:
+    """Whether a bearing is solved at the limits of its clearance, too."""
+    return (bearing.clearance_cases or shared.clearance_cases) == "all"
 
 
 def expansions(inputs: Inputs) -> tuple[float, float]:

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from babbitt.case.grouped_digits import about_grouped_digits
 from babbitt.case.part import is_given, not_read
+from babbitt.case.parts.materials import warnings_about_family
 from babbitt.core.notices import Notice
 from babbitt.kinds.journal.case.joined_inputs import Inputs
 from babbitt.kinds.journal.case.journal import JournalBearing
@@ -38,6 +39,7 @@ def warnings_about(inputs: Inputs, point: OperatingPoint | None) -> tuple[Notice
     return (
         *_about_span(inputs.bearing, point),
         *_about_direction(inputs.bearing),
+        *inputs.turned_supply,
         *_about_feeds(inputs.bearing),
         *warnings_about_numbers(inputs, point),
     )
@@ -49,7 +51,9 @@ def warnings_about_numbers(inputs: Inputs, point: OperatingPoint | None) -> tupl
     at = () if point is None else ("operating_points", inputs.bearing.operating_points.index(point))
     numbers = about_grouped_digits(bearing), about_grouped_digits(point, *at)
     unused = *_about_fields_not_read(bearing), *_about_supply_not_used(inputs, point)
-    return (*inputs.shared_warnings, *unused, *numbers[0], *numbers[1])
+    metal = inputs.materials.bearing_metal
+    other = () if metal is None else tuple(warnings_about_family(metal))
+    return (*inputs.shared_warnings, *inputs.of_clearance, *other, *unused, *numbers[0], *numbers[1])
 
 
 def _about_fields_not_read(bearing: JournalBearing) -> Iterator[Notice]:

@@ -26,6 +26,7 @@ from babbitt.design.warnings import (
     warnings_about_running,
     warnings_about_supply,
 )
+from babbitt.kinds.journal.feed_pressure import pressed_area, warnings_about_pressing
 from babbitt.kinds.journal.film.assumptions import film_assumptions, film_settings
 from babbitt.kinds.journal.film.grid_error import grid_errors
 from babbitt.kinds.journal.film.isothermal import FilmState, under_found_load
@@ -57,11 +58,16 @@ from babbitt.kinds.journal.film.thermal_results import (
     warnings_about_heat,
     with_own_coefficients,
 )
+from babbitt.kinds.journal.film.thinner_oil import film_over_viscosity
 from babbitt.kinds.journal.film.transition import transition_speed
-from babbitt.kinds.journal.film.unloaded import missing_without_load
+from babbitt.kinds.journal.film.unloaded import is_unloaded, missing_without_load
 from babbitt.kinds.journal.film.values import fills_of, film_values, rows_of, supply_pressures, tilt_values
 from babbitt.kinds.journal.film.whirl import whirl_of
-from babbitt.kinds.journal.one_temperature import checks_of_metal, warnings_about_margins
+from babbitt.kinds.journal.one_temperature import (
+    checks_of_metal,
+    warnings_about_kept_temperatures,
+    warnings_about_margins,
+)
 from babbitt.reynolds.model import END_DAM, Cavitation
 from babbitt.reynolds.stability.whirl_checks import (
     warnings_about_whirl,
@@ -309,7 +315,13 @@ def _warnings(
         yield from warnings_about_whirl(whirl)
     if case.heat is None:
         viscosity = usable_viscosity(case.lubricant)
-        yield from warnings_about_margins(checks, values, checks_of_metal(case.limits), viscosity)
+        over_viscosity = film_over_viscosity(case, state)
+        metal = checks_of_metal(case.limits)
+        yield from _warnings_about_feed_pressure(case, state, values)
+        yield from warnings_about_margins(checks, values, metal, viscosity, over_viscosity)
+    elif case.oil_supply is not None:
+        supplied = case.oil_supply.temperature
+        yield from warnings_about_kept_temperatures(checks, checks_of_metal(case.limits), supplied)
     solved = {"W109"} if whirl is not None else set()  # the dynamics of the film are solved for
     yield from (warning for warning in warnings_about_running(case, values, checks) if warning.code not in solved)
 
@@ -329,6 +341,27 @@ def _warnings_about_holes(case: FilmCase, state: FilmState) -> Iterator[Notice]:
         flow, diameter = max(passed, key=lambda one: one[0] / one[1] ** 2)
         density = case.lubricant.density(supply.temperature)
         yield from warnings_about_hole(supply, diameter, max(flow, 0.0), density)
+
+
+def _warnings_about_feed_pressure(case: FilmCase, state: FilmState, values: dict[str, float]) -> Iterator[Notice]:
+    """What the pressure of the feeds does that a heat balance of one temperature does not know."""
+    fed = [
+        (feed, pressure)
+        for feed, pressure in zip(case.bearing.feeds, supply_pressures(case, state.solution.film), strict=True)
+        if not feed.is_closed
+    ]
+    if not fed or is_unloaded(case, state) or case.effective_temperature is not None:
+        return
+    load, towards = values["load"], values["load_angle"]
+    x, y = load, 0.0
+    for feed, pressure in fed:
+        width = case.bearing.width if feed.width is None else feed.width
+        force = pressure * pressed_area(case.bearing.diameter, width, feed.extent)
+        x -= force * math.cos(feed.angle - towards)
+        y -= force * math.sin(feed.angle - towards)
+    highest = max(pressure for _, pressure in fed)
+    heat_capacity = values["volumetric_heat_capacity"]
+    yield from warnings_about_pressing(math.hypot(x, y) / load - 1.0, highest, heat_capacity)
 
 
 def _pressed(case: FilmCase, state: FilmState) -> bool:

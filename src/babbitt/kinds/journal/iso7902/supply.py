@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import Protocol
 
+from babbitt.kinds.journal.feed_pressure import pressed_area
 from babbitt.numerics.scalar_or_array import clipped, functions_for, smaller
 
 FIT_RANGE = (0.05, 0.7)
@@ -227,7 +228,7 @@ class Pockets:
 
     def pressed_area(self, bearing_diameter: float) -> float:
         """Projected area in m² over which one pocket presses on the journal."""
-        return self.width * bearing_diameter * math.sin(min(0.5 * self.extent, 0.5 * math.pi))
+        return pressed_area(bearing_diameter, self.width, min(self.extent, math.pi))
 
     def relative_width(self, bearing_width: float) -> float:
         """Pocket width over bearing width."""
@@ -271,7 +272,7 @@ class HalfCircumferentialGroove:
 
     def pressed_area(self, bearing_diameter: float) -> float:
         """Projected area in m² over which the groove presses on the journal."""
-        return self.width * bearing_diameter
+        return pressed_area(bearing_diameter, self.width, math.pi)
 
     def axial_width(self, bearing_width: float) -> float:
         """Width in m over which the groove gives oil to the film."""

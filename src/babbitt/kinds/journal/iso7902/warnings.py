@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping
 from babbitt.core.notices import Notice
 from babbitt.core.result import Check
 from babbitt.design.oil import usable_viscosity
+from babbitt.design.screening import STANDARD_GRAVITY
 from babbitt.design.span import TABULATED_SPANS
 from babbitt.design.warnings import (
     RIGID_FILM_UP_TO,
@@ -16,6 +17,7 @@ from babbitt.design.warnings import (
     warnings_about_running,
     warnings_about_supply,
 )
+from babbitt.kinds.journal.feed_pressure import SHARE_OF_LOAD, throttling
 from babbitt.kinds.journal.iso7902.characteristics import curves
 from babbitt.kinds.journal.iso7902.characteristics.closed_forms import DEVIATIONS, LARGEST_ATTITUDE_DEVIATION
 from babbitt.kinds.journal.iso7902.film import Film
@@ -47,11 +49,16 @@ SURELY_SCREENED = 0.1
 Assumption: of 400 random bearings that kept it (``benchmarks/whirl_screening.py``) no film of one temperature
 whirls under its load as a mass; one of another 194 does, which kept it by 0.3 % (docs/theory/screening.md)."""
 
-PRESSURE_OF_LOAD, SHARE_OF_LOAD = 0.5, 0.1
-"""Supply pressure over specific load, and force of a pocket over the load, from which W192 warns (assumptions).
+HEAVIER = 1.1
+"""Weight of the rotor over the load above which the screening says nothing (an assumption).
+
+It was tried with masses that the bearing carries as its load, and knows no mass; a tenth is rounding."""
+
+PRESSURE_OF_LOAD = 0.5
+"""Supply pressure over specific load from which W192 warns (assumption).
 
 ISO 7902-1 presupposes a feed pressure that is negligible beside those of the film. Films with a pocket of 20 deg
-opposite the load are 5 % thinner at half the specific load, with one of 60 deg at a tenth of the load."""
+opposite the load are 5 % thinner at half the specific load."""
 
 OVERRIDING_PRESSURE, OVERRIDING_FORCE = 6.0, 0.5
 """The same two shares from which the supply leaves no verdict (W198; assumptions).
@@ -59,9 +66,6 @@ OVERRIDING_PRESSURE, OVERRIDING_FORCE = 6.0, 0.5
 What the standard leaves out is there a quarter of the film thickness: in films of one temperature a hole opposite
 the load takes 17 to 33 % at 4 to 8 times the specific load, a pocket of 60 deg 26 to 35 % at 0.46 to 0.7 of the
 load (docs/theory/supply.md). Margins that other remarks ask for do not cover that as well."""
-
-REPORTED_HEATING = 1.0
-"""K by which throttling warms the oil, from which it is reported."""
 
 NOTABLE_SHARE = 0.05
 """Share of the film thickness by which a span wider than the arc that is left may flatter it (an assumption)."""
@@ -122,12 +126,9 @@ def warnings_about_feed_pressure(case: DesignCase, values: Mapping[str, float]) 
         return
     code = "W198" if against > OVERRIDING_PRESSURE or pressed > OVERRIDING_FORCE else "W192"
     pressing: tuple[Notice, ...] = ()
-    warming: tuple[Notice, ...] = ()
     if pressed > SHARE_OF_LOAD:
         pressing = (Notice(code, "pressing", {"share": pressed}),)
-    heating = pressure / values["volumetric_heat_capacity"]
-    if heating > REPORTED_HEATING:
-        warming = (Notice(code, "warming", {"rise": heating}),)
+    warming = throttling(code, pressure, values["volumetric_heat_capacity"])
     yield Notice(code, "pressure", {
         "element_pressure": pressure, "share": against, "pressing": pressing, "warming": warming,
     })  # fmt: skip
@@ -210,6 +211,12 @@ def _of_running(
     viscosity = usable_viscosity(case.lubricant)
     yield from warnings_about_margins(checks, values, checks_of_metal(case.limits), viscosity)
     screening = next((check for check in checks if check.code == "C112"), None)
+    if case.rotor_mass is not None and screening is not None and screening.ok:
+        heavier = case.rotor_mass * STANDARD_GRAVITY / values["load"]
+        if heavier > HEAVIER:
+            yield Notice(
+                "W194", "heavy", {"rotor_mass": case.rotor_mass, "load": values["load"], "times": heavier}
+            )
     if case.rotor_mass is not None and screening is not None and screening.margin < SURELY_SCREENED:
         yield Notice("W194", "kept" if screening.ok else "missed", {
             "rotor_mass": case.rotor_mass, "eccentricity_ratio": values["eccentricity_ratio"],

@@ -1,0 +1,26 @@
+"""Limits of a clearance whose mean alone is solved."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from babbitt.core.notices import Notice
+from babbitt.kinds.journal.case.journal import JournalBearing
+
+__all__ = ["warnings_about_mean_clearance"]
+
+FAR_FROM_THE_MEAN = 2.0
+"""Factor between the mean clearance and a limit above which the mean says little of the limits.
+
+Assumption: at small eccentricities the load number goes with the square of the clearance, and is four times that
+of the mean."""
+
+
+def warnings_about_mean_clearance(bearing: JournalBearing) -> Iterator[Notice]:
+    """Report limits of the clearance at which nothing is solved; question those far from the mean."""
+    clearance = bearing.clearance.at_20_degrees(bearing.diameter).relative(bearing.diameter)
+    least, mean, most = clearance.minimum, clearance.mean, clearance.maximum
+    if mean > FAR_FROM_THE_MEAN * least or most > FAR_FROM_THE_MEAN * mean:
+        yield Notice("W174", values={"least": least, "mean": mean, "most": most})
+    elif getattr(bearing.clearance, "minimum", None) is not None:
+        yield Notice("W183", "limits_of_clearance", {"fields": ("clearance.minimum", "clearance.maximum")})

@@ -1,0 +1,75 @@
+"""Inputs that a single answer passes over: a heavy rotor, limits of the clearance, a metal of two families."""
+
+import pytest
+
+from babbitt import parse_case
+from babbitt.core.notices import Effect
+from babbitt.core.result import Verdict
+from babbitt.solving import solve
+
+BEARING = """
+kind: journal
+name: A
+diameter: 120 mm
+width: 80 mm
+clearance: {kind: relative, mean: 1.3 permille}
+span: 360 deg
+supply_element: {kind: pocket, width: 56 mm, place: both_sides}
+lubricant: ISO VG 46
+supply: {temperature: 45 degC, pressure: 0.2 MPa}
+materials: {bearing_metal: B83, bearing: C10, journal: 42CrMo4}
+surfaces: {kind: direct, roughness_bearing: 2 um, roughness_journal: 1 um}
+load: 24 kN
+speed: 1200 rpm
+"""
+
+
+def answer(old="", new="", more=""):
+    return solve(parse_case(BEARING.replace(old, new) + more))["A"]
+
+
+def notices(result, code):
+    return [one for one in result.warnings if one.code == code]
+
+
+@pytest.mark.parametrize(("mass", "questioned"), [("2400 kg", False), ("2800 kg", True), ("600 t", True)])
+def test_a_rotor_heavier_than_the_load_is_not_screened(mass, questioned):
+    """600 t on a bearing of 24 kN passed cleanly; the film fails C115."""
+    found = answer("1.3 permille", "1.5 permille", f"rotor_mass: {mass}\n")
+    assert bool(notices(found, "W194")) is questioned
+    assert found.verdict is (Verdict.REMARKS if questioned else Verdict.PASS)
+
+
+@pytest.mark.parametrize(("limits", "code", "effect"), [
+    ("minimum: 1.2 permille, maximum: 1.4 permille", "W183", Effect.INFORMATION),
+    ("minimum: 0.1 permille, maximum: 1.4 permille", "W174", Effect.QUESTIONS_RESULT),
+    ("minimum: 1.2 permille, maximum: 13 permille", "W174", Effect.QUESTIONS_RESULT),
+])  # fmt: skip
+def test_limits_of_the_clearance_that_nothing_solves_are_named(limits, code, effect):
+    found = answer("mean: 1.3 permille", f"mean: 1.3 permille, {limits}")
+    (notice,) = [*notices(found, "W174"), *notices(found, "W183")]
+    assert (notice.code, notice.effect) == (code, effect)
+    assert found.verdict is (Verdict.PASS if effect is Effect.INFORMATION else Verdict.REMARKS)
+
+
+def test_limits_that_are_solved_and_ordinary_fits_are_not_named():
+    text = BEARING.replace(
+        "mean: 1.3 permille", "mean: 1.3 permille, minimum: 0.8 permille, maximum: 2.7 permille"
+    )
+    found = solve(parse_case(text + "clearance_cases: all\n")).results
+    assert len(found) == 3
+    assert not any(notices(one, code) for one in found for code in ("W174", "W183"))
+    fit = answer("{kind: relative, mean: 1.3 permille}", "{kind: fit, bore: H7, journal: e7}")
+    assert not notices(fit, "W174")
+    assert not notices(fit, "W183")
+
+
+@pytest.mark.parametrize(("family", "questioned"), [("copper-lead", True), ("tin-based", False)])
+def test_a_metal_of_the_catalogue_has_its_own_family(family, questioned):
+    found = answer("bearing_metal: B83", f"bearing_metal: {{name: SnSb8Cu4, family: {family}}}")
+    assert bool(notices(found, "W175")) is questioned
+    if questioned:
+        assert (
+            notices(found, "W175")[0].message
+            == f"SnSb8Cu4 is tin-based in the catalogue, and the case says {family}"
+        )
