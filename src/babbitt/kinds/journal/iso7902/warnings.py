@@ -59,6 +59,9 @@ What the standard leaves out is there a quarter of the film thickness: in films 
 the load takes 17 to 33 % at 4 to 8 times the specific load, a pocket of 60 deg 26 to 35 % at 0.46 to 0.7 of the
 load (docs/theory/supply.md). Margins that other remarks ask for do not cover that as well."""
 
+LOSS_AT_EDGE = 0.25
+"""Share of the film thickness that the slope of the shaft may take at an edge without a remark (an assumption)."""
+
 REPORTED_HEATING = 1.0
 """K by which throttling warms the oil, from which it is reported."""
 
@@ -130,6 +133,33 @@ def warnings_about_feed_pressure(case: DesignCase, values: Mapping[str, float]) 
     yield Notice(code, "pressure", {
         "element_pressure": pressure, "share": against, "pressing": pressing, "warming": warming,
     })  # fmt: skip
+
+
+def warnings_about_slope(
+    case: DesignCase, values: Mapping[str, float], checks: tuple[Check, ...]
+) -> Iterator[Notice]:
+    """What the slope of the shaft takes from the film at an edge of the bearing, of which the standard knows nothing.
+
+    Parameters
+    ----------
+    case : DesignCase
+    values : Mapping[str, float]
+        Named results of the film.
+    checks : tuple of Check
+    """
+    loss = case.bearing.edge_loss
+    if loss == 0.0:
+        return
+    film = values.get("starved_minimum_film_thickness", values["minimum_film_thickness"])
+    misses = any(one.code == "C101" and one.ok and one.value - loss < one.limit for one in checks)
+    found = {"slope": case.bearing.axis_slope, "loss": loss, "film": film}
+    share = {"share": loss / film}
+    if loss >= film:
+        yield Notice("W199", "touches", found)
+    elif misses or loss > LOSS_AT_EDGE * film:
+        yield Notice("W199", "misses" if misses else "large", found | share)
+    else:
+        yield Notice("W159", values=found | share)
 
 
 def _of_free_arcs(case: DesignCase, values: Mapping[str, float]) -> Iterator[Notice]:
@@ -205,6 +235,7 @@ def _of_running(
     case: DesignCase, values: Mapping[str, float], checks: tuple[Check, ...], change: Transition | None
 ) -> Iterator[Notice]:
     yield from warnings_about_running(case, values, checks)
+    yield from warnings_about_slope(case, values, checks)
     viscosity = usable_viscosity(case.lubricant)
     yield from warnings_about_margins(checks, values, checks_of_metal(case.limits), viscosity)
     screening = next((check for check in checks if check.code == "C112"), None)
