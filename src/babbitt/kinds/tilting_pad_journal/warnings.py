@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from babbitt.core.notices import Notice
 from babbitt.core.result import Check
 from babbitt.design.bounds import FILM_CHECKS, NO_BOUNDS, TEMPERATURE_CHECKS, Bounds
+from babbitt.design.uncertainty import uncertain_temperature
 from babbitt.design.warnings import (
     warnings_about_heat_balance,
     warnings_about_heating,
@@ -19,12 +20,6 @@ from babbitt.kinds.tilting_pad_journal.state import PadFilms
 from babbitt.reynolds.tilting_pads.pivots import LineContact
 
 __all__ = ["starved_bounds", "warnings_about_kept_temperatures", "warnings_of_solution"]
-
-UNCERTAIN, UNCERTAIN_SHARE = 6.0, 0.2
-"""By how much the hottest bore may be hotter than computed: K, or a share of its rise above the fresh oil where
-that is more. The bearing of Fillon, Bligoud and Frene (1992) lies 0.7 K below the measurement with a rise of 9 K
-and 5.2 K with one of 31 K (`babbitt validate fillon_1992`): misses grow with the rise, up to a sixth of it. A
-fifth, and no less than 6 K, for nothing tells that small rises are known better. Assumption: of one bearing."""
 
 BORE_CHECKS = ("C108", "C404", "C405")
 """Limits of bores: of the metal, alarm and trip of a probe."""
@@ -108,7 +103,7 @@ def warnings_about_kept_temperatures(films: PadFilms, checks: Iterable[Check]) -
         return
     supply, near, uncertain = films.thermal.heat.supply_temperature, [], 0.0
     for check in checks:
-        unknown = max(UNCERTAIN, UNCERTAIN_SHARE * (check.value - supply))
+        unknown = uncertain_temperature(check.value, supply)
         if check.code in BORE_CHECKS and check.ok and check.limit - check.value < unknown:
             margin = check.limit - check.value
             near.append(Notice("W415", "temperature", {"margin": margin, "check": check.code}))
