@@ -21,5 +21,7 @@ def compare(case: ShaftCase) -> tuple[Comparison, ...]:
     """
     machine = machine_of(case, case.answer)
     if machine is None:
-        raise InputError("E004", f"{case.name}: the shaft has no bearing of kind journal, which several methods know")
+        raise InputError(
+            "E004", f"{case.name}: the shaft has no bearing of kind journal, which several methods know"
+        )
     return compare_journals(machine)

@@ -106,7 +106,10 @@ class ShaftJournal(Place, JournalBearing):
             found["misalignment"] = own.model_copy(update={"x": own.x + slope[0], "y": own.y + slope[1]})
         elif slope is not None:
             size = written(math.hypot(*slope), "mrad")
-            found["assumptions"] = (*self.assumptions, f"The slope of the shaft in {self.name}, {size}, {self._use}")
+            found["assumptions"] = (
+                *self.assumptions,
+                f"The slope of the shaft in {self.name}, {size}, {self._use}",
+            )
         given = {name: value for name, value in vars(self).items() if name not in Place.model_fields}
         fields = (self.model_fields_set - Place.model_fields.keys()) | found.keys()
         loaded = JournalBearing.model_construct(_fields_set=fields, **(given | found))
