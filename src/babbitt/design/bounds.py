@@ -22,9 +22,12 @@ TEMPERATURE_CHECKS = ("C104", "C108", "C109")
 
 
 def bounds_of(case: CheckedProblem) -> Bounds:
-    """Bounds of every method: where the temperature is prescribed, the hottest place is at least that warm; a film
-    that is prescribed cooler than its fresh oil is thicker than any that the oil can make; and surfaces of which the
-    slope of the axis alone is known are not smoother."""
+    """Bounds of every method.
+
+    Where the temperature is prescribed, the hottest place is at least that warm; a film that is prescribed cooler
+    than its fresh oil is thicker than any that the oil can make; and where of the surfaces the slope of the axis
+    alone is known, the least film is at least what it takes.
+    """
     bearing = case.bearing
     found = {}
     if bearing.surfaces is None and bearing.edge_loss > 0.0:

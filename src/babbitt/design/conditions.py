@@ -131,7 +131,7 @@ class Proportions:
 
     @property
     def edge_loss(self) -> float:
-        """Film thickness in m that the slope of the axis takes at an edge: half of its offset B_y over the width."""
+        """Film thickness in m that the slope takes at an edge: half of the offset B_y over the width."""
         return self.axis_slope * self.width / 2.0
 
     @property

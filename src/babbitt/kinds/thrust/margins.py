@@ -21,9 +21,10 @@ Of 416 random pads (8 to 75 m/s, 0.8 to 4.5 MPa; docs/theory/thrust.md) it is le
 and at most 5.4. Its root is that of the heat of shear over conduction across the gap, η U²/λ. An assumption of
 other pads."""
 
-THINNER = 0.16
-"""Margin of the film thickness by which adiabatic pads may be thinner; of nineteen of twenty of the fastest of the
-same pads (U sqrt(η) of 6 to 10) they are thinner by less."""
+THINNER, MOST_THINNER = 0.02, 0.16
+"""Margin of the film thickness by which adiabatic pads may be thinner, over U sqrt(η) and at most.
+
+Of nineteen of twenty of the same pads they are thinner by less in each range of U sqrt(η), and slow ones thicker."""
 
 FILM_CHECK, HEAT_CHECKS = "C202", ("C104", "C108")
 DRAINED = "outlet_temperature"
@@ -45,7 +46,8 @@ def warnings_about_margins(oil: Oil, checks: Iterable[Check], values: Mapping[st
     if supplied is None:
         return
     one_temperature = not oil.own_temperatures
-    hotter = hotter_oil(values) if one_temperature else 0.0
+    shear = shear_heat(values) if one_temperature else 0.0
+    hotter, thinner = HOTTER * shear, min(THINNER * shear, MOST_THINNER)
     near, uncertain = [], uncertain_temperature(hottest(values) + hotter, supplied)
     for check in checks:
         if not check.ok or check.advisory:
@@ -54,10 +56,10 @@ def warnings_about_margins(oil: Oil, checks: Iterable[Check], values: Mapping[st
             margin = check.limit - check.value
             if margin < hotter + uncertain:
                 near.append(Notice("W215", "temperature", {"margin": margin, "check": check.code}))
-        if check.code == FILM_CHECK and one_temperature and check.margin < THINNER:
+        if check.code == FILM_CHECK and check.margin < thinner:
             near.append(Notice("W215", "film", {"margin": check.margin, "check": check.code}))
     if near and one_temperature:
-        found = {"hotter": hotter, "uncertain": uncertain, "thinner": THINNER}
+        found = {"hotter": hotter, "uncertain": uncertain, "thinner": thinner}
         yield Notice("W215", "one_temperature", {"kept": tuple(near), **found})
     elif near:
         yield Notice("W215", "own_temperatures", {"kept": tuple(near), "uncertain": uncertain})
@@ -69,10 +71,10 @@ def hottest(values: Mapping[str, float]) -> float:
     return math.inf if name is None else values[name]
 
 
-def hotter_oil(values: Mapping[str, float]) -> float:
-    """By how much films with temperatures of their own may be hotter than the trailing edges of one temperature, K.
+def shear_heat(values: Mapping[str, float]) -> float:
+    """U sqrt(η) of pads of one temperature in m/s and the root of Pa s, for the heat of shear across the gap.
 
-    >>> round(hotter_oil({"surface_speed": 50.0, "effective_viscosity": 0.01}), 3)
-    26.0
+    >>> round(shear_heat({"surface_speed": 50.0, "effective_viscosity": 0.01}), 3)
+    5.0
     """
-    return HOTTER * values["surface_speed"] * math.sqrt(values["effective_viscosity"])
+    return values["surface_speed"] * math.sqrt(values["effective_viscosity"])

@@ -1,4 +1,4 @@
-"""Mean pressure of the pad that carries most, and sliding speed, against what experience and the bearing metal allow."""
+"""Mean pressure of the pad that carries most, and speed, against what experience and the bearing metal allow."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ OF_METAL = (
 
 
 def pressure_checks(given_metal: BearingMetal | None, values: Mapping[str, float]) -> Iterator[Check]:
-    """C103 and C105 to C107, as of journal bearings; recommendations for a metal that is assumed where none is given.
+    """C103 and C105 to C107, as of journal bearings; recommendations where a metal is assumed.
 
     Parameters
     ----------

@@ -138,7 +138,7 @@ def warnings_about_feed_pressure(case: DesignCase, values: Mapping[str, float]) 
 def warnings_about_slope(
     case: DesignCase, values: Mapping[str, float], checks: tuple[Check, ...]
 ) -> Iterator[Notice]:
-    """What the slope of the shaft takes from the film at an edge of the bearing, of which the standard knows nothing.
+    """What the slope of the shaft takes from the film at an edge, of which that of the standard knows nothing.
 
     Parameters
     ----------
