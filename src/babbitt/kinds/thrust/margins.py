@@ -24,7 +24,7 @@ other pads."""
 THINNER, MOST_THINNER = 0.02, 0.16
 """Margin of the film thickness by which adiabatic pads may be thinner, over U sqrt(η) and at most.
 
-Of nineteen of twenty of the same pads they are thinner by less in each range of U sqrt(η), and slow ones thicker."""
+Nineteen of twenty of the same pads are thinner by less in each range of U sqrt(η), and slow ones thicker."""
 
 FILM_CHECK, HEAT_CHECKS = "C202", ("C104", "C108")
 DRAINED = "outlet_temperature"
