@@ -59,8 +59,9 @@ def warnings_about_margins(oil: Oil, checks: Iterable[Check], values: Mapping[st
         if check.code == FILM_CHECK and check.margin < thinner:
             near.append(Notice("W215", "film", {"margin": check.margin, "check": check.code}))
     if near and one_temperature:
-        found = {"hotter": hotter, "uncertain": uncertain, "thinner": thinner}
-        yield Notice("W215", "one_temperature", {"kept": tuple(near), **found})
+        yield Notice("W215", "one_temperature", {
+            "kept": tuple(near), "hotter": hotter, "uncertain": uncertain, "thinner": thinner,
+        })  # fmt: skip
     elif near:
         yield Notice("W215", "own_temperatures", {"kept": tuple(near), "uncertain": uncertain})
 

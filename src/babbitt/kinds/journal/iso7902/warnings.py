@@ -152,14 +152,15 @@ def warnings_about_slope(
         return
     film = values.get("starved_minimum_film_thickness", values["minimum_film_thickness"])
     misses = any(one.code == "C101" and one.ok and one.value - loss < one.limit for one in checks)
-    found = {"slope": case.bearing.axis_slope, "loss": loss, "film": film}
-    share = {"share": loss / film}
+    slope, share = case.bearing.axis_slope, loss / film
     if loss >= film:
-        yield Notice("W199", "touches", found)
-    elif misses or loss > LOSS_AT_EDGE * film:
-        yield Notice("W199", "misses" if misses else "large", found | share)
+        yield Notice("W199", "touches", {"slope": slope, "loss": loss, "film": film})
+    elif misses:
+        yield Notice("W199", "misses", {"slope": slope, "loss": loss, "film": film, "share": share})
+    elif share > LOSS_AT_EDGE:
+        yield Notice("W199", "large", {"slope": slope, "loss": loss, "film": film, "share": share})
     else:
-        yield Notice("W159", values=found | share)
+        yield Notice("W159", values={"slope": slope, "loss": loss, "film": film, "share": share})
 
 
 def _of_free_arcs(case: DesignCase, values: Mapping[str, float]) -> Iterator[Notice]:
