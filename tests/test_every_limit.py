@@ -20,9 +20,9 @@ LIMITS = {
     "overhung_coupling": set(),
     "shaft": {"C501", "C502"},
     "screw_heel": {"C130", "C131"},
-    "thrust": {"C103", "C104", "C105", "C108", "C202"},
+    "thrust": {"C103", "C104", "C105", "C106", "C107", "C108", "C202"},
     "tilting_pad_journal": JOURNAL | {"C401", "C402"},
-    "thrust_line": {"C103", "C104", "C105", "C108", "C201", "C202", "C203", "C204", "C205"},
+    "thrust_line": {"C103", "C104", "C105", "C106", "C107", "C108", "C201", "C202", "C203", "C204", "C205"},
 }
 """Limits of the kinds besides journal bearings; a coupling's statics tell loads, and hold them against nothing."""
 METHODS = {

@@ -5,7 +5,7 @@ import pytest
 from babbitt import parse_case
 from babbitt.core.result import Verdict
 from babbitt.core.units import ZERO_CELSIUS
-from babbitt.design.kept_temperatures import UNCERTAIN, UNCERTAIN_SHARE
+from babbitt.design.uncertainty import UNCERTAIN, UNCERTAIN_SHARE
 from babbitt.solving import solve
 
 FULL = """

@@ -7,10 +7,14 @@ import pytest
 import yaml
 
 from babbitt.case import CaseError, case_from_dict, template
+from babbitt.core.notices import InputError
 from babbitt.core.result import Verdict
+from babbitt.kinds.journal.case.build import film_cases
 from babbitt.kinds.journal.film.model import FilmCase
+from babbitt.kinds.shaft.case.machine import machine_of
 from babbitt.kinds.shaft.overhung_coupling import MeshForce, OverhungCoupling, bearing_loads
 from babbitt.solving import solve
+from babbitt.study.comparison import compare_methods
 
 TEMPLATE = yaml.safe_load(template("shaft"))
 
@@ -74,7 +78,7 @@ def test_the_load_of_the_shaft_reaches_the_journal_bearing():
     assert of_journal.values["load"] == pytest.approx(of_shaft.arrays["support_load"][0][1], rel=1e-12)
     journal = case.calculations()[1].problem
     assert ("Load and speed", "of the shaft Intermediate shaft at 400 rpm") in journal.given
-    assert any("is not counted by method iso7902" in said for said in journal.assumptions)
+    assert any("counts in the limit of the film thickness alone" in said for said in journal.assumptions)
 
 
 def test_a_film_feels_load_direction_speed_and_slope_of_the_shaft():
@@ -92,6 +96,56 @@ def test_a_film_feels_load_direction_speed_and_slope_of_the_shaft():
     given["bearings"][1]["misalignment"] = {"x": "0.1 mrad"}
     crooked = case_from_dict(given).calculations()[1].problem
     assert crooked.bearing.misalignment == pytest.approx([slope[0] + 1e-4, slope[1]], rel=1e-12)
+
+
+def on_slender_shaft(**bearing):
+    given = changed(shaft=[{"length": "340 mm", "diameter": "60 mm"}])
+    given["bearings"][1] |= bearing
+    return given
+
+
+ROUGH = {"kind": "direct", "roughness_bearing": "2 um", "roughness_journal": "1 um"}
+
+
+def test_the_slope_of_the_shaft_counts_in_the_limit_of_the_standard():
+    """Slope times half the width at an edge, half of the offset of the axis (B_y) of ISO 7902-3."""
+    of_shaft, journal = solve(case_from_dict(on_slender_shaft(surfaces=ROUGH))).results
+    slope = math.hypot(*(of_shaft.arrays[f"support_slope_{axis}"][0][1] for axis in "xy"))
+    assert journal.values["geometric_film_limit"] == pytest.approx(3e-6 + slope * 25e-3, rel=1e-9)
+    assert [check.ok for check in journal.checks if check.code == "C102"] == [False]
+    assert journal.verdict is Verdict.FAIL
+    (touching,) = (one for one in journal.warnings if one.code == "W173")
+    assert touching.variant == "touches"
+
+
+def test_without_roughness_the_slope_alone_can_miss_the_limit_and_never_keep_it():
+    journal = solve(case_from_dict(on_slender_shaft())).results[1]
+    assert journal.verdict is Verdict.FAIL
+    stiff = solve(case_from_dict(TEMPLATE)).results[1]
+    assert "C102" not in {check.code for check in stiff.checks}
+    assert [one.variant for one in stiff.not_checked if one.code == "C102"] == ["slope_alone"]
+
+
+def test_a_slope_that_takes_much_of_the_film_questions_the_standard():
+    """7.9 um by parallel axes; by the film with its slope, 5.3 um."""
+    journal = solve(case_from_dict(TEMPLATE)).results[1]
+    assert journal.verdict is Verdict.REMARKS
+    assert any(one.code == "W173" and one.variant == "misses" for one in journal.warnings)
+    stiff = changed(shaft=[{"length": "340 mm", "diameter": "160 mm"}])
+    straight = solve(case_from_dict(stiff)).results[1]
+    assert {one.code for one in straight.warnings} & {"W159", "W173"} == {"W159"}
+
+
+def test_a_shaft_is_compared_by_the_methods_of_its_bearings():
+    """The film that stands beside the standard has the slope of the shaft."""
+    case = case_from_dict(TEMPLATE)
+    machine = machine_of(case, case.answer)
+    (film,) = film_cases(machine.bearings[0], machine)
+    arrays = shaft_result(TEMPLATE).arrays
+    slope = [arrays[f"support_slope_{axis}"][0][1] for axis in "xy"]
+    assert film.bearing.misalignment == pytest.approx(slope, rel=1e-12)
+    with pytest.raises(InputError, match="no bearing of kind journal"):
+        compare_methods(case_from_dict(OUTPUT_WHEEL))
 
 
 def test_the_balance_of_torques_is_left_to_one_part():

@@ -9,11 +9,13 @@ from babbitt.core.notices import InputError
 from babbitt.core.notices.words import explanations
 from babbitt.core.result import Verdict
 from babbitt.core.units import ZERO_CELSIUS
-from babbitt.design.kept_temperatures import UNCERTAIN, UNCERTAIN_SHARE
+from babbitt.design.uncertainty import UNCERTAIN, UNCERTAIN_SHARE
+from babbitt.kinds.tilting_pad_journal.one_temperature import HOTTER
 from babbitt.kinds.tilting_pad_journal.warnings import STARVED_CHECKS
 from babbitt.report.bearing_table import bearing_table
 from babbitt.report.citations import citations_of
 from babbitt.report.table import console
+from babbitt.solving import solve
 from babbitt.study.sweep import sweep
 from babbitt.validation.published.fillon_1992 import GROWN, hottest
 
@@ -200,3 +202,24 @@ def test_a_clearance_that_follows_is_not_varied():
         with pytest.raises(InputError, match=r"gives clearance and preload.*'pads\.clearance\.mean' or"):
             sweep(case, path, [70e-6])
     assert sweep(case, "pads.preload", [0.3]).solved.all()
+
+
+def test_pads_of_one_temperature_are_asked_for_what_their_own_temperatures_add():
+    """100 x 70 mm under 20 kN at 7000 rpm: 75 °C of one temperature, 94 °C where pads have their own."""
+    given = {
+        "kind": "tilting_pad_journal", "name": "Fast pads", "method": "film", "diameter": "100 mm",
+        "pads": {
+            "number": 4, "first_pivot": "45 deg", "extent": "75 deg", "width": "70 mm", "thickness": "20 mm",
+            "clearance": {"kind": "radial", "mean": "148 um"}, "preload": 0.47,
+            "pivot": {"kind": "rigid", "fraction": 0.5},
+        },
+        "load": "20 kN", "load_angle": "-90 deg", "speed": "7000 rpm", "lubricant": "ISO VG 32",
+        "supply": {"temperature": "40 degC"}, "feed": "flooded", **WHOLE,
+    }  # fmt: skip
+    quick, slow = (solve(case_from_dict(given | {"speed": rpm})).results[0] for rpm in ("7000 rpm", "1500 rpm"))
+    full = solve(case_from_dict(given | {"thermal": "full"})).results[0].values["maximum_temperature"]
+    hotter = HOTTER * np.sqrt(quick.values["specific_load"] * quick.values["surface_speed"])
+    assert 10.0 < full - quick.values["trailing_temperature"] < hotter
+    assert "(C108)" in said(quick, "W416")[0]
+    assert quick.verdict is Verdict.REMARKS
+    assert not any("(C108)" in one for one in said(slow, "W416"))

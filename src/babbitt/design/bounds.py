@@ -22,11 +22,19 @@ TEMPERATURE_CHECKS = ("C104", "C108", "C109")
 
 
 def bounds_of(case: CheckedProblem) -> Bounds:
-    """Bounds of every method: where the temperature is prescribed, the hottest place is at least that warm; and a
-    film that is prescribed cooler than its fresh oil is thicker than any that the oil can make."""
+    """Bounds of every method.
+
+    Where the temperature is prescribed, the hottest place is at least that warm; a film that is prescribed cooler
+    than its fresh oil is thicker than any that the oil can make; and where of the surfaces the slope of the axis
+    alone is known, the least film is at least what it takes.
+    """
+    bearing = case.bearing
+    found = {}
+    if bearing.surfaces is None and bearing.edge_loss > 0.0:
+        found["C102"] = Notice("C102", "slope_alone", {"loss": bearing.edge_loss})
     if case.effective_temperature is None:
-        return {}
-    found = {code: Notice(code, "prescribed_temperature") for code in TEMPERATURE_CHECKS}
+        return found
+    found |= {code: Notice(code, "prescribed_temperature") for code in TEMPERATURE_CHECKS}
     if case.oil_supply is not None and case.effective_temperature < case.oil_supply.temperature:
         found |= {code: Notice(code, "prescribed_cooler") for code in FILM_CHECKS}
     return found

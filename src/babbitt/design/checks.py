@@ -64,7 +64,7 @@ def _not_made(case: CheckedProblem, values: Mapping[str, float]) -> Iterator[Not
     bearing, metal = case.bearing, case.bearing.metal
     if case.limits.minimum_film_thickness is None and "empirical_film_limit" not in values:
         yield Notice("C101", "no_experience", {"diameter": bearing.diameter})
-    if bearing.surfaces is None:
+    if bearing.surfaces is None and bearing.edge_loss == 0.0:
         yield Notice("C102", "no_surfaces")
     if case.limits.specific_load is None and (
         metal is None or specific_load_limit(metal.family, case.limits.tables) is None
@@ -160,7 +160,8 @@ def film_checks(case: CheckedProblem, values: Mapping[str, float]) -> Iterator[C
         source = "experience value for diameter and surface speed" if own is None else own.source
         yield Check("C101", name, film, values["empirical_film_limit"], AT_LEAST, source)
     if "geometric_film_limit" in values:
-        source = "roughness, tilt, deflection and waviness of the case"
+        given = case.bearing.surfaces is not None
+        source = "roughness, tilt, deflection and waviness of the case" if given else "slope of the shaft alone"
         yield Check("C102", name, film, values["geometric_film_limit"], AT_LEAST, source)
 
 

@@ -126,6 +126,13 @@ class Proportions:
     relative_clearance: float
     clearance_tolerance: tuple[float, float] | None
     mean_clearance: float | None
+    axis_slope: float = 0.0
+    """Slope of the journal axis in the bearing in rad that the film itself does not count."""
+
+    @property
+    def edge_loss(self) -> float:
+        """Film thickness in m that the slope takes at an edge: half of the offset B_y over the width."""
+        return self.axis_slope * self.width / 2.0
 
     @property
     def width_ratio(self) -> float:
@@ -159,6 +166,8 @@ class CheckedBearing(Protocol):
     def surfaces(self) -> Surfaces | None: ...  # noqa: D102
     @property
     def mean_relative_clearance(self) -> float: ...  # noqa: D102
+    @property
+    def edge_loss(self) -> float: ...  # noqa: D102
     @property
     def metal(self) -> BearingMetal | None: ...  # noqa: D102
     @property

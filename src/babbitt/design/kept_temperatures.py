@@ -6,15 +6,9 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from babbitt.core.result import Check
+from babbitt.design.uncertainty import uncertain_temperature
 
-__all__ = ["UNCERTAIN", "UNCERTAIN_SHARE", "KeptByLittle", "kept_by_little"]
-
-UNCERTAIN, UNCERTAIN_SHARE = 6.0, 0.2
-"""By how much the hottest bore may be hotter than computed: K, or a share of its rise above the fresh oil where
-that is more. The bearing of Fillon, Bligoud and Frene (1992) lies 0.7 K below the measurement with a rise of 9 K
-and 5.2 K with one of 31 K (`babbitt validate fillon_1992`): misses grow with the rise, up to a sixth of it. A
-fifth, and no less than 6 K, for nothing tells that small rises are known better. Assumption: of one bearing, and
-for films of plain bearings of that one, too."""
+__all__ = ["KeptByLittle", "kept_by_little"]
 
 
 @dataclass(frozen=True)
@@ -45,7 +39,7 @@ def kept_by_little(checks: Iterable[Check], supply_temperature: float) -> tuple[
     """
     near = []
     for check in checks:
-        unknown = max(UNCERTAIN, UNCERTAIN_SHARE * (check.value - supply_temperature))
+        unknown = uncertain_temperature(check.value, supply_temperature)
         if check.ok and not check.advisory and check.limit - check.value < unknown:
             near.append(KeptByLittle(check.code, check.limit - check.value, unknown))
     return tuple(near)

@@ -125,6 +125,8 @@ def limit_values(case: CheckedProblem) -> Named:
         values["empirical_film_limit"] = experience
     if case.bearing.surfaces is not None:
         values["geometric_film_limit"] = case.bearing.surfaces.film_limit
+    elif case.bearing.edge_loss > 0.0:  # without the roughness, which is at least zero
+        values["geometric_film_limit"] = case.bearing.edge_loss
     contact = contact_film(case)
     if contact is not None:
         values["transition_film_thickness"] = contact

@@ -19,6 +19,7 @@ from babbitt.kinds.hydrostatic.geometry import RectangularPad, ThrustRing
 from babbitt.kinds.hydrostatic.heat_balance import heated
 from babbitt.kinds.hydrostatic.model import HydrostaticCase
 from babbitt.kinds.hydrostatic.pumping import held_pressure, highest_pressure, is_pumped
+from babbitt.kinds.hydrostatic.rest import warnings_about_rest
 from babbitt.kinds.hydrostatic.validity import warnings_of_solution
 from babbitt.kinds.hydrostatic.values import arrays, values
 from babbitt.kinds.hydrostatic.whirl import whirl_of
@@ -104,6 +105,7 @@ def hydrostatic_solution(case: HydrostaticCase) -> Solution:
         warnings=(
             *case.warnings,
             *warnings_of_solution(case, found, named),
+            *warnings_about_rest(case),
             *(warnings_about_whirl(whirl) if whirl else ()),
         ),
         assumptions=case.assumptions,

@@ -9,6 +9,7 @@ KINDS = (
         model="babbitt.kinds.shaft.case.shaft:ShaftCase",
         template="babbitt.kinds.shaft:shaft.yaml",
         views={"statics": "babbitt.kinds.shaft.view:STATICS", "beam": "babbitt.kinds.shaft.view:BEAM"},
+        comparison="babbitt.kinds.shaft.comparison:compare",
         vocabulary="babbitt.kinds.shaft.report.words:SHAFT_WORDS",
         envelope=(("speed",), ("power",)),
     ),

@@ -19,6 +19,7 @@ from babbitt.kinds.shaft_line.values import bearables, line_arrays, line_values
 from babbitt.kinds.shaft_line.warnings import line_warnings
 from babbitt.kinds.thrust.assumed import oil_assumptions
 from babbitt.kinds.thrust.failures import NoPadFilmError
+from babbitt.kinds.thrust.margins import warnings_about_margins
 from babbitt.kinds.thrust.pressure_limits import pressures_not_checked
 from babbitt.kinds.thrust.warnings import sharing_warnings
 from babbitt.kinds.thrust.work import MOST_WORK, WorkBoundError, bounded_work
@@ -59,15 +60,20 @@ def line_solution(design: LineDesign) -> Solution:
         return Solution(design, failed)
     values = line_values(design, answer)
     values["wall_time"] = perf_counter() - start
-    thrust = design.thrust
+    thrust, checks = design.thrust, tuple(_checks(design, values))
     result = Result(
         design.name,
         design.kind,
         METHOD,
         Outcome.CONVERGED,
         values,
-        tuple(_checks(design, values)),
-        (*thrust.warnings, *sharing_warnings(thrust, answer.static), *line_warnings(design, answer)),
+        checks,
+        (
+            *thrust.warnings,
+            *sharing_warnings(thrust, answer.static),
+            *line_warnings(design, answer),
+            *warnings_about_margins(thrust.oil, checks, values),
+        ),
         (
             *_not_checked(design),
             *thrust.temperatures.not_checked(values),

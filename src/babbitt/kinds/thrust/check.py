@@ -13,6 +13,7 @@ from babbitt.core.solution import Solution
 from babbitt.kinds.thrust.assumed import oil_assumptions
 from babbitt.kinds.thrust.design import ThrustDesign, ThrustState, bearing_state, share_on
 from babbitt.kinds.thrust.failures import NoPadFilmError
+from babbitt.kinds.thrust.margins import warnings_about_margins
 from babbitt.kinds.thrust.pad_attitude import attitude_at_rest, attitude_on_runout
 from babbitt.kinds.thrust.pressure_limits import pressure_checks, pressures_not_checked
 from babbitt.kinds.thrust.values import pad_arrays, share_values
@@ -83,15 +84,17 @@ def _checked(design: ThrustDesign) -> Solution:
         turning = values.get(TURNING_FILM, 0.0)  # where none was found, none can be counted on
         least, thinnest = (TURNING_FILM, turning) if turning < thinnest else (least, thinnest)
     limit = Check("C202", least, thinnest, design.film_limit, Bound.AT_LEAST, design.film_limit_source)
+    metal = design.temperatures.given_metal
+    checks = (limit, *design.temperatures.checks(values), *pressure_checks(metal, values))
     result = Result(
         design.name,
         design.kind,
         METHOD,
         Outcome.CONVERGED,
         values,
-        (limit, *design.temperatures.checks(values), *pressure_checks(design.temperatures.given_metal, values)),
-        (*design.warnings, *shared, *of_runout),
-        (*design.temperatures.not_checked(values), *pressures_not_checked(design.temperatures.given_metal)),
+        checks,
+        (*design.warnings, *shared, *of_runout, *warnings_about_margins(design.oil, checks, values)),
+        (*design.temperatures.not_checked(values), *pressures_not_checked(metal)),
         (
             *design.lubricant.assumptions,
             *design.assumptions,

@@ -1,8 +1,9 @@
-"""The mean pressure of the pad that carries most against what experience and the bearing metal allow."""
+"""Mean pressure of the pad that carries most, and speed, against what experience and the bearing metal allow."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from operator import attrgetter
 
 from babbitt.core.notices import Notice
 from babbitt.core.result import Bound, Check
@@ -15,16 +16,23 @@ __all__ = ["PRESSURE", "pressure_checks", "pressures_not_checked"]
 PRESSURE = "largest_specific_load"
 """Name of the mean pressure of the pad that carries most."""
 
+OF_METAL = (
+    ("C105", PRESSURE, attrgetter("specific_load")),
+    ("C106", "surface_speed", attrgetter("sliding_speed")),
+    ("C107", "pressure_speed_product", attrgetter("pv")),
+)
+"""Code, value and limit of the metal. Speeds are those at the mean radius, to which a mean pressure belongs."""
+
 
 def pressure_checks(given_metal: BearingMetal | None, values: Mapping[str, float]) -> Iterator[Check]:
-    """C103 and C105, as of journal bearings; recommendations for the metal that is assumed where none is given.
+    """C103 and C105 to C107, as of journal bearings; recommendations where a metal is assumed.
 
     Parameters
     ----------
     given_metal : BearingMetal or None
         Of the faces, as the case has it.
     values : Mapping of str to float
-        Named results: `PRESSURE` in Pa and ``surface_speed`` in m/s.
+        Named results: `PRESSURE` in Pa, ``surface_speed`` in m/s at the mean radius, and their product.
     """
     metal = bearing_metal(ASSUMED_METAL) if given_metal is None else given_metal
     assumed = "" if given_metal is not None else f"assumption: {ASSUMED_METAL}; "
@@ -35,17 +43,21 @@ def pressure_checks(given_metal: BearingMetal | None, values: Mapping[str, float
         which = f"exceptional value, for speeds up to {SLOW_UP_TO:g} m/s" if slow else "general value"
         source = f"{assumed}{by_experience.source}; {which} of journal bearings"
         yield Check("C103", PRESSURE, pressure, limit, Bound.AT_MOST, source, advisory)
-    if (of_metal := metal.limits(LoadCharacter.CALM).specific_load) is not None:
-        source = f"{assumed}{of_metal.source}"
-        yield Check("C105", PRESSURE, pressure, of_metal.value, Bound.AT_MOST, source, advisory)
+    limits = metal.limits(LoadCharacter.CALM)
+    for code, name, limit_in in OF_METAL:
+        if (of_metal := limit_in(limits)) is not None:
+            source = f"{assumed}{of_metal.source}"
+            yield Check(code, name, values[name], of_metal.value, Bound.AT_MOST, source, advisory)
 
 
 def pressures_not_checked(given_metal: BearingMetal | None) -> Iterator[Notice]:
     """Which of these checks lack data: without a metal they are recommendations only."""
     if given_metal is None:
-        yield from (Notice(code, "no_metal") for code in ("C103", "C105"))
+        yield from (Notice(code, "no_metal") for code in ("C103", *(code for code, _, _ in OF_METAL)))
         return
     if specific_load_limit(given_metal.family) is None:
         yield Notice("C103", "no_public_limit", {"metal": given_metal.name})
-    if given_metal.limits(LoadCharacter.CALM).specific_load is None:
-        yield Notice("C105", "no_public_limit", {"metal": given_metal.name})
+    limits = given_metal.limits(LoadCharacter.CALM)
+    for code, _, limit_in in OF_METAL:
+        if limit_in(limits) is None:
+            yield Notice(code, "no_public_limit", {"metal": given_metal.name})

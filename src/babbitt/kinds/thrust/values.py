@@ -30,18 +30,20 @@ def share_values(design: ThrustDesign, state: ThrustState) -> dict[str, float]:
     share, bearing = state.share, design.bearing
     worst = share.states[int(share.loads.argmax())]
     viscosity = effective_viscosity(design, state)
+    speed = design.speed * 0.5 * (bearing.pad.inner_radius + bearing.pad.outer_radius)
     values = {
         "load": share.thrust,
         "pad_number": float(bearing.number),
         "specific_load": share.thrust / bearing.area,
         "angular_speed": bearing.sense * design.speed,
-        "surface_speed": design.speed * 0.5 * (bearing.pad.inner_radius + bearing.pad.outer_radius),
+        "surface_speed": speed,
         "ring_stiffness": bearing.ring_stiffness,
         "pivot_film_thickness": worst.height,
         "minimum_film_thickness": min(pad.minimum_film_thickness for pad in share.states),
         "maximum_pressure": max(pad.maximum_pressure for pad in share.states),
         "largest_pad_load": float(share.loads.max()),
         "largest_specific_load": float(share.loads.max()) / bearing.pad.area,
+        "pressure_speed_product": float(share.loads.max()) / bearing.pad.area * speed,
         "smallest_pad_load": float(share.loads.min()),
         "pad_load_ratio": share.largest_over_mean,
         "collar_moment": share.collar_moment,

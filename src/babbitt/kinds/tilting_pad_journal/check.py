@@ -28,6 +28,7 @@ from babbitt.kinds.tilting_pad_journal.level_one import (
 )
 from babbitt.kinds.tilting_pad_journal.margins import PadMargin, pad_margins
 from babbitt.kinds.tilting_pad_journal.model import PadCase, Thermal
+from babbitt.kinds.tilting_pad_journal.one_temperature import warnings_about_one_temperature
 from babbitt.kinds.tilting_pad_journal.sensitivity import sensitivity_rows
 from babbitt.kinds.tilting_pad_journal.state import PadFilms
 from babbitt.kinds.tilting_pad_journal.thermal_assumptions import thermal_assumptions
@@ -117,6 +118,7 @@ def pad_solution(case: PadCase) -> Solution:
             *case.warnings,
             *warnings_of_solution(case, films, dynamics, margins, values),
             *warnings_about_kept_temperatures(films, checks),
+            *warnings_about_one_temperature(case, checks, values),
             *about_synchronous_verdict(values, least_decrement(case)[0]),
         ),
         not_checked=(

@@ -92,7 +92,7 @@ def film_case(inputs: Inputs, at: Point, thermal: str | None = None) -> FilmCase
 def _film_bearing(inputs: Inputs, at: Point, feeds: tuple[FeedSize, ...]) -> FilmBearing:
     bearing, materials = inputs.bearing, inputs.materials
     of_bearing, of_journal = expansions(inputs)
-    misalignment = bearing.misalignment
+    given, slope = bearing.misalignment, bearing.slope_of_shaft
     return FilmBearing(
         diameter=bearing.diameter,
         width=inputs.width,
@@ -102,7 +102,7 @@ def _film_bearing(inputs: Inputs, at: Point, feeds: tuple[FeedSize, ...]) -> Fil
         feeds=feeds,
         bore=bearing.bore.bore() if bearing.bore is not None else RoundBore(),
         film_start=bearing.film_starts(),
-        misalignment=(misalignment.x, misalignment.y) if misalignment is not None else (0.0, 0.0),
+        misalignment=slope if given is None else (given.x + slope[0], given.y + slope[1]),
         steps=tuple(step.step() for step in bearing.steps),
         crowning=bearing.crowning.crowning(inputs.width) if bearing.crowning is not None else (),
         displacement=bearing.displacement.field(inputs.width) if bearing.displacement is not None else (),

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import math
+from dataclasses import replace
+
 from babbitt.case.part import is_given
-from babbitt.design.conditions import PrescribedEccentricity, PrescribedLoad, PrescribedPosition
+from babbitt.design.conditions import PrescribedEccentricity, PrescribedLoad, PrescribedPosition, Surfaces
 from babbitt.kinds.journal.case.as_given import words_of
 from babbitt.kinds.journal.case.assumptions import assumptions_of
 from babbitt.kinds.journal.case.free_arc import free_arcs
@@ -74,9 +77,20 @@ def _iso_bearing(inputs: Inputs, at: Point) -> Bearing:
         expansion_bearing=of_bearing,
         expansion_journal=of_journal,
         supply_element=element.element(bearing.diameter, span) if element is not None else None,
-        surfaces=bearing.surfaces.surfaces() if bearing.surfaces is not None else None,
+        surfaces=_surfaces(inputs),
         metal=materials.metal(),
         load_character=LoadCharacter(materials.load_character or LoadCharacter.CALM),
         clearance_tolerance=at.tolerance,
         mean_clearance=at.mean,
+        axis_slope=math.hypot(*bearing.slope_of_shaft),
     )
+
+
+def _surfaces(inputs: Inputs) -> Surfaces | None:
+    """Surfaces of the case, with the offset of a sloping shaft over the width."""
+    bearing = inputs.bearing
+    if bearing.surfaces is None:
+        return None
+    given = bearing.surfaces.surfaces()
+    offset = math.hypot(*bearing.slope_of_shaft) * inputs.width
+    return replace(given, tilt_offset=given.tilt_offset + offset)

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Annotated, ClassVar, Literal
+from typing import Annotated, ClassVar, Literal, Self
 
-from pydantic import Field
+from pydantic import Field, PrivateAttr
 
 from babbitt.case.part import Issue, at_most_one, exactly_one, is_given, named_once, rule
 from babbitt.case.parts import clearance, cooling
@@ -58,6 +58,8 @@ class JournalBearing(LoadAndSpeed, SharedInputs, FilmChoices, Iso7902Choices):
     """A circular cylindrical journal bearing."""
 
     alternatives: ClassVar[tuple[tuple[str, ...], ...]] = (*LoadAndSpeed.alternatives, ("width", "width_ratio"))
+
+    _slope: tuple[float, float] = PrivateAttr((0.0, 0.0))
 
     kind: Literal["journal"] = Field(description="Circular cylindrical journal bearing.")
     name: Name = Field(description="Name of the bearing in tables and reports.")
@@ -359,6 +361,17 @@ class JournalBearing(LoadAndSpeed, SharedInputs, FilmChoices, Iso7902Choices):
         if isinstance(element, UnevenPockets) and (self.span is None or own_element):
             return element.conventional_span().tabulated
         return self.span
+
+    @property
+    def slope_of_shaft(self) -> tuple[float, float]:
+        """Slopes dx/dz and dy/dz in rad of the shaft that the bearing is part of, beside `misalignment`."""
+        return self._slope
+
+    def on_sloping_shaft(self, slope: tuple[float, float]) -> Self:
+        """The bearing on a shaft that slopes in it, rad."""
+        sloping = self.model_copy()
+        sloping._slope = slope
+        return sloping
 
     def element_at(self, point: OperatingPoint | None) -> SupplyElementInput | None:
         """Supply element at an operating point (None: the bearing as such)."""

@@ -74,6 +74,7 @@ class Bearing(Proportions):
     load_character: LoadCharacter = LoadCharacter.CALM
     clearance_tolerance: tuple[float, float] | None = None
     mean_clearance: float | None = None
+    axis_slope: float = 0.0
 
     @property
     def parts(self) -> int:

@@ -67,6 +67,9 @@ What the standard leaves out is there a quarter of the film thickness: in films 
 the load takes 17 to 33 % at 4 to 8 times the specific load, a pocket of 60 deg 26 to 35 % at 0.46 to 0.7 of the
 load (docs/theory/supply.md). Margins that other remarks ask for do not cover that as well."""
 
+LOSS_AT_EDGE = 0.25
+"""Share of the film thickness that the slope of the shaft may take at an edge without a remark (an assumption)."""
+
 NOTABLE_SHARE = 0.05
 """Share of the film thickness by which a span wider than the arc that is left may flatter it (an assumption)."""
 
@@ -132,6 +135,34 @@ def warnings_about_feed_pressure(case: DesignCase, values: Mapping[str, float]) 
     yield Notice(code, "pressure", {
         "element_pressure": pressure, "share": against, "pressing": pressing, "warming": warming,
     })  # fmt: skip
+
+
+def warnings_about_slope(
+    case: DesignCase, values: Mapping[str, float], checks: tuple[Check, ...]
+) -> Iterator[Notice]:
+    """What the slope of the shaft takes from the film at an edge, of which that of the standard knows nothing.
+
+    Parameters
+    ----------
+    case : DesignCase
+    values : Mapping[str, float]
+        Named results of the film.
+    checks : tuple of Check
+    """
+    loss = case.bearing.edge_loss
+    if loss == 0.0:
+        return
+    film = values.get("starved_minimum_film_thickness", values["minimum_film_thickness"])
+    misses = any(one.code == "C101" and one.ok and one.value - loss < one.limit for one in checks)
+    slope, share = case.bearing.axis_slope, loss / film
+    if loss >= film:
+        yield Notice("W173", "touches", {"slope": slope, "loss": loss, "film": film})
+    elif misses:
+        yield Notice("W173", "misses", {"slope": slope, "loss": loss, "film": film, "share": share})
+    elif share > LOSS_AT_EDGE:
+        yield Notice("W173", "large", {"slope": slope, "loss": loss, "film": film, "share": share})
+    else:
+        yield Notice("W159", values={"slope": slope, "loss": loss, "film": film, "share": share})
 
 
 def _of_free_arcs(case: DesignCase, values: Mapping[str, float]) -> Iterator[Notice]:
@@ -208,6 +239,7 @@ def _of_running(
     case: DesignCase, values: Mapping[str, float], checks: tuple[Check, ...], change: Transition | None
 ) -> Iterator[Notice]:
     yield from warnings_about_running(case, values, checks)
+    yield from warnings_about_slope(case, values, checks)
     viscosity = usable_viscosity(case.lubricant)
     yield from warnings_about_margins(checks, values, checks_of_metal(case.limits), viscosity)
     screening = next((check for check in checks if check.code == "C112"), None)

@@ -217,6 +217,8 @@ def _limits(case: DesignCase, sheet: JournalSheet) -> Iterator[Line]:
             "roughness_bearing + roughness_journal + tilt_offset / 2 + mean_deflection / 2"
             " + waviness * wave_factor",
         )
+    elif "geometric_film_limit" in sheet:
+        yield sheet.read("geometric_film_limit", "width", remark="slope of the shaft times half the width")
     yield sheet.line("pressure_speed_product", "specific_load * surface_speed")
 
 

@@ -106,11 +106,21 @@ class ShaftJournal(Place, JournalBearing):
             found["misalignment"] = own.model_copy(update={"x": own.x + slope[0], "y": own.y + slope[1]})
         elif slope is not None:
             size = written(math.hypot(*slope), "mrad")
-            unseen = f"The slope of the shaft in {self.name}, {size}, is not counted by method {self.method}."
-            found["assumptions"] = (*self.assumptions, unseen)
+            found["assumptions"] = (
+                *self.assumptions,
+                f"The slope of the shaft in {self.name}, {size}, {self._use}",
+            )
         given = {name: value for name, value in vars(self).items() if name not in Place.model_fields}
         fields = (self.model_fields_set - Place.model_fields.keys()) | found.keys()
-        return JournalBearing.model_construct(_fields_set=fields, **(given | found))
+        loaded = JournalBearing.model_construct(_fields_set=fields, **(given | found))
+        return loaded if slope is None or self.method == "film" else loaded.on_sloping_shaft(slope)
+
+    @property
+    def _use(self) -> str:
+        """What the method makes of the slope of the shaft."""
+        if self.method == "iso7902":
+            return "counts in the limit of the film thickness alone: the film of ISO 7902 has parallel axes."
+        return f"is not counted by method {self.method}."
 
 
 class ShaftThrust(Place, ThrustBearingInputs):

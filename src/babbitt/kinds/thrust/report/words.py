@@ -7,6 +7,7 @@ OF_THRUST = {
     "specific_load": "Thrust over the area of all pads",
     "angular_speed": "Rotational speed of the collar",
     "surface_speed": "Surface speed of the collar at the mean radius",
+    "pressure_speed_product": "Mean pressure of the pad that carries most times that speed",
     "friction_torque": "Friction torque on the collar",
     "side_flow": "Oil over inner and outer edges of the pads",
     "total_flow": "Fresh oil, what is not carried over",
