@@ -154,11 +154,11 @@ def warnings_about_slope(
     misses = any(one.code == "C101" and one.ok and one.value - loss < one.limit for one in checks)
     slope, share = case.bearing.axis_slope, loss / film
     if loss >= film:
-        yield Notice("W199", "touches", {"slope": slope, "loss": loss, "film": film})
+        yield Notice("W173", "touches", {"slope": slope, "loss": loss, "film": film})
     elif misses:
-        yield Notice("W199", "misses", {"slope": slope, "loss": loss, "film": film, "share": share})
+        yield Notice("W173", "misses", {"slope": slope, "loss": loss, "film": film, "share": share})
     elif share > LOSS_AT_EDGE:
-        yield Notice("W199", "large", {"slope": slope, "loss": loss, "film": film, "share": share})
+        yield Notice("W173", "large", {"slope": slope, "loss": loss, "film": film, "share": share})
     else:
         yield Notice("W159", values={"slope": slope, "loss": loss, "film": film, "share": share})
 
