@@ -16,6 +16,8 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from babbitt.core.picklable_error import PicklableError
+
 __all__ = ["DividedLanesError", "Lanes", "assembled", "chooser", "in_branches", "lanes_at", "lanes_of"]
 
 Index = NDArray[np.intp]
@@ -25,7 +27,7 @@ MOST_FAILURES = 200
 """Runs that may break off before the lanes that are left are given up."""
 
 
-class DividedLanesError(Exception):
+class DividedLanesError(PicklableError):
     """A question that the lanes answer differently.
 
     Attributes

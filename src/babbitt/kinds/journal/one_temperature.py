@@ -103,28 +103,32 @@ def _near(
     over_viscosity: Callable[[float], float] | None,
 ) -> Iterator[_Near]:
     """What of one limit that is kept may be too near."""
-    said = {"check": check.code}
     if check.code in FILM_CHECKS:
         thinner = thinner_oil(check, values, viscosity)
         asked = larger(thinner - 1.0, THINNER)
-        by_little = (check.margin < asked) & (
-            check.limit > 0.0
-        )  # any film keeps zero, and there is no share of it
+        # Any film keeps a limit of zero, and there is no share of it.
+        by_little = (check.margin < asked) & (check.limit > 0.0)
         yield _Near(by_little, lambda: _about_film(check, values, thinner))
         if over_viscosity is not None and not by_little:
             gap = _about_narrowed_gap(check, min(THINNER_OIL, 1.0 / thinner), over_viscosity)
             yield from (_Near(True, partial(_itself, found)) for found in gap)
     if check.code in of_metal:
         hottest = larger(check.value + HOTTER, above_inlet(values, RISE_OF_METAL))
-        margin = {"margin": check.limit - check.value}
-        yield _Near(check.limit < hottest, lambda: Notice("W191", "temperature", margin | said))
+        yield _Near(
+            check.limit < hottest,
+            lambda: Notice("W191", "temperature", {"margin": check.limit - check.value, "check": check.code}),
+        )
     if check.code == "C110":
         sooner = larger(thinner_oil(check, values, viscosity), TURBULENT_SOONER)
-        factor = {"factor": check.limit / check.value}
-        yield _Near(check.value * sooner > check.limit, lambda: Notice("W191", "reynolds_number", factor | said))
+        yield _Near(
+            check.value * sooner > check.limit,
+            lambda: Notice("W191", "reynolds_number", {"factor": check.limit / check.value, "check": check.code}),
+        )
     if check.code == "C115":
-        lighter = {"margin": check.margin}
-        yield _Near(check.margin < LIGHTER, lambda: Notice("W191", "critical_mass", lighter | said))
+        yield _Near(
+            check.margin < LIGHTER,
+            lambda: Notice("W191", "critical_mass", {"margin": check.margin, "check": check.code}),
+        )
 
 
 def _itself(notice: Notice) -> Notice:

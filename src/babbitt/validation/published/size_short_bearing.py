@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 from babbitt.case.case_file import CaseFile
 from babbitt.case.loading import case_from_dict
-from babbitt.core.units import SiNumber
 from babbitt.solving import solve
 from babbitt.study.size import size_block, size_of
 from babbitt.study.study import plan, run_study
@@ -45,7 +44,7 @@ def found(width_ratio: float, eccentricity_ratio: float) -> float:
     """The upper end of the permitted loads by the search, N."""
     near = root(width_ratio, eccentricity_ratio)
     case = _case(width_ratio, eccentricity_ratio, near)
-    block = size_block(case, "load", SiNumber(near / 3.0), SiNumber(3.0 * near), 24, limits=("C101",))
+    block = size_block(case, "load", f"{near / 3.0!r} N", f"{3.0 * near!r} N", 24, limits=("C101",))
     size = size_of(run_study(plan(case, block)))
     return size.intervals[-1].upper.value
 
@@ -55,16 +54,16 @@ def _case(width_ratio: float, eccentricity_ratio: float, load: float) -> CaseFil
         {
             "kind": "journal",
             "name": "Narrow bearing",
-            "diameter": SiNumber(DIAMETER),
-            "width": SiNumber(width_ratio * DIAMETER),
+            "diameter": f"{DIAMETER!r} m",
+            "width": f"{width_ratio * DIAMETER!r} m",
             "span": "360 deg",
-            "clearance": {"kind": "radial", "mean": SiNumber(CLEARANCE)},
+            "clearance": {"kind": "radial", "mean": f"{CLEARANCE!r} m"},
             "materials": {part: {"thermal_expansion": "11e-6 1/K"} for part in ("bearing", "journal")},
-            "lubricant": {"kind": "constant", "dynamic_viscosity": SiNumber(VISCOSITY)},
+            "lubricant": {"kind": "constant", "dynamic_viscosity": f"{VISCOSITY!r} Pa s"},
             "effective_temperature": "20 degC",
-            "load": SiNumber(load),
-            "speed": SiNumber(SPEED),
-            "limits": {"minimum_film_thickness": SiNumber(CLEARANCE * (1.0 - eccentricity_ratio))},
+            "load": f"{load!r} N",
+            "speed": f"{SPEED!r} rad/s",
+            "limits": {"minimum_film_thickness": f"{CLEARANCE * (1.0 - eccentricity_ratio)!r} m"},
         }
     )
 

@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass, replace
 from typing import Any
 
+from babbitt.core.picklable_error import PicklableError
 from babbitt.core.solution import Calculation, Solution
 from babbitt.design.conditions import OilSupply
 from babbitt.design.values import pumped_flow
@@ -18,7 +19,7 @@ PRESSURE_TOLERANCE = 1e-14
 """Relative, of the pressure of the header: to round-off, for the flows to agree to 1e-8."""
 
 
-class UnsolvedBearingError(Exception):
+class UnsolvedBearingError(PicklableError):
     """A bearing has no film at a pressure of the header."""
 
     def __init__(self, solution: Solution, pressure: float) -> None:
