@@ -42,7 +42,7 @@ RISE_OF_LOADED_FILM = 2.1e-3
 
 Oil that the supply presses through the unloaded gap leaves without cooling it, yet one temperature mixes it in.
 Assumption by measurement of bearings with Q_p of 0.5 to 10 times Q₃ (docs/theory/procedure.md, set ``pressed``):
-their films with temperatures of their own are no thinner than by the viscosities of both temperatures."""
+58 of 60 films with temperatures of their own are no thinner than by the viscosities of both temperatures."""
 
 TURBULENT_SOONER = 2.1
 """Reynolds number of films with temperatures of their own over that of one temperature.
