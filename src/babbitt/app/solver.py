@@ -14,6 +14,8 @@ from typing import Any
 
 from pebble import ProcessFuture, ProcessPool
 
+from babbitt.core.picklable_error import PicklableError
+
 __all__ = ["LONGEST", "Ended", "Latest", "Solver"]
 
 LONGEST = 30.0
@@ -30,7 +32,7 @@ LARGEST = 4 << 30
 """Bytes of memory of a worker."""
 
 
-class Ended(Exception):  # noqa: N818 - not an error of the program
+class Ended(PicklableError):  # noqa: N818 - not an error of the program
     """A question that was not answered: ended by its time limit, withdrawn, or its process died.
 
     Attributes

@@ -7,7 +7,9 @@ __all__ = ["COLUMNS"]
 COLUMNS = (
     column_of("specific_load", 4),
     column_with_limit("largest_specific_load", "p_lim", 3),
-    column_of("surface_speed", 7),
+    column_without_limit("surface_speed", 7),
+    column_with_limit("surface_speed", "U_lim", 7),
+    column_with_limit("pressure_speed_product", "p̄U_lim", 8),
     column_of("pad_load_ratio", 5),
     Column("T_en → T_ex", "°C", (reading_of("supply_temperature"), reading_of("outlet_temperature")), 3, " → "),
     column_with_limit("maximum_temperature", "T_lim", 2),
