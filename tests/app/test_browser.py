@@ -17,6 +17,7 @@ from babbitt.core.kind import kinds
 BROWSER = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
 pytestmark = [
     pytest.mark.slow,
+    pytest.mark.thorough,
     pytest.mark.skipif(BROWSER is None, reason="no Chromium among the programs of the system"),
 ]
 LONG = 120_000
