@@ -60,7 +60,7 @@ class Workbench:
             ui.label(word("title")).classes("title")
             with ui.button(word("new"), icon="note_add").props("flat dense"), ui.menu():
                 for name, kind in kinds().items():
-                    ui.menu_item(kind.description, lambda name=name: self._template(name))
+                    self._entry(kind.description, lambda name=name: self._template(name))
             self._icon("folder_open", word("open"), lambda: self._upload.run_method("pickFiles"))
             self._upload = ui.upload(
                 on_upload=self._opened, on_rejected=lambda: ui.notify(word("too_large"), type="negative"),
@@ -71,12 +71,15 @@ class Workbench:
             self._icon("redo", word("redo"), lambda: self._step(self.document.redo))
             self._icon("link", word("share"), self._share)
             with ui.button(word("report"), icon="description").props("flat dense"), ui.menu():
-                ui.menu_item(word("as_pdf"), lambda: self._report("pdf"))
-                ui.menu_item(word("as_html"), lambda: self._report("html"))
-                ui.menu_item(word("as_json"), self._json)
+                self._entry(word("as_pdf"), lambda: self._report("pdf"))
+                self._entry(word("as_html"), lambda: self._report("html"))
+                self._entry(word("as_json"), self._json)
             ui.space()
             dark = ui.dark_mode(None)  # as the system has it
             self._icon("contrast", word("dark"), lambda: dark.set_value(not dark.value))
+
+    def _entry(self, says: str, pressed: Callable[[], Any]) -> None:
+        ui.menu_item(says, pressed).props('role="menuitem"')
 
     def _icon(self, icon: str, says: str, pressed: Callable[[], Any]) -> None:
         ui.button(icon=icon, on_click=pressed).props(f'flat dense round aria-label="{says}"').tooltip(says)
