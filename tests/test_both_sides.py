@@ -33,6 +33,23 @@ HEATED = {"method": {"kind": "film", "thermal": "full", "accuracy": "draft"}}
 THIN = {"kind": "constant", "dynamic_viscosity": "1 mPa s", "density": "900 kg/m3",
         "volumetric_heat_capacity": "1.8 MJ/(m3 K)"}  # fmt: skip
 
+FED = {
+    "kind": "machine", "name": "Machine", "lubricant": "ISO VG 46", "supply": {"temperature": "50 degC"},
+    "materials": {"bearing": "C10", "journal": "C45"},
+    "bearings": [{
+        "kind": "journal", "name": "Wheel", "diameter": "120 mm", "width": "96 mm", "span": "180 deg",
+        "clearance": {"kind": "relative", "mean": "1.8 permille"}, "load": "12 kN", "speed": "3000 rpm",
+        "supply_element": {"kind": "groove_180", "width": "60 mm"},
+    }],
+}  # fmt: skip
+
+
+def pumped(flow):
+    """An oil system whose pump gives so much."""
+    lines = [{"bearing": "Wheel", "orifice_diameter": "6 mm"}]
+    return {"oil_system": {"pump": {"flow": flow, "relief_pressure": "0.3 MPa"}, "lines": lines}}
+
+
 SIDES = {
     "C101": ("journal", {"load": "12 kN"}, {"load": "300 kN"}),
     "C102": ("journal", {"load": "12 kN"}, {"load": "300 kN"}),
@@ -73,6 +90,7 @@ SIDES = {
              HEATED | {"limits": {"probe_alarm": "50 degC"}}),
     "C405": ("tilting_pad_journal", HEATED | {"limits": {"probe_trip": "90 degC"}},
              HEATED | {"limits": {"probe_trip": "50 degC"}}),
+    "C601": (FED, pumped("60 L/min"), pumped("2 L/min")),
     "C304": ("jacking_pocket", {}, {"relief_pressure": "5 MPa"}),
 }  # fmt: skip
 """What a check is made of: a kind whose template it is, or a case; then what keeps it and what misses it."""

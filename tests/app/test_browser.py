@@ -7,7 +7,7 @@ import shutil
 import socket
 import subprocess
 import sys
-import time
+import threading
 from urllib.request import Request, urlopen
 
 import pytest
@@ -20,6 +20,7 @@ pytestmark = [
     pytest.mark.thorough,
     pytest.mark.skipif(BROWSER is None, reason="no Chromium among the programs of the system"),
 ]
+PAUSE = threading.Event()
 LONG = 120_000
 """Milliseconds: a loaded machine is slow, and no test depends on the clock."""
 
@@ -45,7 +46,7 @@ def server(tmp_path_factory):
             except OSError:
                 log.seek(0)
                 assert process.poll() is None, log.read()
-                time.sleep(0.1)
+                PAUSE.wait(0.1)
         yield address
         process.terminate()
         process.wait(30)

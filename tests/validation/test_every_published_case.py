@@ -166,7 +166,7 @@ def test_the_figure_is_drawn_with_labelled_axes(case, tmp_path):
 
 def test_names_are_unique_and_found():
     names = [case.name for case in cases()]
-    assert len(set(names)) == len(names) == 37
+    assert len(set(names)) == len(names) == 40
     assert all(validation_case(name).name == name for name in names)
 
 

@@ -9,6 +9,8 @@ import time
 from collections.abc import Callable
 from concurrent.futures import CancelledError
 from dataclasses import dataclass
+from importlib import import_module
+from importlib.util import find_spec
 from multiprocessing import get_context
 from typing import Any
 
@@ -153,11 +155,8 @@ class Latest:
 
 def _prepared() -> None:
     """Bound the memory of a worker, and load what the first question needs."""
-    try:
-        import resource
-    except ImportError:  # not on Windows: there memory is not bounded
-        pass
-    else:
+    if find_spec("resource") is not None:  # not on Windows: there memory is not bounded
+        resource = import_module("resource")
         resource.setrlimit(resource.RLIMIT_DATA, (LARGEST, LARGEST))
     from babbitt.app.answer import answer
     from babbitt.core.kind import kinds

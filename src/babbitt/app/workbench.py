@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 from nicegui import background_tasks, context, events, ui
@@ -60,7 +61,7 @@ class Workbench:
             ui.label(word("title")).classes("title")
             with ui.button(word("new"), icon="note_add").props("flat dense"), ui.menu():
                 for name, kind in kinds().items():
-                    self._entry(kind.description, lambda name=name: self._template(name))
+                    self._entry(kind.description, partial(self._template, name))
             self._icon("folder_open", word("open"), lambda: self._upload.run_method("pickFiles"))
             self._upload = ui.upload(
                 on_upload=self._opened, on_rejected=lambda: ui.notify(word("too_large"), type="negative"),
