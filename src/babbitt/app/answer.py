@@ -261,13 +261,12 @@ def _checked(check: Check, result: Result) -> Card:
 
 
 def used_share(check: Check) -> float:
-    """Share of a limit that is used up: value over limit, of a lower limit the inverse; temperatures in °C."""
-    offset = QUANTITIES[check.quantity].display.offset
-    value, limit = check.value + offset, check.limit + offset
-    upper, lower = (value, limit) if check.bound is Bound.AT_MOST else (limit, value)
-    if lower <= 0.0 or not math.isfinite(upper / lower):
+    """Share of a limit that is used up: value over limit, of a lower limit the inverse, as margins count them."""
+    if check.limit == 0.0 or not math.isfinite(check.margin):
         return 0.0 if check.ok else math.inf
-    return max(upper / lower, 0.0)
+    if check.bound is Bound.AT_MOST:
+        return max(1.0 - check.margin, 0.0)
+    return 1.0 / (1.0 + check.margin) if check.margin > -1.0 else math.inf
 
 
 def findings_of(result: Result) -> Iterable[Finding]:

@@ -28,7 +28,7 @@ class CaseDocument:
 
     def __init__(self, text: str) -> None:
         self._texts, self._place = [text], 0
-        self._resting: str | None = None
+        self._before: str | None = None
 
     @property
     def text(self) -> str:
@@ -67,16 +67,16 @@ class CaseDocument:
 
     def slide(self, path: Path, value: Any) -> None:
         """Put a value in a field while it moves: the way back leads to where the movement began."""
-        if self._resting is None:
-            self._resting = self.text
+        if self._before is None:
+            self._before = self.text
         self._texts[self._place] = case_text(with_changed(self.given, path, value))
 
     def keep(self) -> None:
         """End a movement."""
-        moved, resting = self.text, self._resting
-        self._resting = None
-        if resting is not None:
-            self._texts[self._place] = resting
+        moved, before = self.text, self._before
+        self._before = None
+        if before is not None:
+            self._texts[self._place] = before
             self.write(moved)
 
     def has(self, path: Path) -> bool:

@@ -6,12 +6,11 @@ import base64
 import binascii
 import zlib
 
+from babbitt.case.loading import LARGEST_FILE
+
 __all__ = ["case_of", "link_of"]
 
 MARK = "case="
-
-LARGEST = 1_000_000
-"""Bytes of the text of a case."""
 
 
 def link_of(text: str) -> str:
@@ -31,7 +30,7 @@ def case_of(fragment: str) -> str | None:
     packed = packed.removeprefix(MARK)
     try:
         opened = zlib.decompressobj()
-        text = opened.decompress(base64.urlsafe_b64decode(packed + "=" * (-len(packed) % 4)), LARGEST + 1)
-        return text.decode() if opened.eof and len(text) <= LARGEST else None
+        text = opened.decompress(base64.urlsafe_b64decode(packed + "=" * (-len(packed) % 4)), LARGEST_FILE + 1)
+        return text.decode() if opened.eof and len(text) <= LARGEST_FILE else None
     except (binascii.Error, zlib.error, ValueError):
         return None

@@ -14,7 +14,7 @@ from importlib.util import find_spec
 from multiprocessing import get_context
 from typing import Any
 
-from pebble import ProcessFuture, ProcessPool
+from pebble import ProcessExpired, ProcessFuture, ProcessPool
 
 from babbitt.core.picklable_error import PicklableError
 
@@ -93,12 +93,8 @@ async def outcome_of(future: ProcessFuture[Any]) -> Any:
         raise Ended("too_long") from None
     except (CancelledError, asyncio.CancelledError):
         raise Ended("cancelled") from None
-    except Exception as error:
-        from pebble import ProcessExpired
-
-        if isinstance(error, ProcessExpired | MemoryError):
-            raise Ended("died") from None
-        raise
+    except (ProcessExpired, MemoryError):
+        raise Ended("died") from None
 
 
 @dataclass

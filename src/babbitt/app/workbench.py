@@ -16,12 +16,10 @@ from babbitt.app.link import case_of, link_of
 from babbitt.app.slider import Slider
 from babbitt.app.solver import LONGEST, Ended, Latest, Solver
 from babbitt.app.words import word
+from babbitt.case.loading import LARGEST_FILE
 from babbitt.core.kind import kinds
 
 __all__ = ["Workbench"]
-
-LARGEST_FILE = 1_000_000
-"""Bytes of a case file."""
 
 
 class Workbench:

@@ -6,7 +6,7 @@ import math
 import operator
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from functools import partial, reduce
+from functools import reduce
 from typing import Any
 
 from babbitt.core.notices import Notice
@@ -111,7 +111,8 @@ def _near(
         yield _Near(by_little, lambda: _about_film(check, values, thinner))
         if over_viscosity is not None and not by_little:
             gap = _about_narrowed_gap(check, min(THINNER_OIL, 1.0 / thinner), over_viscosity)
-            yield from (_Near(True, partial(_itself, found)) for found in gap)
+            if gap is not None:
+                yield _Near(True, lambda: gap)
     if check.code in of_metal:
         hottest = larger(check.value + HOTTER, above_inlet(values, RISE_OF_METAL))
         yield _Near(
@@ -131,10 +132,6 @@ def _near(
         )
 
 
-def _itself(notice: Notice) -> Notice:
-    return notice
-
-
 def _about_film(check: Check, values: Mapping[str, float], thinner: float) -> Notice:
     if not holds_anywhere(thinner - 1.0 > THINNER):
         return Notice("W191", "film", {"margin": check.margin, "check": check.code})
@@ -144,13 +141,14 @@ def _about_film(check: Check, values: Mapping[str, float], thinner: float) -> No
     })  # fmt: skip
 
 
-def _about_narrowed_gap(check: Check, factor: float, over_viscosity: Callable[[float], float]) -> Iterator[Notice]:
+def _about_narrowed_gap(check: Check, factor: float, over_viscosity: Callable[[float], float]) -> Notice | None:
     thin = over_viscosity(factor)
     margin, code = check.margin, check.code
     if thin <= 0.0:
-        yield Notice("W191", "no_film", {"margin": margin, "check": code, "factor": factor})
-    elif thin < check.limit:
-        yield Notice("W191", "narrowed_gap", {"margin": margin, "check": code, "factor": factor, "thin": thin})
+        return Notice("W191", "no_film", {"margin": margin, "check": code, "factor": factor})
+    if thin < check.limit:
+        return Notice("W191", "narrowed_gap", {"margin": margin, "check": code, "factor": factor, "thin": thin})
+    return None
 
 
 def thinner_oil(check: Check, values: Mapping[str, float], viscosity: Callable[[float], float]) -> float:
