@@ -24,8 +24,8 @@ from babbitt.study import study as engine
 from babbitt.study.best_designs import write_designs
 from babbitt.study.design import Designs, designs_of
 from babbitt.study.engine import InterruptedStudyError
+from babbitt.study.fields import path_in
 from babbitt.study.indices import Indices, indices_of
-from babbitt.study.inputs import path_in
 from babbitt.study.optimum import Optimum, optimum_of
 from babbitt.study.size import Size, size_of
 from babbitt.study.spectrum import SpectrumSummary, spectrum_summary

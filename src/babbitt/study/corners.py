@@ -13,7 +13,8 @@ from babbitt.case.parts.study import StudyBlock, Vary
 from babbitt.core.files.printing import printable
 from babbitt.core.notices import InputError
 from babbitt.core.units import SiNumber
-from babbitt.study.inputs import Input, present_quantity
+from babbitt.study.fields import present_quantity
+from babbitt.study.inputs import Input
 from babbitt.study.laws import Choices
 
 __all__ = ["CASES", "CORNER_RESULTS", "at_all_clearances", "clearance_input", "default_oil"]

@@ -3,53 +3,41 @@
 from __future__ import annotations
 
 import csv
-import typing
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.case.aliases import parts_in
 from babbitt.case.case_file import CaseFile
-from babbitt.case.field_types import attributes_of_field, field_annotations, quantity_in
 from babbitt.case.named_files import NamedFiles, TableError
-from babbitt.case.part import Part
 from babbitt.case.parts.clearance import FitClearance
-from babbitt.case.parts.fields import WholeNumber
 from babbitt.case.parts.study import StudyBlock, Vary
-from babbitt.case.suggestions import near_typo
 from babbitt.case.variation import variation_of
 from babbitt.core.files.spreadsheet import read_rows
 from babbitt.core.notices import InputError
-from babbitt.core.units import KINDS, QuantityError, SiField, SiNumber, read
-from babbitt.core.units.kinds import Kind
+from babbitt.core.units import KINDS, SiNumber
 from babbitt.properties.fits import tolerance_limits
 from babbitt.properties.lubricants import Lubricant, viscosity_index
+from babbitt.study.fields import (
+    NUMERIC_FORMS,
+    FieldReader,
+    annotations_of,
+    meaning_of,
+    numeric_field,
+    part_in,
+    path_in,
+    refused,
+)
 from babbitt.study.laws import CUT, Choices, Difference, HalfNormal, Law, Listed, Normal, Triangular, Uniform
 from babbitt.study.shares import EVERYWHERE, SHARED, places_of, require_buildable, share_of
 
-__all__ = [
-    "Input",
-    "inputs_of",
-    "meaning_of",
-    "model_of",
-    "numbers_of",
-    "numeric_field",
-    "path_in",
-    "present_quantity",
-    "unknown_field",
-]
+__all__ = ["Input", "inputs_of"]
 
 VG_SCATTER = 0.1
 """Share by which nu40 may differ from that of its viscosity grade (ISO 3448)."""
 
-NUMERIC_FORMS = {
-    "clearance": "vary clearance.mean, or give {fit: H7/e8}",
-    "lubricant": "give a list of oils, or {scatter: vg}",
-}
-"""What to write where a field that holds several values is asked to be distributed."""
 
 LARGEST_TABLE = 20_000_000
 """Bytes of a table of samples."""
@@ -112,7 +100,7 @@ class Input:
         if isinstance(self.law, Listed | Choices):
             return np.array(self.law.values, object if self.is_choice else float)
         says = f"a grid needs values, and this is a distribution ({self.law.words})"
-        raise _refused(self.path, f"{says}; give a list, range or log_range, or ask for kind: tolerance")
+        raise refused(self.path, f"{says}; give a list, range or log_range, or ask for kind: tolerance")
 
     def places(self, value: Any) -> Iterator[tuple[str, Any]]:
         """Every field that a value of the column sets, and what stands in it."""
@@ -153,58 +141,11 @@ def inputs_of(case: CaseFile, block: StudyBlock) -> tuple[Input, ...]:
     return found
 
 
-def path_in(case: CaseFile, path: str) -> str:
-    """A path with bearings by their number, where it names one: ``bearings.Pinion.load``."""
-    origin = case.origin
-    bearings = origin.given.get("bearings") if origin is not None else None
-    if not path.startswith("bearings.") or not isinstance(bearings, list):
-        return path
-    rest = path.removeprefix("bearings.")
-    names = {str(one.get("name")): place for place, one in enumerate(bearings) if isinstance(one, Mapping)}
-    for name in sorted(names, key=len, reverse=True):
-        if rest.startswith(f"{name}."):
-            return f"bearings.{names[name]}.{rest.removeprefix(f'{name}.')}"
-    return path
-
-
-def numbers_of(case: CaseFile, path: str) -> tuple[Callable[[Any], float], Kind]:
-    """What reads the numbers of a field, as a case file has them, into SI, and what kind of quantity they are.
-
-    Raises
-    ------
-    InputError
-        For a path that leads to no field, or to one that takes no quantity.
-    """
-    _, quantity = numeric_field(_annotations(case, path))
-    if quantity is None:
-        hint = NUMERIC_FORMS.get(path.rpartition(".")[2], "give a list of its values")
-        raise _refused(path, f"takes no quantity, such as a load; {hint}")
-    return _Reader(path, quantity.unit), quantity.kind
-
-
-def present_quantity(case: CaseFile, path: str) -> float | None:
-    """What a case has in a field, in SI; None where it has nothing, or no quantity."""
-    try:
-        _, quantity = numeric_field(_annotations(case, path))
-        given = variation_of(case, path_in(case, path)).present
-        return None if quantity is None or given is None else read(given, quantity.unit)
-    except (InputError, QuantityError):
-        return None
-
-
-def _annotations(case: CaseFile, path: str) -> tuple[Any, ...]:
-    field = path_in(case, path)
-    found = field_annotations(model_of(case), field.split("."))
-    if not found:
-        raise _refused(path, unknown_field(case, field))
-    return found
-
-
 def _input(case: CaseFile, path: str, given: Vary) -> Input:
     if path.startswith(EVERYWHERE):
         return _share(case, path, given)
     field = path_in(case, path)
-    annotations = _annotations(case, path)
+    annotations = annotations_of(case, path)
     meaning = meaning_of(case, path, field)
     if given.fit is not None:
         return _fit(case, path, field, given, meaning)
@@ -219,27 +160,15 @@ def _input(case: CaseFile, path: str, given: Vary) -> Input:
     return Input(path, field, law, shown, meaning, reason, given.table or "", form)
 
 
-def numeric_field(annotations: Sequence[Any]) -> tuple[str, SiField | None]:
-    """Whether a field takes a ``quantity`` or ``whole`` numbers, or neither (empty), and which quantity."""
-    quantity = next((one for one in map(quantity_in, annotations) if isinstance(one, SiField)), None)
-    whole = any(isinstance(one, WholeNumber) for annotation in annotations for one in _metadata(annotation))
-    return ("quantity" if quantity is not None else "whole" if whole else ""), quantity
-
-
-def meaning_of(case: CaseFile, path: str, field: str) -> str:
-    """What a field means, in words."""
-    return attributes_of_field(model_of(case), field.split(".")).get("long_name", path)
-
-
 def _share(case: CaseFile, path: str, given: Vary) -> Input:
     """A quantity in all places where the case gives it, by its share of what stands there."""
     name = path.removeprefix(EVERYWHERE)
     there = ", ".join(f"{EVERYWHERE}{one}" for one in SHARED)
     if name not in SHARED:
-        raise _refused(path, f"names nothing that is varied everywhere; there are: {there}")
+        raise refused(path, f"names nothing that is varied everywhere; there are: {there}")
     places = places_of(case, name)
     if not places:
-        raise _refused(path, f"the case gives no {' or '.join(SHARED[name])}")
+        raise refused(path, f"the case gives no {' or '.join(SHARED[name])}")
     law, reason = _law(case, path, given, "1")
     meaning = f"Share of {', '.join(places)} of the case"
     return Input(path, path, law, "", meaning, reason, given.table or "", "share", places)
@@ -247,7 +176,7 @@ def _share(case: CaseFile, path: str, given: Vary) -> Input:
 
 def _law(case: CaseFile, path: str, given: Vary, unit: str) -> tuple[Law, str]:
     """The distribution of a quantity, and its reason."""
-    number = _Reader(path, unit)
+    number = FieldReader(path, unit)
     stated = "stated in the study"
     if given.values is not None:
         return Listed(tuple(number(one) for one in given.values)), stated
@@ -274,16 +203,16 @@ def _law(case: CaseFile, path: str, given: Vary, unit: str) -> tuple[Law, str]:
     return Listed(_column(case, path, given.table, number)), f"samples in {given.table}"
 
 
-def _spaced(number: _Reader, given: Vary) -> Listed:
+def _spaced(number: FieldReader, given: Vary) -> Listed:
     """Values in equal steps, or in equal ratios."""
     logarithmic = given.log_range is not None
     first_given, last_given, count = given.log_range or given.range or ("", "", 0)
     first, last = number(first_given), number(last_given)
     name = "log_range" if logarithmic else "range"
     if first == last:
-        raise _refused(number.path, f"{name} [{first_given}, {last_given}] is empty: both ends are the same")
+        raise refused(number.path, f"{name} [{first_given}, {last_given}] is empty: both ends are the same")
     if logarithmic and not first * last > 0.0:
-        raise _refused(number.path, f"log_range [{first_given}, {last_given}] needs two ends above zero")
+        raise refused(number.path, f"log_range [{first_given}, {last_given}] needs two ends above zero")
     values = np.geomspace(first, last, count) if logarithmic else np.linspace(first, last, count)
     return Listed(tuple(values.tolist()), f"{count} values")
 
@@ -293,12 +222,12 @@ def _choices(path: str, field: str, given: Vary, meaning: str) -> Input:
     if given.values is None:
         law = next(name for name in type(given).model_fields if getattr(given, name) is not None)
         hint = NUMERIC_FORMS.get(field.rpartition(".")[2], "give a list of its values")
-        raise _refused(path, f"is not numeric, so that '{law}' says nothing of it; {hint}")
+        raise refused(path, f"is not numeric, so that '{law}' says nothing of it; {hint}")
     if any(isinstance(one, str | bool | int | float | Mapping) is False for one in given.values):
-        raise _refused(path, "takes words, numbers or mappings in a list")
+        raise refused(path, "takes words, numbers or mappings in a list")
     labels = tuple(_label(one) for one in given.values)
     if len(set(labels)) < len(labels):
-        raise _refused(path, "has a value twice in its list")
+        raise refused(path, "has a value twice in its list")
     known = dict(zip(labels, given.values, strict=True))
     return Input(path, field, Choices(labels), "", meaning, "stated in the study", "", "choice", known)
 
@@ -313,16 +242,16 @@ def _label(value: Any) -> str:
 def _fit(case: CaseFile, path: str, field: str, given: Vary, meaning: str) -> Input:
     """The clearance of a fit: bore and journal each within its ISO 286 zone, independent of each other."""
     if field.rpartition(".")[2] != "clearance":
-        raise _refused(path, "is no clearance, so that it has no fit; write clearance: {fit: H7/e8}")
+        raise refused(path, "is no clearance, so that it has no fit; write clearance: {fit: H7/e8}")
     bore, stroke, journal = str(given.fit).partition("/")
-    diameter = getattr(_part_at(case, field.split(".")[:-1]), "diameter", None)
+    diameter = getattr(part_in(case, field.split(".")[:-1]), "diameter", None)
     if not stroke or diameter is None:
-        raise _refused(path, f"'{given.fit}' is no fit; write bore and journal class as in H7/e8")
+        raise refused(path, f"'{given.fit}' is no fit; write bore and journal class as in H7/e8")
     try:
         FitClearance(kind="fit", bore=bore.strip(), journal=journal.strip()).at_20_degrees(diameter)
         zones = [tolerance_limits(one.strip(), diameter) for one in (bore, journal)]
     except InputError as error:
-        raise _refused(path, error.message) from None
+        raise refused(path, error.message) from None
     laws: list[Normal | Uniform] = []
     for zone in zones:
         if given.law == "uniform":
@@ -338,15 +267,15 @@ def _fit(case: CaseFile, path: str, field: str, given: Vary, meaning: str) -> In
 
 def _oil(case: CaseFile, path: str, field: str) -> Input:
     """The scatter of an oil about its viscosity grade: nu40 varies, viscosity index and density stay."""
-    part = _part_at(case, field.split("."))
+    part = part_in(case, field.split("."))
     if not hasattr(part, "lubricant"):
-        raise _refused(path, "is no lubricant, so that it has no viscosity grade; write lubricant: {scatter: vg}")
+        raise refused(path, "is no lubricant, so that it has no viscosity grade; write lubricant: {scatter: vg}")
     found: Lubricant = part.lubricant()
     try:
         nu40, nu100 = (float(found.kinematic_viscosity(kelvin)) for kelvin in (313.15, 373.15))
         index = viscosity_index(nu40, nu100)
     except InputError as error:
-        raise _refused(path, f"the oil has no viscosity index: {error.message}") from None
+        raise refused(path, f"the oil has no viscosity index: {error.message}") from None
     known: dict[str, Any] = {
         "kind": "viscosity_index",
         "name": found.name,
@@ -365,25 +294,7 @@ def _oil(case: CaseFile, path: str, field: str) -> Input:
     return Input(path, field, law, "m2/s", meaning, reason, "", "viscosity", known)
 
 
-class _Reader:
-    """Reads the numbers of one field."""
-
-    def __init__(self, path: str, unit: str) -> None:
-        self.path, self.unit = path, unit
-
-    def __call__(self, given: Any, unit: str = "") -> float:
-        field = SiField(unit or self.unit)
-        try:
-            return field.as_written(given)
-        except QuantityError as error:
-            raise _refused(self.path, str(error)) from None
-
-    def difference(self, given: Any) -> float:
-        """A standard deviation: of temperatures a difference, which 0 degC is not."""
-        return self(given, "K difference" if self.unit == "K" else "")
-
-
-def _column(case: CaseFile, path: str, name: str, number: _Reader) -> tuple[float, ...]:
+def _column(case: CaseFile, path: str, name: str, number: FieldReader) -> tuple[float, ...]:
     """A column of a table of samples, headed by the path of its field and its unit in brackets."""
     origin = case.origin
     assert origin is not None, "only a case that was read is varied"
@@ -392,17 +303,17 @@ def _column(case: CaseFile, path: str, name: str, number: _Reader) -> tuple[floa
         text = NamedFiles(origin.file.parent, origin.reach).text(name, ("vary", path), LARGEST_TABLE, example)
         rows = read_rows(text)
     except (TableError, csv.Error) as error:
-        raise _refused(path, str(error)) from None
+        raise refused(path, str(error)) from None
     heads = [head.partition("[")[0].strip() for head in rows[0]] if rows else []
     if path not in heads:
         there = ", ".join(heads) or "none"
-        raise _refused(path, f"{name} has no column of that name; there are: {there}; write {example}")
+        raise refused(path, f"{name} has no column of that name; there are: {there}; write {example}")
     place = heads.index(path)
     unit = rows[0][place].partition("[")[2].rstrip("] ").strip()
     values = [row[place].strip() if place < len(row) else "" for row in rows[1:] if any(map(str.strip, row))]
     found = tuple(number(f"{value} {unit}".strip()) for value in values)
     if not found:
-        raise _refused(path, f"{name} has no samples")
+        raise refused(path, f"{name} has no samples")
     return found
 
 
@@ -418,7 +329,7 @@ def _require_possible(case: CaseFile, one: Input) -> None:
                 return
             except InputError as error:
                 refusals.append(error)
-        raise _refused(one.path, f"takes none of its values: {refusals[0].message}")
+        raise refused(one.path, f"takes none of its values: {refusals[0].message}")
     low, high = one.law.support  # type: ignore[union-attr]
     for value, side in ((low, "smallest"), (high, "largest")):
         try:
@@ -426,65 +337,9 @@ def _require_possible(case: CaseFile, one: Input) -> None:
         except InputError as error:
             shown = f"{value:.6g} {one.unit}".strip()
             says = f"the {side} value {shown} of its distribution ({one.law.words}) is not possible"
-            raise _refused(one.path, f"{says}: {error.message}") from None
+            raise refused(one.path, f"{says}: {error.message}") from None
 
 
 def _require_order(path: str, law: str, given: Sequence[Any], holds: bool, allowed: str = "rising values") -> None:
     if not holds:
-        raise _refused(path, f"{law} [{', '.join(map(str, given))}] is not possible; allowed: {allowed}")
-
-
-def unknown_field(case: CaseFile, field: str) -> str:
-    """Say how far a path leads, and what is near."""
-    steps = field.split(".")
-    if not all(steps):
-        return "names no field; write it as load, or clearance.mean"
-    known = 0
-    while known < len(steps) and field_annotations(model_of(case), steps[: known + 1]):
-        known += 1
-    name = steps[known]
-    names = _names_at(case, steps[:known])
-    meant = near_typo(name, names)
-    where = f" of {'.'.join(steps[:known])}" if known else ""
-    hint = (
-        f"did you mean '{meant}'?"
-        if meant
-        else f"there are: {', '.join(names)}"
-        if names
-        else f"'{'.'.join(steps[:known])}' holds one value"
-    )
-    return f"'{name}' is no field{where}; {hint}"
-
-
-def _names_at(case: CaseFile, steps: Sequence[str]) -> list[str]:
-    if not steps:
-        return list(model_of(case).model_fields)
-    parts = [part for one in field_annotations(model_of(case), steps) for part in parts_in(one)]
-    return list(dict.fromkeys(name for part in parts for name in part.model_fields))
-
-
-def _metadata(annotation: Any) -> Iterable[Any]:
-    yield from getattr(annotation, "__metadata__", ())
-    for one in typing.get_args(annotation):
-        yield from _metadata(one)
-
-
-def model_of(case: CaseFile) -> type[Part]:
-    """The case model: that of the language, of a case of the Python front door, too."""
-    model: type[Part] = getattr(case, "model", type(case))
-    return model
-
-
-def _part_at(case: CaseFile, steps: Sequence[str]) -> Any:
-    """What a path leads to in a case that was read; None where there is nothing."""
-    place: Any = case
-    for step in steps:
-        if isinstance(place, tuple) and step.isdecimal() and int(step) < len(place):
-            place = place[int(step)]
-        else:
-            place = getattr(place, step, None)
-    return place
-
-
-def _refused(path: str, says: str) -> InputError:
-    return InputError("E003", f"study.vary.{path}: {says}")
+        raise refused(path, f"{law} [{', '.join(map(str, given))}] is not possible; allowed: {allowed}")

@@ -6,7 +6,7 @@ from babbitt.case.case_file import CaseFile
 from babbitt.case.parts.study import StudyBlock, Vary
 from babbitt.core.kind import SPEED_AND_LOAD, find_kind
 from babbitt.core.notices import InputError
-from babbitt.study.inputs import numbers_of, present_quantity
+from babbitt.study.fields import numbers_of, present_quantity
 from babbitt.study.shares import EVERYWHERE, SHARED, places_of
 
 __all__ = ["FROM", "TO", "default_axes"]

@@ -16,7 +16,7 @@ from babbitt.case.parts.study import StudyBlock, Vary
 from babbitt.core.notices import InputError
 from babbitt.core.result import Verdict
 from babbitt.study.appraisal import ALL_LIMITS
-from babbitt.study.inputs import numbers_of, present_quantity
+from babbitt.study.fields import numbers_of, present_quantity
 from babbitt.study.permitted import Interval, Trial, find_permitted
 from babbitt.study.rows import Columns, RowTask, joined
 from babbitt.study.size_choices import preferred_numbers, standard_choices

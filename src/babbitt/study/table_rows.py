@@ -16,7 +16,8 @@ from babbitt.case.named_files import NamedFiles, TableError
 from babbitt.case.with_units import quantity_text
 from babbitt.core.notices import InputError
 from babbitt.core.units import KINDS, QuantityError, SiField, SiNumber, read
-from babbitt.study.inputs import Input, meaning_of, model_of, numeric_field, path_in, unknown_field
+from babbitt.study.fields import meaning_of, model_of, numeric_field, path_in, unknown_field
+from babbitt.study.inputs import Input
 from babbitt.study.laws import Choices, Listed
 from babbitt.study.table_cells import LARGEST_TABLE, BearingTable, Cell, table_of_content
 
