@@ -20,8 +20,9 @@ from babbitt.case.loading import load_case
 from babbitt.case.parts.study import StudyBlock
 from babbitt.core.units import AS_WRITTEN
 from babbitt.study import grids
+from babbitt.study.plan import plan
 from babbitt.study.rows import solved_one_by_one, solved_rows
-from babbitt.study.study import plan, run_study
+from babbitt.study.study import run_study
 
 CASE = Path(__file__).parents[1] / "examples" / "studies" / "bearing.yaml"
 

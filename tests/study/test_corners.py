@@ -10,7 +10,8 @@ from babbitt.case import parse_case, template
 from babbitt.core.notices import InputError
 from babbitt.report.study_content import study_tables
 from babbitt.solving import solve
-from babbitt.study.study import case_of, plan, run_study
+from babbitt.study.plan import plan
+from babbitt.study.study import case_of, run_study
 
 FIT = {"kind": "fit", "bore": "H7", "journal": "e8"}
 OIL = (48.0, 58.0, 68.0)

@@ -15,7 +15,8 @@ from babbitt.core.notices import InputError
 from babbitt.core.result import Outcome
 from babbitt.report.study_content import study_tables
 from babbitt.solving import solve
-from babbitt.study.study import case_of, plan, run_study
+from babbitt.study.plan import plan
+from babbitt.study.study import case_of, run_study
 from babbitt.study.yields import WITHIN
 
 POINTS = {"hydrostatic_thrust_ring": 3, "hydrostatic_journal": 3, "thrust_line": 3}

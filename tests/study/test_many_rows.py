@@ -10,8 +10,8 @@ from studied_cases import JOURNAL, block
 from babbitt.case.loading import case_from_dict
 from babbitt.kinds.journal.study import many_rows
 from babbitt.study import grids
+from babbitt.study.plan import plan
 from babbitt.study.rows import solved_one_by_one
-from babbitt.study.study import plan
 
 OPERATION = {
     "load": {"uniform": ["4 kN", "60 kN"]},

@@ -14,9 +14,10 @@ from babbitt.study.indices import indices_of, slopes_of
 from babbitt.study.inputs import inputs_of
 from babbitt.study.laws import Normal
 from babbitt.study.optimum import optimum_of
+from babbitt.study.plan import plan
 from babbitt.study.sampling import batch_sizes, sampled
 from babbitt.study.spectrum import spectrum_summary
-from babbitt.study.study import case_of, plan, run_study
+from babbitt.study.study import case_of, run_study
 from babbitt.study.yields import tolerance_summary, yield_of
 
 THIN = {"outlet_film": {"normal": ["22 um", "2 um"]}, "viscosity": {"uniform": ["20 mPa s", "40 mPa s"]}}

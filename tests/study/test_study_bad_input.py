@@ -6,7 +6,7 @@ import pytest
 from studied_cases import block, journal
 
 from babbitt.core.notices import InputError
-from babbitt.study.study import plan, require_possible
+from babbitt.study.plan import plan, require_possible
 
 GRIDS = ("sweep", "size", "map")
 LAWS = ("tolerance", "sensitivity", "optimise")

@@ -14,8 +14,9 @@ from studied_cases import block, journal
 from babbitt.core.notices import InputError
 from babbitt.study.engine import Engine, InterruptedStudyError, NoWatch
 from babbitt.study.grids import corners, joint_sample, nominal, stacked
+from babbitt.study.plan import plan
 from babbitt.study.store import Store
-from babbitt.study.study import case_of, open_study, plan, run_study
+from babbitt.study.study import case_of, open_study, run_study
 from babbitt.study.workers import Alone, Given
 
 VARY = {"viscosity": {"uniform": ["20 mPa s", "40 mPa s"]}, "outlet_film": {"normal": ["25 um", "3 um"]}}

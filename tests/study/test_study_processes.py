@@ -15,7 +15,8 @@ import yaml
 from studied_cases import JOURNAL, block, journal
 from test_study_engine import same, with_chunks
 
-from babbitt.study.study import open_study, plan, run_study
+from babbitt.study.plan import plan
+from babbitt.study.study import open_study, run_study
 from babbitt.study.workers import Cluster, Processes
 
 pytestmark = pytest.mark.slow

@@ -11,7 +11,7 @@ from babbitt.api.studies import Study, run
 from babbitt.case.with_units import quantity_text
 from babbitt.core.units import KINDS
 from babbitt.study.design import duty_study
-from babbitt.study.study import plan
+from babbitt.study.plan import plan
 
 __all__ = ["design_bearing"]
 

@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Any
 from babbitt.api.studies import scalar
 from babbitt.case.loading import located
 from babbitt.core.notices import InputError
+from babbitt.study.plan import plan
 from babbitt.study.size import Size, size_block, size_of
-from babbitt.study.study import plan, run_study
+from babbitt.study.study import run_study
 
 if TYPE_CHECKING:
     from babbitt.api.case import Case

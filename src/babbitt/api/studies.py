@@ -27,6 +27,7 @@ from babbitt.study.engine import InterruptedStudyError
 from babbitt.study.fields import path_in
 from babbitt.study.indices import Indices, indices_of
 from babbitt.study.optimum import Optimum, optimum_of
+from babbitt.study.plan import Plan, plan, plan_table
 from babbitt.study.size import Size, size_of
 from babbitt.study.spectrum import SpectrumSummary, spectrum_summary
 from babbitt.study.table_cells import read_table, table_of_columns
@@ -184,7 +185,7 @@ def studied(
     """Study a case; arguments are those of `babbitt.api.case.Case.study`."""
     complete = case.complete()
     block = _block(complete, kind, vary, outputs, samples, options)
-    return run(complete, engine.plan(complete, block), out, workers, type(case).of)
+    return run(complete, plan(complete, block), out, workers, type(case).of)
 
 
 def solved_table(
@@ -196,12 +197,12 @@ def solved_table(
 ) -> Study:
     """Solve the rows of a table; arguments are those of `babbitt.api.case.Case.solve_table`."""
     rows = read_table(Path(table)) if isinstance(table, str | Path) else table_of_columns(table)
-    return run(case, engine.plan_table(case.complete(), rows, outputs), out, workers, type(case).of)
+    return run(case, plan_table(case.complete(), rows, outputs), out, workers, type(case).of)
 
 
 def run(
     case: CaseFile,
-    made: engine.Plan,
+    made: Plan,
     out: str | Path | None,
     workers: int | Executor | str,
     public: Callable[[CaseFile], Any],

@@ -119,7 +119,7 @@ def check(files: Files, allow_outside: AllowOutside = False) -> None:
         studied = ""
         if read.study is not None:
             from babbitt.core.notices import InputError
-            from babbitt.study.study import require_possible
+            from babbitt.study.plan import require_possible
 
             try:
                 _, rows = require_possible(case, read.study)

@@ -73,7 +73,8 @@ def solve_rows(
     from babbitt.report.study_progress import StudyProgress
     from babbitt.report.study_table import print_study
     from babbitt.study.engine import InterruptedStudyError
-    from babbitt.study.study import plan_table, run_study
+    from babbitt.study.plan import plan_table
+    from babbitt.study.study import run_study
     from babbitt.study.table_cells import read_table
     from babbitt.study.yields import WITHIN
 

@@ -128,7 +128,8 @@ def computed(
     from babbitt.report.study_progress import StudyProgress
     from babbitt.study.best_designs import write_designs
     from babbitt.study.engine import InterruptedStudyError
-    from babbitt.study.study import plan, run_study
+    from babbitt.study.plan import plan
+    from babbitt.study.study import run_study
 
     made = plan(case, block)
     count = workers or os.cpu_count() or 1

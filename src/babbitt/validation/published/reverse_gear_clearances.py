@@ -15,7 +15,8 @@ from babbitt.case.parts.study import StudyBlock
 from babbitt.core.result import Result
 from babbitt.core.units import AS_WRITTEN, SiNumber
 from babbitt.solving import solve
-from babbitt.study.study import plan, run_study
+from babbitt.study.plan import plan
+from babbitt.study.study import run_study
 from babbitt.study.yields import tolerance_summary
 from babbitt.validation.case import Comparison, Evidence, Story, ValidationCase
 from babbitt.validation.figure import GREY, INK

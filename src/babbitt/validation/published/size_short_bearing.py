@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING
 from babbitt.case.case_file import CaseFile
 from babbitt.case.loading import case_from_dict
 from babbitt.solving import solve
+from babbitt.study.plan import plan
 from babbitt.study.size import size_block, size_of
-from babbitt.study.study import plan, run_study
+from babbitt.study.study import run_study
 from babbitt.validation.case import Comparison, Story, ValidationCase
 from babbitt.validation.figure import INK, LINES, MARKERS
 from babbitt.validation.published.short_bearing import closed_form

@@ -15,7 +15,8 @@ from babbitt.case.loading import case_from_dict
 from babbitt.case.parts.study import StudyBlock
 from babbitt.core.units import AS_WRITTEN
 from babbitt.study.indices import Indices, indices_of
-from babbitt.study.study import Study, plan, run_study
+from babbitt.study.plan import plan
+from babbitt.study.study import Study, run_study
 from babbitt.study.yields import yield_of
 from babbitt.validation.case import Comparison, Story, ValidationCase
 from babbitt.validation.figure import BAND, GREY, INK
