@@ -1,8 +1,8 @@
-"""How well the hottest place of a bearing is known."""
+"""How well the hottest place and the film thickness of a bearing are known."""
 
 from __future__ import annotations
 
-__all__ = ["UNCERTAIN", "UNCERTAIN_SHARE", "uncertain_temperature"]
+__all__ = ["UNCERTAIN", "UNCERTAIN_FILM", "UNCERTAIN_SHARE", "uncertain_temperature"]
 
 UNCERTAIN, UNCERTAIN_SHARE = 6.0, 0.2
 """By how much the hottest place may be hotter than computed: K, or a share of its rise above the fresh oil where
@@ -10,6 +10,10 @@ that is more. The bearing of Fillon, Bligoud and Frene (1992) lies 0.7 K below t
 and 5.2 K with one of 31 K (`babbitt validate fillon_1992`): misses grow with the rise, up to a sixth of it. A
 fifth, and no less than 6 K, for nothing tells that small rises are known better. Assumption: of one bearing, and
 for thrust pads and films of plain bearings of that one, too."""
+
+UNCERTAIN_FILM = 0.02
+"""Share of the least film thickness by which the grid of ``accuracy: engineering`` may miss it: with temperatures of
+their own, loaded films and those beside grooves around the bore are off by 1 to 2 % (docs/theory/thermal_film.md)."""
 
 
 def uncertain_temperature(hottest: float, supplied: float) -> float:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import operator
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import reduce
 from typing import Any
@@ -13,10 +13,10 @@ from babbitt.core.notices import Notice
 from babbitt.core.result import Check
 from babbitt.design.bounds import FILM_CHECKS
 from babbitt.design.conditions import Limits
-from babbitt.design.kept_temperatures import kept_by_little
+from babbitt.design.kept_limits import about_kept_film, kept_by_little
 from babbitt.numerics.scalar_or_array import functions_for, holds_anywhere, larger
 
-__all__ = ["checks_of_metal", "warnings_about_kept_temperatures", "warnings_about_margins"]
+__all__ = ["checks_of_metal", "warnings_about_kept_limits", "warnings_about_margins"]
 
 THINNER, HOTTER = 0.45, 15.0
 """Margin of the film thickness, and K above the outlet, by which films with temperatures of their own may differ.
@@ -168,10 +168,11 @@ def thinner_oil(check: Check, values: Mapping[str, float], viscosity: Callable[[
     return viscosity(one) / viscosity(larger(loaded, one))
 
 
-def warnings_about_kept_temperatures(
-    checks: Iterable[Check], of_metal: Collection[str], supply_temperature: float
+def warnings_about_kept_limits(
+    checks: Sequence[Check], of_metal: Collection[str], supply_temperature: float
 ) -> Iterator[Notice]:
-    """Limits of the metal that a film with temperatures of its own keeps by less than it can tell; K."""
+    """Limits of metal and film that a film with temperatures of its own keeps by less than it can tell; K."""
+    yield from about_kept_film("W172", checks)
     near = kept_by_little((check for check in checks if check.code in of_metal), supply_temperature)
     if near:
         yield Notice("W172", "kept", {

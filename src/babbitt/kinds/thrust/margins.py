@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from babbitt.core.notices import Notice
 from babbitt.core.result import Check
-from babbitt.design.uncertainty import uncertain_temperature
+from babbitt.design.uncertainty import UNCERTAIN_FILM, uncertain_temperature
 from babbitt.kinds.thrust.design import Oil
 from babbitt.kinds.thrust.temperature_limits import hottest_of_pads
 
@@ -47,7 +47,7 @@ def warnings_about_margins(oil: Oil, checks: Iterable[Check], values: Mapping[st
         return
     one_temperature = not oil.own_temperatures
     shear = shear_heat(values) if one_temperature else 0.0
-    hotter, thinner = HOTTER * shear, min(THINNER * shear, MOST_THINNER)
+    hotter, thinner = HOTTER * shear, max(UNCERTAIN_FILM, min(THINNER * shear, MOST_THINNER))
     near, uncertain = [], uncertain_temperature(hottest(values) + hotter, supplied)
     for check in checks:
         if not check.ok or check.advisory:
@@ -63,7 +63,9 @@ def warnings_about_margins(oil: Oil, checks: Iterable[Check], values: Mapping[st
             "kept": tuple(near), "hotter": hotter, "uncertain": uncertain, "thinner": thinner,
         })  # fmt: skip
     elif near:
-        yield Notice("W215", "own_temperatures", {"kept": tuple(near), "uncertain": uncertain})
+        yield Notice(
+            "W215", "own_temperatures", {"kept": tuple(near), "uncertain": uncertain, "grid": UNCERTAIN_FILM}
+        )
 
 
 def hottest(values: Mapping[str, float]) -> float:

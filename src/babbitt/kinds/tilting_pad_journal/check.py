@@ -42,7 +42,7 @@ from babbitt.kinds.tilting_pad_journal.values import (
 )
 from babbitt.kinds.tilting_pad_journal.warnings import (
     starved_bounds,
-    warnings_about_kept_temperatures,
+    warnings_about_kept_limits,
     warnings_of_solution,
 )
 
@@ -117,7 +117,7 @@ def pad_solution(case: PadCase) -> Solution:
         warnings=(
             *case.warnings,
             *warnings_of_solution(case, films, dynamics, margins, values),
-            *warnings_about_kept_temperatures(films, checks),
+            *warnings_about_kept_limits(films, checks),
             *warnings_about_one_temperature(case, checks, values),
             *about_synchronous_verdict(values, least_decrement(case)[0]),
         ),

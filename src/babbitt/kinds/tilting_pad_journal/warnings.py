@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 from babbitt.core.notices import Notice
 from babbitt.core.result import Check
 from babbitt.design.bounds import FILM_CHECKS, NO_BOUNDS, TEMPERATURE_CHECKS, Bounds
-from babbitt.design.kept_temperatures import kept_by_little
+from babbitt.design.kept_limits import about_kept_film, kept_by_little
 from babbitt.design.warnings import (
     warnings_about_heat_balance,
     warnings_about_heating,
@@ -19,7 +19,7 @@ from babbitt.kinds.tilting_pad_journal.model import PadCase
 from babbitt.kinds.tilting_pad_journal.state import PadFilms
 from babbitt.reynolds.tilting_pads.pivots import LineContact
 
-__all__ = ["starved_bounds", "warnings_about_kept_temperatures", "warnings_of_solution"]
+__all__ = ["starved_bounds", "warnings_about_kept_limits", "warnings_of_solution"]
 
 BORE_CHECKS = ("C108", "C404", "C405")
 """Limits of bores: of the metal, alarm and trip of a probe."""
@@ -97,10 +97,11 @@ def about_unloaded_pads(case: PadCase, films: PadFilms, margins: tuple[PadMargin
             })  # fmt: skip
 
 
-def warnings_about_kept_temperatures(films: PadFilms, checks: Iterable[Check]) -> Iterator[Notice]:
-    """Limits of bores that are kept by less than their films can tell."""
+def warnings_about_kept_limits(films: PadFilms, checks: Sequence[Check]) -> Iterator[Notice]:
+    """Limits of bores and films that are kept by less than their films can tell."""
     if films.thermal is None:
         return
+    yield from about_kept_film("W415", checks)
     of_bore = [check for check in checks if check.code in BORE_CHECKS]
     near = kept_by_little(of_bore, films.thermal.heat.supply_temperature)
     if near:

@@ -65,7 +65,7 @@ from babbitt.kinds.journal.film.values import fills_of, film_values, rows_of, su
 from babbitt.kinds.journal.film.whirl import whirl_of
 from babbitt.kinds.journal.one_temperature import (
     checks_of_metal,
-    warnings_about_kept_temperatures,
+    warnings_about_kept_limits,
     warnings_about_margins,
 )
 from babbitt.reynolds.model import END_DAM, Cavitation
@@ -321,7 +321,7 @@ def _warnings(
         yield from warnings_about_margins(checks, values, metal, viscosity, over_viscosity)
     elif case.oil_supply is not None:
         supplied = case.oil_supply.temperature
-        yield from warnings_about_kept_temperatures(checks, checks_of_metal(case.limits), supplied)
+        yield from warnings_about_kept_limits(checks, checks_of_metal(case.limits), supplied)
     solved = {"W109"} if whirl is not None else set()  # the dynamics of the film are solved for
     yield from (warning for warning in warnings_about_running(case, values, checks) if warning.code not in solved)
 

@@ -1,14 +1,16 @@
-"""Limits of temperature that films with temperatures of their own keep by less than they can tell."""
+"""Limits that films with temperatures of their own keep by less than they can tell."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
+from babbitt.core.notices import Notice
 from babbitt.core.result import Check
-from babbitt.design.uncertainty import uncertain_temperature
+from babbitt.design.bounds import FILM_CHECKS
+from babbitt.design.uncertainty import UNCERTAIN_FILM, uncertain_temperature
 
-__all__ = ["KeptByLittle", "kept_by_little"]
+__all__ = ["KeptByLittle", "about_kept_film", "kept_by_little"]
 
 
 @dataclass(frozen=True)
@@ -43,3 +45,23 @@ def kept_by_little(checks: Iterable[Check], supply_temperature: float) -> tuple[
         if check.ok and not check.advisory and check.limit - check.value < unknown:
             near.append(KeptByLittle(check.code, check.limit - check.value, unknown))
     return tuple(near)
+
+
+def about_kept_film(code: str, checks: Iterable[Check]) -> Iterator[Notice]:
+    """Warn by a code of limits of the film thickness that are kept by less than the grid may miss.
+
+    A limit of zero any film keeps.
+
+    >>> from babbitt.core.result import Bound
+    >>> thin, thick = (Check("C101", "h_min", h, 1e-5, Bound.AT_LEAST, "") for h in (1.01e-5, 2e-5))
+    >>> [notice.values["kept"][0].values["check"] for notice in about_kept_film("W172", (thick, thin))]
+    ['C101']
+    """
+    kept = tuple(
+        Notice(code, "film", {"margin": one.margin, "check": one.code})
+        for one in checks
+        if one.code in FILM_CHECKS and one.ok and not one.advisory
+        if one.limit > 0.0 and one.margin < UNCERTAIN_FILM
+    )
+    if kept:
+        yield Notice(code, "film_kept", {"kept": kept, "uncertain": UNCERTAIN_FILM})
