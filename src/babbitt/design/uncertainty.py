@@ -12,8 +12,10 @@ fifth, and no less than 6 K, for nothing tells that small rises are known better
 for thrust pads and films of plain bearings of that one, too."""
 
 UNCERTAIN_FILM = 0.02
-"""Share of the least film thickness by which the grid of ``accuracy: engineering`` may miss it: with temperatures of
-their own, loaded films and those beside grooves around the bore are off by 1 to 2 % (docs/theory/thermal_film.md)."""
+"""Share of the least film thickness by which the grid of ``accuracy: engineering`` may miss it.
+
+With temperatures of their own, loaded films and those beside grooves around the bore are off by 1 to 2 %
+(docs/theory/thermal_film.md)."""
 
 
 def uncertain_temperature(hottest: float, supplied: float) -> float:
