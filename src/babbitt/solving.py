@@ -9,6 +9,7 @@ from typing import Any
 from babbitt import __version__
 from babbitt.case.case_file import CaseFile
 from babbitt.case.case_hash import case_hash
+from babbitt.case.parts.title_block import TitleBlock
 from babbitt.core.notices import InputError
 from babbitt.core.progress import ProgressCallback, no_progress
 from babbitt.core.result import Result
@@ -34,6 +35,8 @@ class MachineResult:
         The case file as it was read; empty where there was none.
     source, notes : str
         What the case says of itself.
+    title_block : TitleBlock or None
+        Of the report.
     """
 
     name: str
@@ -43,6 +46,7 @@ class MachineResult:
     case_text: str = ""
     source: str = ""
     notes: str = ""
+    title_block: TitleBlock | None = None
 
     @property
     def results(self) -> tuple[Result, ...]:
@@ -98,6 +102,7 @@ def solve(case: CaseFile, progress: ProgressCallback = no_progress) -> MachineRe
         case_text=case.text,
         source=getattr(case, "source", ""),
         notes=getattr(case, "notes", ""),
+        title_block=case.title_block,
     )
 
 

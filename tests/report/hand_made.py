@@ -59,6 +59,7 @@ class HandMadeMachine:
     case_text: str = ""
     source: str = ""
     notes: str = ""
+    title_block: None = None
 
     @property
     def solutions(self) -> tuple[Solution, ...]:

@@ -37,6 +37,7 @@ class Solved:
     case_text: str = ""
     source: str = ""
     notes: str = ""
+    title_block: None = None
 
     @property
     def solutions(self) -> tuple[Solution, ...]:

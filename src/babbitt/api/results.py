@@ -303,7 +303,10 @@ class BearingResult:
         from babbitt.report.document import write_report
         from babbitt.solving import MachineResult
 
-        machine = MachineResult(self.name, (self.solution,), self.case_hash, case_text=self.case_text)
+        block = None if self.case is None else self.case.title_block
+        machine = MachineResult(
+            self.name, (self.solution,), self.case_hash, case_text=self.case_text, title_block=block
+        )
         write_report(machine, Path(path))
 
     def __getattr__(self, name: str) -> Any:

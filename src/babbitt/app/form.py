@@ -20,7 +20,7 @@ __all__ = ["Choice", "Entry", "Group", "Item", "Path", "Rows", "as_text", "form_
 Path = tuple[str | int, ...]
 Schema = Mapping[str, Any]
 
-NOT_SHOWN = ("babbitt", "kind", "study")
+NOT_SHOWN = ("babbitt", "kind", "study", "document")
 """Fields of a case that the page sets itself, or shows elsewhere."""
 
 TEXT, NONE = "text", ""

@@ -13,6 +13,7 @@ from pydantic import Field, PrivateAttr
 from babbitt.case.named_files import NamedFiles
 from babbitt.case.part import Part
 from babbitt.case.parts.study import StudyBlock
+from babbitt.case.parts.title_block import TitleBlock
 from babbitt.core.files.reading import Reach
 from babbitt.core.solution import Calculation
 
@@ -45,6 +46,7 @@ class CaseFile(Part):
     _files: tuple[FilePath, ...] = PrivateAttr(())
     _origin: Origin | None = PrivateAttr(None)
     _study: StudyBlock | None = PrivateAttr(None)
+    _title_block: TitleBlock | None = PrivateAttr(None)
 
     if TYPE_CHECKING:  # fields of every kind, each with its own description
 
@@ -110,6 +112,17 @@ class CaseFile(Part):
         """Give the same case with a study of it."""
         case = self.model_copy()
         case._study = study
+        return case
+
+    @property
+    def title_block(self) -> TitleBlock | None:
+        """What the report of the case says of itself; it changes nothing of the case."""
+        return self._title_block
+
+    def with_title_block(self, block: TitleBlock) -> Self:
+        """Give the same case with the title block of its report."""
+        case = self.model_copy()
+        case._title_block = block
         return case
 
     def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:

@@ -15,7 +15,9 @@ from babbitt.case.document import DocumentError, Node, read_document
 from babbitt.case.error_messages import Path, nearest, shown
 from babbitt.case.kinds import KINDS
 from babbitt.case.named_files import NamedFiles, TableError
+from babbitt.case.part import PartT
 from babbitt.case.parts.study import StudyBlock
+from babbitt.case.parts.title_block import TitleBlock
 from babbitt.case.problems import CaseError, Problem
 from babbitt.core.files.printing import printable
 from babbitt.core.files.reading import Reach
@@ -33,6 +35,9 @@ VERSION = 1
 
 STUDY = "study"
 """Key of the study that stands beside a case."""
+
+DOCUMENT = "document"
+"""Key of the title block of its report."""
 
 BLAMED: dict[str, Path] = {"E202": ("pads", "pivot")}
 """Field to blame for a refusal that a solution shows, by its code."""
@@ -230,9 +235,12 @@ def _case(given: Any, name: str, root: Node | None, files: NamedFiles) -> CaseFi
         if "kind" not in given and STUDY in given and "case" in given:
             says, hint = "kind is missing: the file holds a study of another file", "try babbitt study"
         raise CaseError([_problem(name, root, given, ("kind",), says, ", ".join(KINDS), hint)])
-    study, found = _study_of(given)
-    bearing = {key: value for key, value in given.items() if key != STUDY}
+    study, found = _beside(StudyBlock, STUDY, given)
+    block, wrong = _beside(TitleBlock, DOCUMENT, given)
+    found += wrong
+    bearing = {key: value for key, value in given.items() if key not in (STUDY, DOCUMENT)}
     try:
+        block = block and block.with_picture(files, (DOCUMENT, "logo"))
         model = KINDS[kind]
         read = model.with_named_files(bearing, files)
         case = model.model_validate(read, context=AS_WRITTEN).with_files(tuple(files.taken))
@@ -243,17 +251,18 @@ def _case(given: Any, name: str, root: Node | None, files: NamedFiles) -> CaseFi
     if found:
         raise CaseError(problems_of(found, given, name, root))
     made = case.with_origin(Origin(bearing, files.folder / FilePath(name).name, files.reach))
+    made = made if block is None else made.with_title_block(block)
     return made if study is None else made.with_study(study)
 
 
-def _study_of(given: Mapping[str, Any]) -> tuple[StudyBlock | None, list[ErrorDetails]]:
-    """The study that stands beside a case, and what is wrong with it; None where there is none."""
-    if STUDY not in given:
+def _beside(part: type[PartT], key: str, given: Mapping[str, Any]) -> tuple[PartT | None, list[ErrorDetails]]:
+    """What stands beside a case under a key, and what is wrong with it; None where there is none."""
+    if key not in given:
         return None, []
     try:
-        return StudyBlock.model_validate(given[STUDY], context=AS_WRITTEN), []
+        return part.model_validate(given[key], context=AS_WRITTEN), []
     except ValidationError as error:
-        return None, [{**one, "loc": (STUDY, *one["loc"])} for one in error.errors(include_url=False)]
+        return None, [{**one, "loc": (key, *one["loc"])} for one in error.errors(include_url=False)]
 
 
 def problems_of(

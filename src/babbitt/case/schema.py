@@ -28,7 +28,7 @@ def case_schema() -> dict[str, Any]:
 
     drawn = TypeAdapter(any_case()).json_schema()
     define_methods(drawn["$defs"])
-    define_study(drawn)
+    define_blocks(drawn)
     return {
         "$schema": GenerateJsonSchema.schema_dialect,
         "title": "Babbitt case",
@@ -47,19 +47,21 @@ def define_methods(definitions: dict[str, Any]) -> None:
                 ways[place] = {"$ref": f"#/$defs/{way['title']}"}
 
 
-def define_study(drawn: dict[str, Any]) -> None:
-    """Let a study stand beside a case of any kind."""
+def define_blocks(drawn: dict[str, Any]) -> None:
+    """Let a study and a title block stand beside a case of any kind."""
     from pydantic import TypeAdapter
 
-    from babbitt.case.loading import STUDY
+    from babbitt.case.loading import DOCUMENT, STUDY
     from babbitt.case.parts.study import StudyBlock
+    from babbitt.case.parts.title_block import TitleBlock
 
-    block = TypeAdapter(StudyBlock).json_schema(ref_template="#/$defs/{model}")
-    drawn["$defs"] |= block.pop("$defs")
-    drawn["$defs"][StudyBlock.__name__] = block
-    for reference in drawn["discriminator"]["mapping"].values():
-        case = drawn["$defs"][reference.rpartition("/")[2]]
-        case["properties"][STUDY] = {"$ref": f"#/$defs/{StudyBlock.__name__}"}
+    for key, part in ((STUDY, StudyBlock), (DOCUMENT, TitleBlock)):
+        block = TypeAdapter(part).json_schema(ref_template="#/$defs/{model}")
+        drawn["$defs"] |= block.pop("$defs")
+        drawn["$defs"][part.__name__] = block
+        for reference in drawn["discriminator"]["mapping"].values():
+            case = drawn["$defs"][reference.rpartition("/")[2]]
+            case["properties"][key] = {"$ref": f"#/$defs/{part.__name__}"}
 
 
 def shipped_schema() -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import sys
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -13,6 +13,9 @@ from babbitt.cli.app import NO_SOLUTION, NOT_PASSED, AllowOutside, Files, app, r
 from babbitt.cli.interruption import INTERRUPTED, raised_interrupts
 from babbitt.cli.upgrading import report_former_places
 from babbitt.core.files.printing import printable
+
+if TYPE_CHECKING:
+    from babbitt.case.case_file import CaseFile
 
 __all__ = ["check", "export", "solve", "sweep"]
 
@@ -25,6 +28,13 @@ def solve(
     ] = None,
     report: Annotated[
         Path | None, typer.Option(metavar="OUT", help="Write the report: OUT.pdf or OUT.html.")
+    ] = None,
+    document: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="FIELD=VALUE",
+            help="With --report: a field of its title block, such as revision=B; once for each.",
+        ),
     ] = None,
     plots: Annotated[Path | None, typer.Option(metavar="DIR", help="Write the plots into a folder.")] = None,
     fields: Annotated[
@@ -57,7 +67,7 @@ def solve(
     if table is not None or csv is not None or xlsx is not None or workers is not None:
         from babbitt.cli.solving_table import require_table, solve_rows
 
-        unread = {"--json": json, "--plots": plots, "--fields": fields}
+        unread = {"--json": json, "--plots": plots, "--fields": fields, "--document": document}
         rows = require_table(table, files, unread)
         solve_rows(files[0], rows, (csv, xlsx, report), workers, strict, reach(allow_outside))
         return
@@ -68,6 +78,7 @@ def solve(
     from babbitt.solving import solve as solve_case
 
     cases = load_cases(files, reach(allow_outside))  # every problem of every file first; nothing is written before
+    cases = _with_title_blocks(cases, document, report)
     plan = outputs(files, json, report, plots, fields, [table for case in cases for table in case.files])
     if fields is not None:
         from babbitt.report.fields import require_films
@@ -95,6 +106,21 @@ def solve(
         raise typer.Exit(NO_SOLUTION)
     if strict and not all(machine.within_limits for machine in machines):
         raise typer.Exit(NOT_PASSED)
+
+
+def _with_title_blocks(
+    cases: tuple[CaseFile, ...], document: list[str] | None, report: Path | None
+) -> tuple[CaseFile, ...]:
+    """The cases with what the command line says of their reports."""
+    if not document:
+        return cases
+    from babbitt.core.notices import InputError
+    from babbitt.report.title_block import title_block_of_options
+
+    if report is None:
+        raise InputError("E007", "--document is of a report, and there is none; add --report OUT.pdf")
+    blocks = [title_block_of_options(case.title_block, document) for case in cases]
+    return tuple(case.with_title_block(block) for case, block in zip(cases, blocks, strict=True))
 
 
 @app.command()

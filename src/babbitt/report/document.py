@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import datetime
 import json
 from collections.abc import Iterator
 from pathlib import Path
@@ -14,6 +15,7 @@ from babbitt.core.notices import InputError
 from babbitt.report.content import content
 from babbitt.report.drawing import missing_extra
 from babbitt.report.text import needs_system_fonts
+from babbitt.report.title_block import title_content
 
 if TYPE_CHECKING:
     from babbitt.solving import MachineResult
@@ -66,9 +68,10 @@ def report(machine: MachineResult, report_format: Format) -> bytes:
     Returns
     -------
     bytes
-        Equal for equal input: no date, no time, no name of the computer.
+        Equal for equal input and date: no time, no name of the computer.
     """
-    return typeset(content(machine), "report.typ", report_format)
+    title = title_content(machine.title_block, datetime.date.today())
+    return typeset(content(machine) | {"title": title}, "report.typ", report_format)
 
 
 def typeset(data: Any, template: str, report_format: Format) -> bytes:
@@ -107,7 +110,7 @@ def _texts(data: Any) -> Iterator[str]:
         yield data
     elif isinstance(data, dict):
         for key, part in data.items():
-            if key not in ("svg", "symbol", "formula", "substituted", "heading", "number"):
+            if key not in ("svg", "bytes", "symbol", "formula", "substituted", "heading", "number"):
                 yield from _texts(part)
     elif isinstance(data, list | tuple):
         for part in data:
