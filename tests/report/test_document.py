@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import sys
 from dataclasses import dataclass, replace
+from functools import partial
 from html.parser import HTMLParser
 
 import gear_cases
@@ -13,16 +14,20 @@ from hand_made import PUBLISHED, HandMadeMachine, HandMadeProblem, hand_made_res
 
 from babbitt.core.files import writing
 from babbitt.core.notices import InputError
+from babbitt.core.report_level import Level
 from babbitt.core.result import Outcome, Result
 from babbitt.core.result_name import ResultName
 from babbitt.core.solution import Solution
 from babbitt.kinds.journal.iso7902 import DesignCase, check
 from babbitt.kinds.journal.iso7902.model import PrescribedLoad
 from babbitt.report.content import content
-from babbitt.report.document import report, write_report
+from babbitt.report.document import report as typeset_report
+from babbitt.report.document import write_report
 
 pytest.importorskip("typst")
 pytest.importorskip("matplotlib")
+
+report = partial(typeset_report, level=Level.FULL)
 
 
 @dataclass(frozen=True)

@@ -185,11 +185,12 @@ def test_the_calculation_is_in_the_report(name):
 
 
 def test_the_report_is_typeset():
+    from babbitt.core.report_level import Level
     from babbitt.report.document import report
 
     machine = solve(parse_case(CASES["journal"]))
     assert report(machine, "pdf")[:4] == b"%PDF"
-    assert "The centred journal" in report(machine, "html").decode()
+    assert "The centred journal" in report(machine, "html", Level.FULL).decode()
 
 
 def test_where_nothing_turns_no_speed_is_told():

@@ -174,8 +174,8 @@ class MachineResults:
         data = ResultSet(names, self.results, (len(self),)).to_xarray()
         return data.rename({"point": "result"}).rename({f"{part}_name": part for part in PARTS})
 
-    def write_report(self, path: str | Path) -> None:
-        """Write the report of the machine, as PDF or HTML by the suffix.
+    def write_report(self, path: str | Path, level: str = "standard") -> None:
+        """Write the report of the machine, as PDF or HTML by the suffix (`babbitt.report.document.write_report`).
 
         Raises
         ------
@@ -184,7 +184,7 @@ class MachineResults:
         """
         from babbitt.report.document import write_report
 
-        write_report(self.machine, Path(path))
+        write_report(self.machine, Path(path), level)
 
     def __repr__(self) -> str:
         rows = self._rows()

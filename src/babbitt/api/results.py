@@ -292,7 +292,7 @@ class BearingResult:
 
         return frame_of([{}], [self])
 
-    def write_report(self, path: str | Path) -> None:
+    def write_report(self, path: str | Path, level: str = "standard") -> None:
         """Write the report, as PDF or HTML by the suffix (`babbitt.report.document.write_report`).
 
         Raises
@@ -307,7 +307,7 @@ class BearingResult:
         machine = MachineResult(
             self.name, (self.solution,), self.case_hash, case_text=self.case_text, title_block=block
         )
-        write_report(machine, Path(path))
+        write_report(machine, Path(path), level)
 
     def __getattr__(self, name: str) -> Any:
         if name.startswith("_") or "solution" not in self.__dict__:  # copying and pickling ask before all is there

@@ -13,6 +13,7 @@ from babbitt.cli.app import NO_SOLUTION, NOT_PASSED, AllowOutside, Files, app, r
 from babbitt.cli.interruption import INTERRUPTED, raised_interrupts
 from babbitt.cli.upgrading import report_former_places
 from babbitt.core.files.printing import printable
+from babbitt.core.report_level import Level
 
 if TYPE_CHECKING:
     from babbitt.case.case_file import CaseFile
@@ -36,6 +37,13 @@ def solve(
             help="With --report: a field of its title block, such as revision=B; once for each.",
         ),
     ] = None,
+    report_level: Annotated[
+        Level,
+        typer.Option(
+            help="summary: a page a machine; standard: inputs, results, checks and figures of every bearing; "
+            "full: calculation and case file, too.",
+        ),
+    ] = Level.STANDARD,
     plots: Annotated[Path | None, typer.Option(metavar="DIR", help="Write the plots into a folder.")] = None,
     fields: Annotated[
         Path | None, typer.Option(metavar="OUT", help="Write the fields of the films as NetCDF: OUT.nc.")
@@ -79,7 +87,9 @@ def solve(
 
     cases = load_cases(files, reach(allow_outside))  # every problem of every file first; nothing is written before
     cases = _with_title_blocks(cases, document, report)
-    plan = outputs(files, json, report, plots, fields, [table for case in cases for table in case.files])
+    plan = outputs(
+        files, json, report, plots, fields, [table for case in cases for table in case.files], report_level
+    )
     if fields is not None:
         from babbitt.report.fields import require_films
 

@@ -39,7 +39,7 @@ WARNING_HEADINGS = {
 
 
 def bearing_content(chapter: Chapter) -> Data:
-    """Everything that the report says of one bearing.
+    """What the report says of one bearing, but for calculation and figures.
 
     Parameters
     ----------
@@ -77,14 +77,6 @@ def bearing_content(chapter: Chapter) -> Data:
             for group in inputs(shown.problem, view, chapter.given)
         ],
         "assumptions": list(dict.fromkeys(plain_text(said) for r in chapter.results for said in r.assumptions)),
-        "sections": [
-            {
-                "title": section.title,
-                "remark": section.remark,
-                "lines": [_line(line) for line in section.lines],
-            }
-            for section in _sections(chapter)
-        ],
         "checks": compared_checks(chapter, sources) if several else checks,
         "sources": sources,
         "not_checked": [
@@ -96,16 +88,23 @@ def bearing_content(chapter: Chapter) -> Data:
             for effect, heading in WARNING_HEADINGS.items()
             if (found := _warnings(chapter, effect))
         ],
-        "figures": [
-            {
-                "name": drawing.name,
-                "caption": drawing.caption,
-                "svg": drawing.image.decode(),
-                "wide": drawing.wide,
-            }
-            for drawing in figures_of(chapter)
-        ],
     }
+
+
+def calculation_content(chapter: Chapter) -> list[Data]:
+    """The calculation of a bearing, line by line: formula, numbers put in, result."""
+    return [
+        {"title": section.title, "remark": section.remark, "lines": [_line(line) for line in section.lines]}
+        for section in _sections(chapter)
+    ]
+
+
+def figures_content(chapter: Chapter) -> list[Data]:
+    """The figures of a bearing."""
+    return [
+        {"name": drawing.name, "caption": drawing.caption, "svg": drawing.image.decode(), "wide": drawing.wide}
+        for drawing in figures_of(chapter)
+    ]
 
 
 def figures_of(chapter: Chapter) -> tuple[Drawing, ...]:

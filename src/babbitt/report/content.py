@@ -10,9 +10,10 @@ from collections import Counter
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
+from babbitt.core.report_level import Level
 from babbitt.core.result import Result, Verdict
 from babbitt.report import findings
-from babbitt.report.bearing_content import Data, bearing_content
+from babbitt.report.bearing_content import Data, bearing_content, calculation_content, figures_content
 from babbitt.report.chapters import Chapter, chapters
 from babbitt.report.check_content import check_content
 from babbitt.report.columns import footnote
@@ -30,12 +31,13 @@ ROUND_OFF = 1e-8
 """Relative difference of margins below which a search for the same load made it."""
 
 
-def content(machine: MachineResult) -> Data:
+def content(machine: MachineResult, level: Level = Level.FULL) -> Data:
     """Everything that the report says.
 
     Parameters
     ----------
     machine : MachineResult
+    level : Level
 
     Returns
     -------
@@ -60,9 +62,18 @@ def content(machine: MachineResult) -> Data:
         "worst": [_worst_case(results, code) for code in _codes(results)],
         "overview": _overview(results),
         "findings": _findings(results),
-        "bearings": [bearing_content(part) for part in parts],
-        "case_text": plain_lines(machine.case_text).strip("\n"),
+        "level": level.value,
+        "bearings": [_bearing(part, level) for part in parts],
+        "case_text": plain_lines(machine.case_text).strip("\n") if level is Level.FULL else "",
     }
+
+
+def _bearing(part: Chapter, level: Level) -> Data:
+    said = bearing_content(part)
+    if level is Level.SUMMARY:
+        return said | {"inputs": [], "tables": [], "assumptions": [], "sections": [], "figures": []}
+    sections = calculation_content(part) if level is Level.FULL else []
+    return said | {"sections": sections, "figures": figures_content(part)}
 
 
 def _count(results: Sequence[Result]) -> str:

@@ -11,7 +11,9 @@ from typing import TYPE_CHECKING, Any, Literal
 from babbitt import __version__
 from babbitt.core.files.marks import CREATOR
 from babbitt.core.files.writing import require_writable, write_file
+from babbitt.core.nearest_name import unknown_name
 from babbitt.core.notices import InputError
+from babbitt.core.report_level import Level
 from babbitt.report.content import content
 from babbitt.report.drawing import missing_extra
 from babbitt.report.text import needs_system_fonts
@@ -34,7 +36,7 @@ FORMATS: dict[str, Format] = {".pdf": "pdf", ".html": "html"}
 """Suffix of the file and format of the report."""
 
 
-def write_report(machine: MachineResult, path: Path) -> None:
+def write_report(machine: MachineResult, path: Path, level: Level | str = Level.STANDARD) -> None:
     """Write the report of a machine.
 
     Parameters
@@ -42,28 +44,33 @@ def write_report(machine: MachineResult, path: Path) -> None:
     machine : MachineResult
     path : Path
         The suffix says what is written: ``.pdf``, or ``.html`` as one file that needs nothing else.
+    level : Level or {"standard", "summary", "full"}
+        Inputs, results, checks and figures of every bearing; a page a machine; calculation and case file, too.
 
     Raises
     ------
     InputError
-        E007 for an unknown suffix, a path that cannot be written, or a package that is not installed. Nothing is
-        left behind then.
+        E005 for an unknown level; E007 for an unknown suffix, a path that cannot be written, or a package that is
+        not installed. Nothing is left behind then.
     """
     path = Path(path)
+    if level not in (known := [one.value for one in Level]):
+        raise InputError("E005", unknown_name(level, known, "a level of reports"))
     if path.suffix.lower() not in FORMATS:
         given = f"not {path.suffix}" if path.suffix else "and the name given has no suffix"
         raise InputError("E007", f"cannot write {path}: a report ends in .pdf or .html, {given}")
     require_writable(path)
-    write_file(path, report(machine, FORMATS[path.suffix.lower()]))
+    write_file(path, report(machine, FORMATS[path.suffix.lower()], Level(level)))
 
 
-def report(machine: MachineResult, report_format: Format) -> bytes:
+def report(machine: MachineResult, report_format: Format, level: Level = Level.STANDARD) -> bytes:
     """The report of a machine, typeset.
 
     Parameters
     ----------
     machine : MachineResult
     report_format : {"pdf", "html"}
+    level : Level
 
     Returns
     -------
@@ -71,7 +78,7 @@ def report(machine: MachineResult, report_format: Format) -> bytes:
         Equal for equal input and date: no time, no name of the computer.
     """
     title = title_content(machine.title_block, datetime.date.today())
-    return typeset(content(machine) | {"title": title}, "report.typ", report_format)
+    return typeset(content(machine, level) | {"title": title}, "report.typ", report_format)
 
 
 def typeset(data: Any, template: str, report_format: Format) -> bytes:

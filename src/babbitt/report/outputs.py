@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from babbitt.core.files.printing import printable, takes_all_letters
 from babbitt.core.files.writing import require_distinct, require_writable, write_file
 from babbitt.core.notices import InputError
+from babbitt.core.report_level import Level
 
 if TYPE_CHECKING:
     from babbitt.solving import MachineResult
@@ -26,6 +27,7 @@ class Target:
     report: Path | None
     plots: Path | None
     fields: Path | None = None
+    level: Level = Level.STANDARD
 
     def files(self) -> tuple[Path, ...]:
         """The files that will be written, without the plots."""
@@ -51,7 +53,7 @@ class Target:
         if self.report is not None:
             from babbitt.report.document import write_report
 
-            write_report(machine, self.report)
+            write_report(machine, self.report, self.level)
         if self.plots is not None:
             from babbitt.report.figures import write_plots
 
@@ -78,6 +80,7 @@ def outputs(
     plots: Path | None,
     fields: Path | None = None,
     tables: Sequence[Path] = (),
+    level: Level = Level.STANDARD,
 ) -> Outputs:
     """Plan the outputs of a run, and make sure that each can be written.
 
@@ -93,6 +96,7 @@ def outputs(
     """
     alone = len(files) == 1
     targets = [Target(json, report, plots, fields)] if alone else _one_each(files, json, report, plots, fields)
+    targets = [replace(target, level=level) for target in targets]
     _refuse_collisions(inputs_of(files, tables), targets)
     for target in targets:
         _require_suffix(target.report)

@@ -1,0 +1,18 @@
+"""How much a report says."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+
+__all__ = ["Level"]
+
+
+class Level(StrEnum):
+    """How much a report says of a machine and its bearings."""
+
+    SUMMARY = "summary"
+    """A page: a line a bearing, what comes closest to the limits, remarks."""
+    STANDARD = "standard"
+    """Inputs, results, checks and figures of every bearing, too."""
+    FULL = "full"
+    """Calculation line by line and case file, too."""
