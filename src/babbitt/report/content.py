@@ -60,8 +60,8 @@ def content(machine: MachineResult, level: Level = Level.FULL) -> Data:
         **({"footnote": marks} if marks else {}),
         "totals": _totals(summed) if summed else None,
         "worst": [_worst_case(results, code) for code in _codes(results)],
-        "overview": _overview(results),
-        "findings": _findings(results),
+        "overview": _overview(() if level is Level.SUMMARY else results),
+        "findings": _findings(results, level),
         "level": level.value,
         "bearings": [_bearing(part, level) for part in parts],
         "case_text": plain_lines(machine.case_text).strip("\n") if level is Level.FULL else "",
@@ -165,7 +165,11 @@ def _worst_case(results: Sequence[Result], of: tuple[str, str]) -> Data:
     return {**check_content(check), "bearing": plain_text(result.name), "of": len(pairs)}
 
 
-def _findings(results: Sequence[Result]) -> list[Data]:
+NOT_IN_SUMMARY = ("Recommendations and screening indicators missed", "Information", "Values not found")
+"""Findings that change no verdict."""
+
+
+def _findings(results: Sequence[Result], level: Level) -> list[Data]:
     sections = (
         ("No solution", findings.unsolved(results)),
         ("Limits violated", findings.missed_limits(results)),
@@ -179,7 +183,7 @@ def _findings(results: Sequence[Result]) -> list[Data]:
     return [
         {"heading": heading, "groups": [_group(group) for group in groups]}
         for heading, groups in sections
-        if groups
+        if groups and not (level is Level.SUMMARY and heading in NOT_IN_SUMMARY)
     ]
 
 
