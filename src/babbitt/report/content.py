@@ -59,7 +59,7 @@ def content(machine: MachineResult, level: Level = Level.FULL) -> Data:
         "incomplete": any(result.not_checked for result in results),
         **({"footnote": marks} if marks else {}),
         "totals": _totals(summed) if summed else None,
-        "worst": [_worst_case(results, code) for code in _codes(results)],
+        "worst": [_worst_case(results, code) for code in _codes(results, level)],
         "overview": _overview(() if level is Level.SUMMARY else results),
         "findings": _findings(results, level),
         "level": level.value,
@@ -142,9 +142,10 @@ def _overview(results: Sequence[Result]) -> Data:
     }
 
 
-def _codes(results: Sequence[Result]) -> list[tuple[str, str]]:
-    """Codes and quantities of all checks of solved bearings, in the order of the standard."""
-    found = {(c.code, c.quantity): None for r in results if r.outcome.solved for c in r.checks}
+def _codes(results: Sequence[Result], level: Level) -> list[tuple[str, str]]:
+    """Codes and quantities of the checks of solved bearings, in the order of the standard; in a summary of limits."""
+    checks = (check for result in results if result.outcome.solved for check in result.checks)
+    found = {(c.code, c.quantity): None for c in checks if level is not Level.SUMMARY or not c.advisory}
     return sorted(found)
 
 
