@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from babbitt.report.picture_words import sized
 
-__all__ = ["Canvas", "Handle", "Picture"]
+__all__ = ["LETTER", "Canvas", "Handle", "Picture"]
 
 Array = NDArray[np.float64]
 

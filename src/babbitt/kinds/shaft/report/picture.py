@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,7 +16,7 @@ from babbitt.kinds.shaft.overhung_coupling import CouplingProblem
 from babbitt.kinds.shaft.problem import ShaftProblem
 from babbitt.kinds.shaft.report.side_view import GEAR_WIDTH, diameter_at, own_weight
 from babbitt.kinds.shaft.statics import two_reactions
-from babbitt.report.picture import Canvas, Picture
+from babbitt.report.picture import LETTER, Canvas, Picture
 from babbitt.report.picture_words import enlarged, millimetres, round_below, sized
 
 __all__ = ["coupling_picture", "shaft_picture"]
@@ -28,7 +28,7 @@ shaft, as all lengths here."""
 NAMES, WEDGE = 0.12, 0.09
 """Room for sizes beyond the arrows, and for names beyond these, on each side of a view; height of a bearing."""
 
-LEAST = 0.01
+LEAST = 0.015
 """Share of the largest force below which no arrow is drawn."""
 
 LETTER_WIDTH = 0.52
@@ -110,22 +110,30 @@ class _Views:
         spoken = f"{name} from the side and from above; loads of the bearings: {loads}"
         side, above = list(self._arrows(1)), list(self._arrows(0))
         (top, bottom), (above_top, above_bottom) = self._reach(side), self._reach(above)
-        lowered = bottom + above_top + 2.0 * NAMES
-        picture = Picture(REACH, spoken, -lowered - above_bottom - 2.0 * NAMES, top + 2.0 * NAMES)
-        for height, arrows, letter in ((0.0, side, "y"), (-lowered, above, "x")):
+        letter = LETTER * REACH
+        over = _levels(((self.place(station), name) for station, name in self._acting_names()), letter)
+        under = _levels(((self.place(one.station), one.name) for one in self.shaft.supports), letter)
+        names = [1.3 * letter * (1 + max((level for *_, level in row), default=-1)) for row in (over, under)]
+        lowered = bottom + above_top + 2.5 * NAMES + names[1]
+        picture = Picture(REACH, spoken, -lowered - above_bottom - 2.0 * NAMES, top + NAMES + names[0])
+        for height, arrows, axis in ((0.0, side, "y"), (-lowered, above, "x")):
             part = picture.part(0.0, height, 1.0)
             self.parts.append(part)
             self._bodies(part)
             self._forces(part, arrows)
             part.arrow((-1.19, 0.0), (-1.19, 0.16), "dimension")
             part.arrow((-1.19, 0.0), (-1.05, 0.0), "dimension")
-            part.text(-1.19, 0.21, letter)
+            part.text(-1.19, 0.21, axis)
             part.text(-1.1, -0.07, "z")
-        view = self.parts[0]
-        acting = sorted({(one.station, one.name) for one in self.acting})
-        self._names(view, [(one.station, one.name) for one in self.shaft.supports], -bottom - NAMES, -1.0)
-        self._names(view, acting, top + NAMES, 1.0)
+        for row, from_axis, step in ((over, top + NAMES, 1.3 * letter), (under, -bottom - NAMES, -1.3 * letter)):
+            for x, name, level in row:
+                self.parts[0].text(x, from_axis + level * step, name, "note")
         return picture
+
+    def _acting_names(self) -> list[tuple[float, str]]:
+        """Of what loads the shaft and is drawn in one of the planes at least."""
+        least = LEAST * self.largest
+        return sorted({(one.station, one.name) for one in self.acting if max(map(abs, one.force)) > least})
 
     def bent(self, stations: Array, deflection: Array) -> float | None:
         """The line of the bent shaft in both views, and by how much it is enlarged; None for a straight one."""
@@ -210,12 +218,15 @@ class _Views:
         taken.append((x, y))
         part.text(x, y, words)
 
-    def _names(self, part: Canvas, named: Sequence[tuple[float, str]], level: float, step: float) -> None:
-        """Names at their places, one level further out where two would meet."""
-        before, steps = -math.inf, 0
-        for station, name in sorted(named):
-            half = 0.5 * LETTER_WIDTH * part.letter * len(name)
-            x = min(max(self.place(station), -REACH + half), REACH - half)
-            steps = steps + 1 if x - half < before else 0
-            before = max(before, x + half)
-            part.text(x, level + 1.2 * steps * step * part.letter, name, "note")
+
+def _levels(named: Iterable[tuple[float, str]], letter: float) -> list[tuple[float, str, int]]:
+    """Names at their places within the picture, and how many levels further out each stands, clear of the others."""
+    ends: list[float] = []  # of the last name of each level
+    placed = []
+    for place, name in sorted(named):
+        half = 0.5 * LETTER_WIDTH * letter * len(name)
+        x = min(max(place, half - REACH), REACH - half)
+        level = next((level for level, end in enumerate(ends) if end < x - half), len(ends))
+        ends[level : level + 1] = [x + half + letter]
+        placed.append((x, name, level))
+    return placed
