@@ -125,7 +125,11 @@ class Canvas:
     def text(self, x: float, y: float, words: str, style: str = "label", anchor: str = "middle") -> None:
         """Words about a place, or from it on (`start`), or up to it (`end`)."""
         place = {"x": _number(x), "y": _number(-y), "font-size": _number(self.letter)}
-        aligned = {"text-anchor": anchor, "dominant-baseline": "middle", "stroke-width": _number(0.25 * self.letter)}
+        aligned = {
+            "text-anchor": anchor,
+            "dominant-baseline": "middle",
+            "stroke-width": _number(0.25 * self.letter),
+        }
         self._add("text", style, place | aligned).text = words
 
     def notes(self, x: float, y: float, lines: Iterable[str], anchor: str = "start") -> None:

@@ -3,16 +3,26 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.units import written
 
-__all__ = ["enlarged", "millimetres", "round_below", "sized"]
+__all__ = ["enlarged", "millimetres", "named", "round_below", "sized"]
 
 
 def sized(name: str, value: float) -> str:
     """An SI value of a named quantity in the unit that suits its size."""
     return QUANTITIES[name].suited(value).with_unit(value)
+
+
+def named(values: Mapping[str, float], *names: str) -> list[str]:
+    """Those of some results that there are, each with its symbol and unit."""
+    return [
+        f"{QUANTITIES[name].symbol} = {QUANTITIES[name].with_unit(values[name])}"
+        for name in names
+        if name in values
+    ]
 
 
 def millimetres(symbol: str, length: float) -> str:

@@ -14,9 +14,9 @@ from babbitt.kinds.hydrostatic.answer import Answer
 from babbitt.kinds.hydrostatic.geometry import CircularPad, RecessedJournal, RectangularPad, ThrustRing
 from babbitt.kinds.hydrostatic.jacking_model import JackingCase
 from babbitt.kinds.hydrostatic.model import HydrostaticCase
+from babbitt.kinds.hydrostatic.report.pressure_field import pressure_field
 from babbitt.kinds.hydrostatic.restrictors import CheckValve
 from babbitt.kinds.hydrostatic.supply import Pump
-from babbitt.kinds.hydrostatic.report.pressure_field import pressure_field
 from babbitt.report.drawing import GREY, INK, PALE, Array, Drawing, Sheet, limit_line, mark, rendered, style
 
 if TYPE_CHECKING:

@@ -32,13 +32,17 @@ AROUND = np.linspace(0.0, 2.0 * math.pi, 97)
 
 @dataclass(frozen=True, eq=False)
 class _Section:
-    """Gap and pressure over x, and the ends of the recesses there; the pressure is None where it is not known."""
+    """Gap and pressure over x, and the ends of the recesses there; the pressure is None where it is not known.
+
+    `across` is what a metre along x is drawn as, `hole` half of what a ring leaves free in its middle.
+    """
 
     x: Array
     gap: Array
     pressure: Array | None
     recesses: tuple[tuple[float, float], ...]
     across: float
+    hole: float = 0.0
 
 
 def recess_picture(solution: Solution) -> Picture:
@@ -177,8 +181,10 @@ def _section(canvas: Canvas, case: HydrostaticCase, found: Answer) -> None:
     factor = round_below(FILM / (cut.across * float(cut.gap.max())))
     runner = factor * cut.across * cut.gap
     left, right = float(cut.x[0]), float(cut.x[-1])
-    canvas.area((np.append(cut.x, [right, left]), np.append(runner, [0.0, 0.0])), "film")
-    _pad(canvas, left, right, cut.recesses)
+    for start, end in ((left, -cut.hole), (cut.hole, right)) if cut.hole > 0.0 else ((left, right),):
+        under = (cut.x >= start - 1e-9) & (cut.x <= end + 1e-9)
+        canvas.area((np.append(cut.x[under], [end, start]), np.append(runner[under], [0.0, 0.0])), "film")
+        _pad(canvas, start, end, [one for one in cut.recesses if start < one[0] < end])
     top = runner + RUNNER
     canvas.area((np.append(cut.x, cut.x[::-1]), np.append(runner, top[::-1])), "journal")
     if cut.pressure is not None and float(cut.pressure.max()) > 0.0:
@@ -204,14 +210,17 @@ def _pad(canvas: Canvas, left: float, right: float, recesses: Sequence[tuple[flo
 
 
 def _feeds(canvas: Canvas, recesses: Sequence[tuple[float, float]], found: Answer) -> None:
-    """Oil that comes into the recesses: the pressure of a single one, the numbers of several."""
+    """Oil that comes into the recesses, their numbers where there are several, and pressures."""
     several = found.network.pressures.size > 1
     for number, (start, end) in enumerate(recesses):
         middle = 0.5 * (start + end)
         canvas.arrow((middle, -BODY - 0.14), (middle, -RECESS - 0.02), "flow")
-        canvas.text(middle, -0.5 * RECESS, f"{number + 1}" if several else _pressure_of(found, 0))
-    supply = sized("recess_pressure", found.network.supply_pressure)
-    canvas.text(0.0, -BODY - 0.2, f"p_s = {supply}")
+        if several:
+            canvas.text(middle, -0.5 * RECESS, f"{number + 1}")
+    words = [f"p_s = {sized('recess_pressure', found.network.supply_pressure)}"]
+    if not several:
+        words.append(f"p_r = {_pressure_of(found, 0)}")
+    canvas.text(0.0, -BODY - 0.2, ", ".join(words))
 
 
 def _gap_words(canvas: Canvas, cut: _Section, runner: Array) -> None:
@@ -224,7 +233,7 @@ def _gap_words(canvas: Canvas, cut: _Section, runner: Array) -> None:
 
 def _through_middle(case: HydrostaticCase, found: Answer) -> _Section:
     """Along the middle of a pad with one recess."""
-    shape, size = case.shape, _size(case)
+    shape, size, hole = case.shape, _size(case), 0.0
     if isinstance(shape, RectangularPad):
         half, recesses = 0.5 * shape.length / size, ((-0.5 * shape.recess_length, 0.5 * shape.recess_length),)
     elif isinstance(shape, CircularPad):
@@ -232,11 +241,12 @@ def _through_middle(case: HydrostaticCase, found: Answer) -> _Section:
     else:
         assert isinstance(shape, AnnularPad)
         inner, outer = shape.recess_inner_radius, shape.recess_outer_radius
-        half, recesses = 1.0, ((-outer, -inner), (inner, outer))
+        half, hole, recesses = 1.0, shape.inner_radius / size, ((-outer, -inner), (inner, outer))
     x = half * np.linspace(-1.0, 1.0, 161)
+    x = np.union1d(x, [-hole, hole])
     pressure = None if found.film is None else _pressure_along(case, found, size * x)
     gap = gap_at(found, size * x, np.zeros(x.size))
-    return _Section(x, gap, pressure, tuple((a / size, b / size) for a, b in recesses), 1.0 / size)
+    return _Section(x, gap, pressure, tuple((a / size, b / size) for a, b in recesses), 1.0 / size, hole)
 
 
 def _pressure_along(case: HydrostaticCase, found: Answer, x: Array) -> Array:

@@ -68,8 +68,8 @@ def jacking_picture(solution: Solution) -> Picture:
             picture.text((tail + 0.1) * c, (tail + 0.1) * s, sized("pocket_pressure", values["pocket_pressure"]))
     picture.load(BOTTOM, case.load, 0.0)
     if solved:
-        out = 1.0 + PLAY + BACK + 0.12
-        picture.text(0.6, -out, f"h_min = {sized('minimum_film_thickness', gap)}", anchor="start")
+        thinnest = f"h_min = {sized('minimum_film_thickness', gap)}"
+        picture.notes(0.98 * REACH, 0.93 * REACH - 1.3 * picture.letter, (thinnest,), "end")
     return picture
 
 
@@ -98,7 +98,7 @@ def _bearing(picture: Picture, shape: RecessedJournal, at: Array) -> None:
     picture.circle(0.0, 0.0, 0.018, "centre bearing")
     picture.circle(float(x), float(y), 0.022, "centre")
     reach, clearance = picture.reach, sized("film_thickness", shape.clearance)
-    sizes = millimetres("D", shape.diameter), millimetres("B", shape.width), f"C = {clearance}"
+    sizes = millimetres("D", shape.diameter), millimetres("B", shape.width), f"c = {clearance}"
     picture.notes(-0.98 * reach, 0.93 * reach, sizes)
     picture.notes(0.98 * reach, 0.93 * reach, (enlarged("film", PLAY * shape.radius / shape.clearance),), "end")
 

@@ -124,7 +124,7 @@ class _Views:
             part.arrow((-1.19, 0.0), (-1.19, 0.16), "dimension")
             part.arrow((-1.19, 0.0), (-1.05, 0.0), "dimension")
             part.text(-1.19, 0.21, axis)
-            part.text(-1.1, -0.07, "z")
+            part.text(-1.14, -0.08, "z")
         for row, from_axis, step in ((over, top + NAMES, 1.3 * letter), (under, -bottom - NAMES, -1.3 * letter)):
             for x, name, level in row:
                 self.parts[0].text(x, from_axis + level * step, name, "note")

@@ -23,7 +23,7 @@ __all__ = ["line_picture"]
 REACH = thrust.REACH
 """Half the width of the picture: the pads below are drawn with their outer radius as 1."""
 
-START, END = -1.05, 0.6
+START, END = -0.93, 0.6
 """Ends of the line from the propeller to the collar."""
 
 THICK, COLLAR, SWING = 0.22, 0.6, 0.26
@@ -66,7 +66,7 @@ def _line(picture: Picture, design: LineDesign) -> None:
     picture.text(END + 0.04, -collar - NAMES, _mass(line.collar_mass))
     if isinstance(design.thrust.duty, PrescribedThrust):
         picture.arrow((START - 0.3, 0.0), (START - 0.06, 0.0), "load")
-        picture.text(START - 0.3, 0.12, sized("load", design.thrust.duty.thrust), anchor="start")
+        picture.text(-0.98 * REACH, 0.12, sized("load", design.thrust.duty.thrust), anchor="start")
     notes = [f"L = {written(length, 'm')}", enlarged("diameters", factor)] if line.rods else ["rigid shaft"]
     picture.notes(-0.98 * REACH, LINE - 0.1, [", ".join(notes)])
 

@@ -102,7 +102,9 @@ def _closest(canvas: Canvas, bearing: ThrustBearing, inner: float) -> None:
     """Where the tilted housing comes closest to the collar."""
     at = bearing.tilt.direction
     c, s = math.cos(at), math.sin(at)
-    canvas.arrow((0.1 * c, 0.1 * s), ((inner - 0.18) * c, (inner - 0.18) * s), "tilt", Handle("tilt.direction", at))
+    canvas.arrow(
+        (0.1 * c, 0.1 * s), ((inner - 0.18) * c, (inner - 0.18) * s), "tilt", Handle("tilt.direction", at)
+    )
     canvas.text(0.0, -0.08, "closest")
 
 
