@@ -6,6 +6,7 @@ the class of each shape, so that one drawing serves light and dark pages and pap
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -90,7 +91,7 @@ class Canvas:
         found = contour_generator(x, y, values, fill_type=FillType.OuterOffset)
         for share in BANDS:
             for points, ends in zip(*found.filled(share * highest, 2.0 * highest), strict=True):
-                rings = [points[a:b] for a, b in zip(ends[:-1], ends[1:], strict=True)]
+                rings = [points[a:b] for a, b in itertools.pairwise(ends)]
                 path = "".join(_path((ring[:, 0], ring[:, 1])) + "Z" for ring in rings)
                 self._add("path", "shade", {"d": path, "fill-rule": "evenodd"})
 

@@ -19,14 +19,14 @@ __all__ = ["heel_picture"]
 Array = NDArray[np.float64]
 
 FILM, WALL, FLOOR, SHAFT = 0.14, 0.3, 0.4, 0.45
-"""Thickest film at most, thickness of the cup around and under the heel, and how much of the shaft is seen above it;
+"""Thickest film at most, thickness of the cup around and under the heel, and how much of the shaft is seen above;
 over the radius of the heel, as all lengths here."""
 
 REACH = 1.0 + FILM + WALL + 0.6
 
 
 def heel_picture(solution: Solution) -> Picture:
-    """The heel in its cup: grooves on the heel, bore and recess under it, films enlarged, load, pressures, flows."""
+    """The heel in its cup: grooves, bore and recess, films enlarged, load, pressures and flows."""
     problem: FootstepProblem = solution.problem
     step, values, name = problem.footstep, solution.result.values, solution.result.name
     length = step.geometry.length / step.geometry.radius
@@ -86,8 +86,9 @@ def _heel(canvas: Canvas, step: Footstep, play: float, length: float) -> None:
 
 
 def _grooves(groove: ScrewGroove, radius: float, length: float) -> list[tuple[Array, Array]]:
-    """Grooves on the front of the heel, which moves to the right there: they rise with the motion, so that the cup,
-    which drags oil to the left over the heel, drags it down to the rim.
+    """Grooves on the front of the heel, which moves to the right there.
+
+    They rise with the motion: the cup, which drags oil to the left over the heel, drags it down to the rim.
     """
     rise, wide = math.tan(groove.angle), groove.groove_width / radius / math.cos(groove.angle)
     lead = 2.0 * math.pi * rise  # of one groove around the heel

@@ -91,8 +91,8 @@ def _plan(canvas: Canvas, case: HydrostaticCase, found: Answer | None) -> None:
     plan.area(outer, "bush", hole=hole)
     if found is not None and found.film is not None:
         plan.bands(*pressure_field(case, found), float(found.film.maximum_pressure))
-    for number, outline in enumerate(_recesses(case)):
-        plan.area(*outline[:1], "recess", hole=outline[1] if len(outline) > 1 else None)
+    for number, (edge, within) in enumerate(_recesses(case)):
+        plan.area(edge, "recess", hole=within)
         if isinstance(shape, ThrustRing):
             at = shape.recess_angles[number]
             radius = 0.5 * (shape.radii.recess_inner_radius + shape.radii.recess_outer_radius)
@@ -153,18 +153,18 @@ def _edges(case: HydrostaticCase) -> tuple[Points, Points | None]:
     return _round(ring.outer_radius), _round(ring.inner_radius)
 
 
-def _recesses(case: HydrostaticCase) -> list[tuple[Points, ...]]:
-    """Edges of each recess: the outer one, and the inner one of a recess around a ring."""
+def _recesses(case: HydrostaticCase) -> list[tuple[Points, Points | None]]:
+    """Edge of each recess, and the inner one of a recess around a ring."""
     shape = case.shape
     if isinstance(shape, RectangularPad):
-        return [(_rectangle(shape.recess_length, shape.recess_width),)]
+        return [(_rectangle(shape.recess_length, shape.recess_width), None)]
     if isinstance(shape, CircularPad):
-        return [(_round(shape.recess_radius),)]
+        return [(_round(shape.recess_radius), None)]
     if isinstance(shape, AnnularPad):
         return [(_round(shape.recess_outer_radius), _round(shape.recess_inner_radius))]
     assert isinstance(shape, ThrustRing)
     inner, outer = shape.radii.recess_inner_radius, shape.radii.recess_outer_radius
-    return [(_sector(inner, outer, angle, shape.recess_extent),) for angle in shape.recess_angles]
+    return [(_sector(inner, outer, angle, shape.recess_extent), None) for angle in shape.recess_angles]
 
 
 def _drains(canvas: Canvas, shape: ThrustRing) -> None:
@@ -234,6 +234,7 @@ def _gap_words(canvas: Canvas, cut: _Section, runner: Array) -> None:
 def _through_middle(case: HydrostaticCase, found: Answer) -> _Section:
     """Along the middle of a pad with one recess."""
     shape, size, hole = case.shape, _size(case), 0.0
+    recesses: tuple[tuple[float, float], ...]
     if isinstance(shape, RectangularPad):
         half, recesses = 0.5 * shape.length / size, ((-0.5 * shape.recess_length, 0.5 * shape.recess_length),)
     elif isinstance(shape, CircularPad):
@@ -254,8 +255,8 @@ def _pressure_along(case: HydrostaticCase, found: Answer, x: Array) -> Array:
     places, aside, pressure = pressure_field(case, found)
     if isinstance(case.shape, RectangularPad):
         middle = int(np.abs(aside[0]).argmin())
-        return np.interp(x, places[:, middle], pressure[:, middle])
-    return np.interp(np.abs(x), places[0], pressure[0], left=0.0)
+        return np.asarray(np.interp(x, places[:, middle], pressure[:, middle]))
+    return np.asarray(np.interp(np.abs(x), places[0], pressure[0], left=0.0))
 
 
 def _around_ring(case: HydrostaticCase, found: Answer) -> _Section:

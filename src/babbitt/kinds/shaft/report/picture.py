@@ -22,8 +22,8 @@ from babbitt.report.picture_words import enlarged, millimetres, round_below, siz
 __all__ = ["coupling_picture", "shaft_picture"]
 
 REACH, ARROW, BENT = 1.25, 0.5, 0.12
-"""Half the width of the picture, the longest arrow, and the largest deflection at most, over half the length of the
-shaft, as all lengths here."""
+"""Half the width of the picture, the longest arrow, and the largest deflection at most, over half the length of
+the shaft, as all lengths here."""
 
 NAMES, WEDGE = 0.12, 0.09
 """Room for sizes beyond the arrows, and for names beyond these, on each side of a view; height of a bearing."""
@@ -31,8 +31,8 @@ NAMES, WEDGE = 0.12, 0.09
 LEAST = 0.015
 """Share of the largest force below which no arrow is drawn."""
 
-LETTER_WIDTH = 0.52
-"""Of a letter over its height."""
+LETTER_WIDTH, MOST_LETTERS = 0.55, 28
+"""Of a letter over its height; letters of a name beyond which it is cut."""
 
 
 def shaft_picture(solution: Solution) -> Picture:
@@ -220,10 +220,11 @@ class _Views:
 
 
 def _levels(named: Iterable[tuple[float, str]], letter: float) -> list[tuple[float, str, int]]:
-    """Names at their places within the picture, and how many levels further out each stands, clear of the others."""
+    """Names at their places within the picture, and on which level each stands clear of the others."""
     ends: list[float] = []  # of the last name of each level
     placed = []
-    for place, name in sorted(named):
+    for place, given in sorted(named):
+        name = given if len(given) <= MOST_LETTERS else f"{given[: MOST_LETTERS - 1]}…"
         half = 0.5 * LETTER_WIDTH * letter * len(name)
         x = min(max(place, half - REACH), REACH - half)
         level = next((level for level, end in enumerate(ends) if end < x - half), len(ends))

@@ -34,7 +34,7 @@ LINE, MODES, NAMES = 0.62, 0.42, 0.12
 
 
 def line_picture(solution: Solution) -> Picture:
-    """Propeller, shaft, collar and what carries it; below, the axial vibration, and the pads seen along the shaft."""
+    """Propeller, shaft, collar and what carries it; below, the axial vibration, and the pads."""
     design: LineDesign = solution.problem
     solved = solution.result.outcome.solved
     below = 2.0 * MODES if solved else 0.0

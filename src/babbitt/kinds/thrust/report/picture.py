@@ -44,9 +44,10 @@ def thrust_picture(solution: Solution) -> Picture:
         return picture
     share: Share = solution.state.share
     most = int(share.loads.argmax())
+    lowest, highest = (sized("load", float(one)) for one in (share.loads.min(), share.loads.max()))
     spoken = (
-        f"{name}: {bearing.number} pads seen along the shaft, loads from {sized('load', float(share.loads.min()))} to "
-        f"{sized('load', float(share.loads.max()))}; below, the film of pad {most + 1}, unrolled"
+        f"{name}: {bearing.number} pads seen along the shaft, loads from {lowest} to {highest}; below, the film "
+        f"of pad {most + 1}, unrolled"
     )
     picture = Picture(REACH, spoken, -PLAN - ABOVE - BELOW, PLAN)
     pads_seen_along(picture, bearing, share)
@@ -87,7 +88,7 @@ def _pressure(canvas: Canvas, state: PadState, at: float, sense: float, highest:
 
 
 def _pivot(canvas: Canvas, bearing: ThrustBearing, at: float) -> None:
-    """A dot where a pad tilts about a point, a line along the radius where about that; nothing where it is fixed."""
+    """A dot where a pad tilts about a point, a line where about a radius; nothing where it is fixed."""
     pad = bearing.pad
     c, s = math.cos(at), math.sin(at)
     if pad.pivot is Pivot.POINT:
