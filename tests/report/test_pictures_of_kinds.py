@@ -213,7 +213,7 @@ def arrows(picture, style):
 
 
 def test_arrows_on_a_shaft_are_in_equilibrium():
-    """Arrows of loads and reactions add up to nothing in both views: their lengths are the forces; weights fall."""
+    """Arrows of loads and reactions add up to nothing in both views: lengths are forces, weights fall."""
     _, picture = one(changed("overhung_coupling"))
     mesh, weight, half_coupling, _ = arrows(picture, "load")
     force = 200e3 * math.cos(math.radians(20.0)) / ARROW
@@ -266,3 +266,29 @@ def test_a_shaft_line_is_drawn_to_two_scales():
     assert "300 kg" in picture.words()
     amplitude = solution.result.values["axial_amplitude"]
     assert any(f"{1e6 * amplitude:.3g} µm" in one for one in picture.words())
+
+
+@pytest.mark.parametrize(
+    ("kind", "changes", "geometry", "count"),
+    [
+        ("thrust", {"load": "500 MN"}, "bush pad", 8),
+        ("thrust_line", {"load": "500 MN"}, "pivot", 8),
+        ("hydrostatic_pad", {"load": "80 kN"}, "recess", 1),
+        ("hydrostatic_thrust_ring", {"load": "800 kN"}, "recess", 4),
+        ("jacking_pocket", {"lift_gap": None, "pump_flow": "0.000001 L/min"}, "film", 1),
+    ],
+)
+def test_what_finds_no_film_is_drawn_without_one(kind, changes, geometry, count):
+    solution, picture = one(changed(kind, **changes))
+    assert not solution.result.outcome.solved
+    assert len([shape for shape in picture.shapes if shape.style == geometry]) == count
+    assert not picture.of("shade")
+    assert not picture.of("pressure")
+
+
+def test_a_heel_without_steady_state_is_drawn_without_flows():
+    films = {"face_gap": "12 um", "clearance": {"kind": "radial", "mean": "10 um"}}
+    solution, picture = one(changed("screw_heel", method="superposition", wall=None, variants="grooved", **films))
+    assert not solution.result.outcome.solved
+    assert picture.of("groove")
+    assert not picture.of("flow line")
