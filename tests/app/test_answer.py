@@ -111,6 +111,6 @@ def test_pictures_have_y_upward_and_escape_their_words():
     picture.arrow((0.0, 0.0), (0.0, 0.5), "load", Handle("load_angle", math.pi / 2))
     picture.text(0.0, 0.0, "<i>&")
     root = ElementTree.fromstring(picture.svg())
-    line = root[0].get("d")
+    line = root[1].get("d")
     assert line == "M0 -0L0 -0.5"
     assert root.get("aria-label") == 'a "quoted" <b>'

@@ -1,23 +1,21 @@
 // Drag what may be turned: the load arrow, grooves, pockets and holes.
 (() => {
   let held = null;
-  const angleAt = (svg, event) => {
-    const box = svg.getBoundingClientRect();
-    const x = event.clientX - box.left - box.width / 2;
-    const y = box.top + box.height / 2 - event.clientY;
-    return Math.atan2(y, x) * 180 / Math.PI;
+  const angleAt = (frame, event) => {
+    const origin = frame.getScreenCTM();
+    return Math.atan2(origin.f - event.clientY, event.clientX - origin.e) * 180 / Math.PI;
   };
   document.addEventListener("pointerdown", (event) => {
     const shape = event.target.closest?.("svg.picture .handle");
     if (!shape) return;
-    const svg = shape.closest("svg");
-    held = {field: shape.dataset.field, from: angleAt(svg, event), angle: Number(shape.dataset.angle), svg,
-      shapes: svg.querySelectorAll(`[data-field="${shape.dataset.field}"]`), turn: 0};
+    const frame = shape.parentNode;
+    held = {field: shape.dataset.field, from: angleAt(frame, event), angle: Number(shape.dataset.angle), frame,
+      shapes: frame.querySelectorAll(`[data-field="${shape.dataset.field}"]`), turn: 0};
     event.preventDefault();
   });
   document.addEventListener("pointermove", (event) => {
     if (!held) return;
-    held.turn = angleAt(held.svg, event) - held.from;
+    held.turn = angleAt(held.frame, event) - held.from;
     held.shapes.forEach((shape) => shape.setAttribute("transform", `rotate(${-held.turn})`));
   });
   document.addEventListener("pointerup", () => {

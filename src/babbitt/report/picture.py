@@ -6,24 +6,31 @@ the class of each shape, so that one drawing serves light and dark pages and pap
 
 from __future__ import annotations
 
+import itertools
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass
 from xml.etree import ElementTree
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from babbitt.core.quantities import QUANTITIES
+from babbitt.report.picture_words import sized
 
-__all__ = ["Handle", "Picture"]
+__all__ = ["LETTER", "Canvas", "Handle", "Picture"]
 
 Array = NDArray[np.float64]
+
+Place = tuple[float, float]
 
 Points = tuple[ArrayLike, ArrayLike]
 """x and y of each."""
 
-HEAD = 0.09
-"""Length of the head of an arrow, over half the width of the picture."""
+HEAD, LETTER = 0.09, 0.055
+"""Length of the head of an arrow and height of a letter, over half the width of the picture."""
+
+BANDS = (0.02, 0.2, 0.4, 0.6, 0.8)
+"""Shares of the highest value at which a shade more begins."""
 
 
 @dataclass(frozen=True)
@@ -34,29 +41,30 @@ class Handle:
     angle: float
 
 
-class Picture:
+class Canvas:
     """Shapes in the order in which they are drawn.
 
     Parameters
     ----------
+    root : Element
+        Of SVG, into which they go.
     reach : float
-        Half the side of the square that is seen, around the origin.
-    spoken : str
-        What it shows, in a sentence, for those who do not see it.
+        Half the width of the whole picture in the lengths of this canvas: the size of letters and of the heads of
+        arrows.
     """
 
-    def __init__(self, reach: float, spoken: str) -> None:
-        self.reach = reach
-        self._root = ElementTree.Element(
-            "svg",
-            {
-                "xmlns": "http://www.w3.org/2000/svg",
-                "viewBox": " ".join(_number(value) for value in (-reach, -reach, 2.0 * reach, 2.0 * reach)),
-                "role": "img",
-                "aria-label": spoken,
-                "class": "picture",
-            },
-        )
+    def __init__(self, root: ElementTree.Element, reach: float) -> None:
+        self.reach, self._root = reach, root
+
+    def part(self, x: float, y: float, scale: float) -> Canvas:
+        """A canvas with an origin and lengths of its own, so many of this one to each of its units."""
+        moved = f"translate({_number(x)} {_number(-y)}) scale({_number(scale)})"
+        return Canvas(ElementTree.SubElement(self._root, "g", {"transform": moved}), self.reach / scale)
+
+    @property
+    def letter(self) -> float:
+        """Height of a letter."""
+        return LETTER * self.reach
 
     def outline(self, points: Points, style: str) -> None:
         """A line through points."""
@@ -67,13 +75,27 @@ class Picture:
         inside = "" if hole is None else _path(hole) + "Z"
         self._add("path", style, {"d": _path(points) + "Z" + inside, "fill-rule": "evenodd"}, handle)
 
+    def box(self, low: Place, high: Place, style: str) -> None:
+        """A rectangle between two of its corners."""
+        (left, bottom), (right, top) = low, high
+        self.area(([left, right, right, left], [bottom, bottom, top, top]), style)
+
     def circle(self, x: float, y: float, radius: float, style: str) -> None:
         """A circle."""
         self._add("circle", style, {"cx": _number(x), "cy": _number(-y), "r": _number(radius)})
 
-    def arrow(
-        self, tail: tuple[float, float], tip: tuple[float, float], style: str, handle: Handle | None = None
-    ) -> None:
+    def bands(self, x: Array, y: Array, values: Array, highest: float) -> None:
+        """Shades of a field on a grid, the darker the nearer to the highest value."""
+        from contourpy import FillType, contour_generator
+
+        found = contour_generator(x, y, values, fill_type=FillType.OuterOffset)
+        for share in BANDS:
+            for points, ends in zip(*found.filled(share * highest, 2.0 * highest), strict=True):
+                rings = [points[a:b] for a, b in itertools.pairwise(ends)]
+                path = "".join(_path((ring[:, 0], ring[:, 1])) + "Z" for ring in rings)
+                self._add("path", "shade", {"d": path, "fill-rule": "evenodd"})
+
+    def arrow(self, tail: Place, tip: Place, style: str, handle: Handle | None = None) -> None:
         """A straight arrow."""
         self._arrow(np.array([tail[0], tip[0]]), np.array([tail[1], tip[1]]), style, handle)
 
@@ -83,26 +105,42 @@ class Picture:
         self._arrow(x + radius * np.cos(angles), y + radius * np.sin(angles), style, None)
 
     def load(self, angle: float, load: float, sense: float, handle: Handle | None = None) -> None:
-        """A load in N on a journal of radius 1 in its direction, its size beside it, the rotation ahead of it."""
+        """A load in N on a journal of radius 1 in its direction, its size beside it, the rotation ahead of it.
+
+        `sense` is 1 for counter-clockwise, -1 for clockwise, 0 for a journal at rest.
+        """
         c, s = math.cos(angle), math.sin(angle)
         self.arrow((-0.75 * c, -0.75 * s), (-0.08 * c, -0.08 * s), "load", handle)
-        self.turning(0.0, 0.0, 0.62, angle, sense, "rotation")
+        if sense:
+            self.turning(0.0, 0.0, 0.62, angle, sense, "rotation")
         if math.isfinite(load):
-            words = QUANTITIES["load"].suited(load).with_unit(load)
-            self.text(-0.45 * c - 0.3 * s, -0.45 * s + 0.3 * c, words)
+            self.text(-0.45 * c - 0.3 * s, -0.45 * s + 0.3 * c, sized("load", load))
 
-    def text(self, x: float, y: float, words: str, style: str = "label") -> None:
-        """Words, centred about a place."""
-        place = {"x": _number(x), "y": _number(-y), "font-size": _number(0.055 * self.reach)}
-        self._add("text", style, place | {"text-anchor": "middle", "dominant-baseline": "middle"}).text = words
+    def dimension(self, first: Place, second: Place, words: str, apart: Place = (0.0, 0.0)) -> None:
+        """A length between two places, its words so far from the middle of the line."""
+        middle = 0.5 * (first[0] + second[0]), 0.5 * (first[1] + second[1])
+        for end in (first, second):
+            self.arrow(middle, end, "dimension")
+        self.text(middle[0] + apart[0], middle[1] + apart[1], words)
 
-    def svg(self) -> str:
-        """The drawing as a text of SVG."""
-        return ElementTree.tostring(self._root, encoding="unicode")
+    def text(self, x: float, y: float, words: str, style: str = "label", anchor: str = "middle") -> None:
+        """Words about a place, or from it on (`start`), or up to it (`end`)."""
+        place = {"x": _number(x), "y": _number(-y), "font-size": _number(self.letter)}
+        aligned = {
+            "text-anchor": anchor,
+            "dominant-baseline": "middle",
+            "stroke-width": _number(0.25 * self.letter),
+        }
+        self._add("text", style, place | aligned).text = words
+
+    def notes(self, x: float, y: float, lines: Iterable[str], anchor: str = "start") -> None:
+        """Lines of words one below the other, the first at a place."""
+        for number, words in enumerate(lines):
+            self.text(x, y - 1.3 * number * self.letter, words, "note", anchor)
 
     def _arrow(self, x: Array, y: Array, style: str, handle: Handle | None) -> None:
         along = math.atan2(y[-1] - y[-2], x[-1] - x[-2])
-        size = HEAD * self.reach
+        size = min(HEAD * self.reach, 0.6 * float(np.hypot(np.diff(x), np.diff(y)).sum()))
         sides = [(x[-1] - size * math.cos(along + a), y[-1] - size * math.sin(along + a)) for a in (0.35, -0.35)]
         self._add("path", f"{style} line", {"d": _path((x, y))}, handle)
         if handle is not None:  # wide enough to be held
@@ -117,6 +155,37 @@ class Picture:
         if handle is not None:
             own |= {"data-field": handle.field, "data-angle": _number(math.degrees(handle.angle))}
         return ElementTree.SubElement(self._root, tag, own)
+
+
+class Picture(Canvas):
+    """A drawing around its origin.
+
+    Parameters
+    ----------
+    reach : float
+        Half of its width.
+    spoken : str
+        What it shows, in a sentence, for those who do not see it.
+    low, high : float, optional
+        Between which y it is seen; a square if they are omitted.
+    """
+
+    def __init__(self, reach: float, spoken: str, low: float | None = None, high: float | None = None) -> None:
+        self.low, self.high = (-reach if low is None else low), (reach if high is None else high)
+        height = self.high - self.low
+        seen = {
+            "xmlns": "http://www.w3.org/2000/svg",
+            "viewBox": " ".join(_number(value) for value in (-reach, -self.high, 2.0 * reach, height)),
+            "role": "img",
+            "aria-label": spoken,
+            "class": "picture" if height < 2.2 * reach else "picture tall",
+        }
+        super().__init__(ElementTree.Element("svg", seen), reach)
+        ElementTree.SubElement(self._root, "desc").text = spoken
+
+    def svg(self) -> str:
+        """The drawing as a text of SVG."""
+        return ElementTree.tostring(self._root, encoding="unicode")
 
 
 def _path(points: Points) -> str:

@@ -65,6 +65,7 @@ SUPERPOSITION = View(
     state_table=LazyFunction("babbitt.kinds.footstep.report.table:heel_table"),
     alike=_alike,
     citations=_study,
+    picture=LazyFunction("babbitt.kinds.footstep.report.picture:heel_picture"),
 )
 
 NARROW_GROOVE = replace(SUPERPOSITION, title="Narrow-groove theory", citations=_narrow_groove)

@@ -55,7 +55,9 @@ JACKING_FILM = View(
     report_figures=FIGURES,
     columns=COLUMNS,
     citations=_citations,
+    picture=LazyFunction("babbitt.kinds.hydrostatic.report.picture_journal:jacking_picture"),
 )
 JACKING_QUICK = replace(JACKING_FILM, title="Closed forms")
-FILM = replace(JACKING_FILM, oil=_oil)
-QUICK = replace(JACKING_QUICK, oil=_oil)
+PICTURE = LazyFunction("babbitt.kinds.hydrostatic.report.picture:recess_picture")
+FILM = replace(JACKING_FILM, oil=_oil, picture=PICTURE)
+QUICK = replace(JACKING_QUICK, oil=_oil, picture=PICTURE)

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from babbitt.core.kind import LazyFunction
 from babbitt.core.solution import Solution
 from babbitt.kinds.shaft.report.tables import tables
 from babbitt.report.citations import REVERSE_GEAR
@@ -55,10 +56,12 @@ STATICS = View(
     columns=(column_of("largest_support_load", 0), column_of("axial_load", 1)),
     in_machine_table=False,
     sweep=("largest_support_load", "axial_load", "support_slope", "shaft_deflection", "bending_moment"),
+    picture=LazyFunction("babbitt.kinds.shaft.report.picture:shaft_picture"),
 )
 BEAM = replace(STATICS, title="Stepped beam on its bearings")
 OVERHUNG_COUPLING = View(
     title="Statics of the shaft",
     sweep=("reaction_1", "reaction_2", "reaction_angle_1", "reaction_angle_2", "coupling_arm"),
     citations=_coupling_citations,
+    picture=LazyFunction("babbitt.kinds.shaft.report.picture:coupling_picture"),
 )

@@ -49,4 +49,5 @@ FREQUENCY_DOMAIN = View(
     ),
     citations=_citations,
     oil=lubricant_of,
+    picture=LazyFunction("babbitt.kinds.shaft_line.report.picture:line_picture"),
 )

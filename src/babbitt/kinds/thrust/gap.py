@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from babbitt.kinds.thrust.face import PlaneFace
 from babbitt.kinds.thrust.pad import ThrustPad
 
-__all__ = ["gap_samples", "minimum_gap"]
+__all__ = ["gap_along", "gap_samples", "minimum_gap"]
 
 Array = NDArray[np.float64]
 
@@ -71,6 +71,27 @@ def minimum_gap(pad: ThrustPad, motions: Array) -> Array:
     on_the_arc = (lowest >= -pad.pivot_angle) & (lowest <= pad.extent - pad.pivot_angle)
     at_arc = height - slope_x * pad.pivot_radius - pad.outer_radius * steep
     return np.asarray(np.where(on_the_arc, np.minimum(corners, at_arc), corners))
+
+
+def gap_along(pad: ThrustPad, motion: Array, radius: float, angle: Array) -> Array:
+    """Gap at a radius, m, and angles from the leading edge, rad; m.
+
+    Parameters
+    ----------
+    pad : ThrustPad
+    motion : ndarray, shape (3,)
+        Height at the pivot, m, and slopes alpha_x, alpha_y.
+    radius : float
+    angle : ndarray
+    """
+    basis = _basis(pad, np.full(angle.shape, radius), angle - pad.pivot_angle)
+    if _is_flat(pad):
+        return np.asarray(basis @ motion)
+    rows = np.array(pad.form())
+    place = (radius - pad.inner_radius) / (pad.outer_radius - pad.inner_radius) * (rows.shape[1] - 1)
+    first = min(int(place), rows.shape[1] - 2)
+    column = (first + 1 - place) * rows[:, first] + (place - first) * rows[:, first + 1]
+    return np.asarray(basis @ motion + np.interp(angle, np.linspace(0.0, pad.extent, rows.shape[0]), column))
 
 
 def _is_flat(pad: ThrustPad) -> bool:

@@ -43,4 +43,5 @@ FILM = View(
     ),
     citations=_citations,
     oil=lubricant_of,
+    picture=LazyFunction("babbitt.kinds.thrust.report.picture:thrust_picture"),
 )

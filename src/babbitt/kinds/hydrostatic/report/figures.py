@@ -14,6 +14,7 @@ from babbitt.kinds.hydrostatic.answer import Answer
 from babbitt.kinds.hydrostatic.geometry import CircularPad, RecessedJournal, RectangularPad, ThrustRing
 from babbitt.kinds.hydrostatic.jacking_model import JackingCase
 from babbitt.kinds.hydrostatic.model import HydrostaticCase
+from babbitt.kinds.hydrostatic.report.pressure_field import pressure_field
 from babbitt.kinds.hydrostatic.restrictors import CheckValve
 from babbitt.kinds.hydrostatic.supply import Pump
 from babbitt.report.drawing import GREY, INK, PALE, Array, Drawing, Sheet, limit_line, mark, rendered, style
@@ -163,50 +164,30 @@ def around(case: HydrostaticCase, found: Answer) -> Figure:
 
 def pressure_map(case: HydrostaticCase, found: Answer) -> Figure:
     """Pressure over the unrolled bore, the ring or the pad."""
-    assert found.film is not None
-    of = found.film.film.of
-    pressure = 1e-6 * found.film.film.pressures()
-    lines = of.recess.shape[0]
-    if of.surface.cyclic:
-        pressure = np.vstack((pressure, pressure[:1]))
-    theta = of.theta[: pressure.shape[0]] if of.surface.cyclic else of.theta[:lines]
-    nodes = of.mesh.nodes
+    x, y, values = pressure_field(case, found)
     figure, ((panel,),) = Sheet(81.0, 62.0, left=12.0, bottom=10.0).panels()
-    shape = case.shape
-    if isinstance(shape, RecessedJournal):
-        z = 500.0 * shape.width * np.concatenate((-nodes[::-1], nodes))
-        x, y = np.meshgrid(np.degrees(theta), z, indexing="ij")
-        values = np.hstack((pressure[:, ::-1], pressure))
+    if case.is_journal:
+        x, y = np.degrees(x), 1e3 * y
         panel.set(xlabel="$θ$ in °", ylabel="$z$ in mm")
-    elif isinstance(shape, RectangularPad):
-        half = 500.0 * shape.width * np.concatenate((-nodes[::-1], nodes))
-        x, y = np.meshgrid(1e3 * shape.length * (theta - 0.5), half, indexing="ij")
-        values = np.hstack((pressure[:, ::-1], pressure))
-        panel.set(xlabel="$x$ in mm", ylabel="$y$ in mm", aspect="equal")
     else:
-        if theta.size < 60:  # a round pad on few lines: the same all around
-            theta, pressure = np.linspace(0.0, 2.0 * math.pi, 121), np.repeat(pressure[:1], 121, axis=0)
-        if isinstance(shape, CircularPad):
-            nodes, pressure = np.append(0.0, nodes), np.hstack((pressure[:, :1], pressure))
-        radius = 1e3 * case.reach * nodes
-        x, y = np.cos(theta)[:, None] * radius, np.sin(theta)[:, None] * radius
-        values = pressure
+        x, y = 1e3 * x, 1e3 * y
         panel.set(xlabel="$x$ in mm", ylabel="$y$ in mm", aspect="equal")
+    values = 1e-6 * values
     filled = panel.contourf(x, y, values, 12, cmap="Greys")
     for edge in ("top", "right"):
         panel.spines[edge].set_visible(False)
     bar = figure.colorbar(filled, ax=panel, shrink=0.9)
     bar.set_label("$p$ in MPa")
     bar.outline.set_linewidth(0.4)
-    outline(panel, case, theta)
+    outline(panel, case, x[:, 0])
     return figure
 
 
-def outline(panel: Axes, case: HydrostaticCase, theta: Array) -> None:
-    """Edges of the recesses."""
+def outline(panel: Axes, case: HydrostaticCase, degrees: Array) -> None:
+    """Edges of the recesses, those of a bore over its angles."""
     shape = case.shape
     if isinstance(shape, RecessedJournal):
-        start = float(np.degrees(theta[0]))
+        start = float(degrees[0])
         side, half = 500.0 * shape.recess_length, 0.5 * math.degrees(shape.recess_extent)
         for angle in shape.recess_angles:
             middle = start + (math.degrees(angle) - start) % 360.0

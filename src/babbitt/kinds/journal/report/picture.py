@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
@@ -13,6 +13,7 @@ from babbitt.kinds.journal.film.field import Array, field_of, inside, step_patch
 from babbitt.kinds.journal.film.isothermal import under_found_load
 from babbitt.kinds.journal.film.model import FeedSize, FilmCase
 from babbitt.report.picture import Handle, Picture
+from babbitt.report.picture_words import enlarged, named
 from babbitt.reynolds.solution import FilmSolution
 from babbitt.reynolds.surface.unwrapped_mesh import GROOVE_GAP, bore_gap
 
@@ -36,6 +37,7 @@ def round_picture(solution: Solution) -> Picture | None:
     if not {"eccentricity_ratio", "attitude_angle"} <= values.keys():
         return None
     picture = _empty(solution)
+    _sizes(picture, values, PLAY / values["operating_relative_clearance"])
     around = np.linspace(0.0, 2.0 * math.pi, 181)
     _bush(picture, np.full_like(around, 1.0 + PLAY), around)
     sense = math.copysign(1.0, values.get("angular_speed", 1.0))
@@ -54,9 +56,11 @@ def film_picture(solution: Solution) -> Picture | None:
     film: FilmSolution = solution.state.solution
     field = field_of(film, case.load_angle - math.pi)
     picture = _empty(solution)
+    _sizes(picture, solution.result.values, 0.5 * PLAY * case.bearing.diameter / film.film.clearance)
     radius = _bore(film, field.theta)
     _pressure(picture, field.theta, radius, field.mid_plane_pressure)
-    _bush(picture, radius, field.theta)
+    around = np.union1d(field.theta, np.linspace(field.theta[0], field.theta[-1], 181))
+    _bush(picture, np.interp(around, field.theta, radius), around)
     for number, feed in enumerate(case.bearing.feeds):
         if feed.width is None or abs(feed.axial_position) <= 0.5 * feed.width:
             _feed(picture, field.theta, radius, feed, _field_of(case.bearing.feeds, number))
@@ -76,6 +80,13 @@ def _empty(solution: Solution) -> Picture:
     return Picture(
         1.0 + PLAY + BACK + HIGHEST + NAMES, f"{solution.result.name} seen along the shaft: {', '.join(said)}"
     )
+
+
+def _sizes(picture: Picture, values: Mapping[str, float], factor: float) -> None:
+    """Diameter, width and clearance, and by how much the film is drawn thicker than it is."""
+    top = 0.94 * picture.reach
+    picture.notes(-0.98 * picture.reach, top, named(values, "diameter", "width", "operating_relative_clearance"))
+    picture.notes(0.98 * picture.reach, top, (enlarged("film", factor),), "end")
 
 
 def _bore(solution: FilmSolution, theta: Array) -> Array:

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-__all__ = ["side_views"]
+__all__ = ["GEAR_WIDTH", "diameter_at", "own_weight", "side_views"]
 
 BODY = 0.34
 """Half height of the largest body in a panel whose arrows reach to 1."""
@@ -32,7 +32,7 @@ GEAR_WIDTH = 0.022
 def side_views(problem: ShaftProblem, answer: ShaftAnswer) -> Figure:
     """The shaft in the planes z-y and z-x."""
     figure, ((side,), (top,)) = Sheet(166.0, 112.0, rows=2, left=10.0, between=3.0).panels(sharex=True)
-    acting = (*problem.shaft.loads, *_own_weight(problem.shaft))
+    acting = (*problem.shaft.loads, *own_weight(problem.shaft))
     reactions = [one for one in answer.reactions() if any(one.force)]
     largest = max((float(np.abs(one.force).max()) for one in (*acting, *reactions)), default=0.0) or 1.0
     for panel, axis, name in ((side, 1, "y"), (top, 0, "x")):
@@ -66,7 +66,7 @@ def _names(panel: Axes, named: Sequence[tuple[float, str]], level: float, step: 
         )  # fmt: skip
 
 
-def _own_weight(shaft: Shaft) -> tuple[PointLoad, ...]:
+def own_weight(shaft: Shaft) -> tuple[PointLoad, ...]:
     """The weight of all pieces in their common centre."""
     weights = shaft.weights()
     total = sum(one.force[1] for one in weights)
@@ -90,11 +90,11 @@ def _bodies(panel: Axes, problem: ShaftProblem, answer: ShaftAnswer) -> None:
         _box(panel, gear.station - half, 2.0 * half, scale * gear.diameter, PALE)
     panel.axhline(0.0, color=GREY, linewidth=0.5, linestyle=(0, (12, 3, 2, 3)))
     for one in shaft.supports:
-        below = -0.5 * scale * _diameter_at(shaft, one.station) - 0.045
+        below = -0.5 * scale * diameter_at(shaft, one.station) - 0.045
         panel.plot([1e3 * one.station], [below], "^" if one.radial else "|", color=INK, markersize=5.0, zorder=4)
 
 
-def _diameter_at(shaft: Shaft, station: float) -> float:
+def diameter_at(shaft: Shaft, station: float) -> float:
     """Diameter of the piece at a station, m; zero for a shaft without pieces."""
     if not shaft.pieces:
         return 0.0

@@ -11,6 +11,7 @@ from babbitt.core.solution import Solution
 from babbitt.kinds.tilting_pad_journal.model import PadCase
 from babbitt.kinds.tilting_pad_journal.report.seen_along import FILM, PIVOT, PRESSURE, bore_of
 from babbitt.report.picture import Handle, Picture
+from babbitt.report.picture_words import enlarged, named
 from babbitt.reynolds.tilting_pads.solution import PadStatus, TiltingPadSolution
 
 __all__ = ["pad_picture"]
@@ -22,14 +23,18 @@ def pad_picture(solution: Solution) -> Picture | None:
         return None
     case: PadCase = solution.problem
     films: TiltingPadSolution = solution.state.films.solution
-    enlarged = FILM / case.bearing.pad_clearance
+    enlarged_by = FILM / case.bearing.pad_clearance
     deepest = max(pad.thickness for pad in case.bearing.pads) / films.bearing.radius
     inner = 1.0 + FILM + deepest + PIVOT
     picture = Picture(inner + PRESSURE + 0.15, f"{solution.result.name}: journal among {len(films.pads)} pads")
+    sizes = named(solution.result.values, "diameter", "width", "assembled_clearance")
+    picture.notes(-0.98 * picture.reach, 0.94 * picture.reach, sizes)
+    factor = enlarged("film", enlarged_by * films.bearing.radius)
+    picture.notes(0.98 * picture.reach, 0.94 * picture.reach, (factor,), "end")
     picture.circle(0.0, 0.0, inner, "bore")
     for number in range(len(films.pads)):
-        _pad(picture, films, number, enlarged, inner)
-    x, y = (float(one) for one in enlarged * films.position)
+        _pad(picture, films, number, enlarged_by, inner)
+    x, y = (float(one) for one in enlarged_by * films.position)
     picture.circle(x, y, 1.0, "journal")
     picture.circle(0.0, 0.0, 0.018, "centre bearing")
     picture.circle(x, y, 0.022, "centre")
@@ -38,10 +43,10 @@ def pad_picture(solution: Solution) -> Picture | None:
     return picture
 
 
-def _pad(picture: Picture, films: TiltingPadSolution, number: int, enlarged: float, inner: float) -> None:
+def _pad(picture: Picture, films: TiltingPadSolution, number: int, enlarged_by: float, inner: float) -> None:
     pad, state = films.bearing.pads[number], films.pads[number]
     angles = np.linspace(*films.bearing.edges(pad), 49)
-    bore = bore_of(films, number, angles, enlarged)
+    bore = bore_of(films, number, angles, enlarged_by)
     back = bore + pad.thickness / films.bearing.radius
     c, s = np.cos(angles), np.sin(angles)
     outline = np.concatenate((bore * c, (back * c)[::-1])), np.concatenate((bore * s, (back * s)[::-1]))
@@ -67,6 +72,6 @@ def _pressure(picture: Picture, films: TiltingPadSolution, number: int, inner: f
     around = np.concatenate((outer * c, (inner * c)[::-1])), np.concatenate((outer * s, (inner * s)[::-1]))
     picture.area(around, "pressure")
     top = int(pressure.argmax())
-    out = float(outer[top]) + 0.08
+    out = float(outer[top]) + 0.11
     quantity = QUANTITIES["load"].suited(state.load)
     picture.text(out * float(c[top]), out * float(s[top]), quantity.with_unit(state.load))
