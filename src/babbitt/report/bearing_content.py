@@ -107,6 +107,12 @@ def figures_content(chapter: Chapter) -> list[Data]:
     ]
 
 
+def sketch_content(chapter: Chapter) -> Data | None:
+    """The bearing to scale with its feed, load and rotation; None for what no drawing is known of."""
+    picture = chapter.view.picture(chapter.shown.solution)
+    return None if picture is None else {"svg": picture.printed(), "caption": picture.spoken, "tall": picture.tall}
+
+
 def figures_of(chapter: Chapter) -> tuple[Drawing, ...]:
     """Figures of a chapter: of the member shown, or of every steady state."""
     members = chapter.members if chapter.view.of_every_state else (chapter.shown,)

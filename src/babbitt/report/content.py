@@ -13,7 +13,13 @@ from typing import TYPE_CHECKING, Any
 from babbitt.core.report_level import Level
 from babbitt.core.result import Result, Verdict
 from babbitt.report import findings
-from babbitt.report.bearing_content import Data, bearing_content, calculation_content, figures_content
+from babbitt.report.bearing_content import (
+    Data,
+    bearing_content,
+    calculation_content,
+    figures_content,
+    sketch_content,
+)
 from babbitt.report.chapters import Chapter, chapters
 from babbitt.report.check_content import check_content
 from babbitt.report.columns import footnote
@@ -46,6 +52,7 @@ def content(machine: MachineResult, level: Level = Level.FULL) -> Data:
     """
     results = machine.results
     parts = chapters(machine.solutions)
+    shared = _shared_assumptions(results) if level is Level.STANDARD else ()
     summed, marks = totals(results), footnote(columns_of(results), results)
     return {
         "name": plain_text(machine.name) or "Unnamed case",
@@ -63,17 +70,34 @@ def content(machine: MachineResult, level: Level = Level.FULL) -> Data:
         "overview": _overview(() if level is Level.SUMMARY else results),
         "findings": _findings(results, level),
         "level": level.value,
-        "bearings": [_bearing(part, level) for part in parts],
+        "assumptions": list(shared),
+        "bearings": [_bearing(part, level, len(parts), shared) for part in parts],
         "case_text": plain_lines(machine.case_text).strip("\n") if level is Level.FULL else "",
     }
 
 
-def _bearing(part: Chapter, level: Level) -> Data:
+MOST_WITH_FIGURES = 3
+"""Bearings up to which a standard report has curves and maps; of more it has their drawings alone."""
+
+
+def _shared_assumptions(results: Sequence[Result]) -> tuple[str, ...]:
+    """What is assumed of every bearing of a machine of several."""
+    if len({result.name for result in results}) < 2:
+        return ()
+    first, *others = (dict.fromkeys(plain_text(said) for said in result.assumptions) for result in results)
+    return tuple(said for said in first if all(said in other for other in others))
+
+
+def _bearing(part: Chapter, level: Level, count: int, shared: Sequence[str]) -> Data:
     said = bearing_content(part)
+    said["assumptions"] = [one for one in said["assumptions"] if one not in shared]
     if level is Level.SUMMARY:
-        return said | {"inputs": [], "tables": [], "assumptions": [], "sections": [], "figures": []}
-    sections = calculation_content(part) if level is Level.FULL else []
-    return said | {"sections": sections, "figures": figures_content(part)}
+        empty: Data = {key: [] for key in ("inputs", "tables", "assumptions", "sections", "figures")}
+        return said | empty | {"sketch": None}
+    full = level is Level.FULL
+    figures = figures_content(part) if full or count <= MOST_WITH_FIGURES else []
+    sections = calculation_content(part) if full else []
+    return said | {"sketch": sketch_content(part), "sections": sections, "figures": figures}
 
 
 def _count(results: Sequence[Result]) -> str:
@@ -143,7 +167,7 @@ def _overview(results: Sequence[Result]) -> Data:
 
 
 def _codes(results: Sequence[Result], level: Level) -> list[tuple[str, str]]:
-    """Codes and quantities of the checks of solved bearings, in the order of the standard; in a summary of limits."""
+    """Codes and quantities of the checks of solved bearings, in their order; in a summary of limits alone."""
     checks = (check for result in results if result.outcome.solved for check in result.checks)
     found = {(c.code, c.quantity): None for c in checks if level is not Level.SUMMARY or not c.advisory}
     return sorted(found)

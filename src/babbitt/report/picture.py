@@ -10,6 +10,7 @@ import itertools
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass
+from pathlib import Path
 from xml.etree import ElementTree
 
 import numpy as np
@@ -28,6 +29,11 @@ Points = tuple[ArrayLike, ArrayLike]
 
 HEAD, LETTER = 0.09, 0.055
 """Length of the head of an arrow and height of a letter, over half the width of the picture."""
+
+STROKE, BOLD = 0.008, ("load", "reaction", "flow", "tilt", "curve")
+"""Width of a line over half the width of the picture, and styles of lines twice as wide; a browser has its own."""
+
+PAPER = Path(__file__).parent / "templates" / "picture.css"
 
 BANDS = (0.02, 0.2, 0.4, 0.6, 0.8)
 """Shares of the highest value at which a shade more begins."""
@@ -151,7 +157,12 @@ class Canvas:
     def _add(
         self, tag: str, style: str, attributes: dict[str, str], handle: Handle | None = None
     ) -> ElementTree.Element:
-        own = {"class": style if handle is None else f"{style} handle", **attributes}
+        width = STROKE * self.reach * (2.0 if style.split()[0] in BOLD else 1.0)
+        own = {
+            "class": style if handle is None else f"{style} handle",
+            "stroke-width": _number(width),
+            **attributes,
+        }
         if handle is not None:
             own |= {"data-field": handle.field, "data-angle": _number(math.degrees(handle.angle))}
         return ElementTree.SubElement(self._root, tag, own)
@@ -172,20 +183,29 @@ class Picture(Canvas):
 
     def __init__(self, reach: float, spoken: str, low: float | None = None, high: float | None = None) -> None:
         self.low, self.high = (-reach if low is None else low), (reach if high is None else high)
-        height = self.high - self.low
+        self.spoken, height = spoken, self.high - self.low
+        self.tall = height >= 2.2 * reach
         seen = {
             "xmlns": "http://www.w3.org/2000/svg",
             "viewBox": " ".join(_number(value) for value in (-reach, -self.high, 2.0 * reach, height)),
             "role": "img",
             "aria-label": spoken,
-            "class": "picture" if height < 2.2 * reach else "picture tall",
+            "class": "picture tall" if self.tall else "picture",
         }
         super().__init__(ElementTree.Element("svg", seen), reach)
         ElementTree.SubElement(self._root, "desc").text = spoken
 
     def svg(self) -> str:
-        """The drawing as a text of SVG."""
+        """The drawing as a text of SVG, to be styled by the page that shows it."""
         return ElementTree.tostring(self._root, encoding="unicode")
+
+    def printed(self) -> str:
+        """The drawing as a text of SVG in the style of paper."""
+        style = ElementTree.Element("style")
+        style.text = PAPER.read_text(encoding="utf-8")
+        page = ElementTree.Element("svg", self._root.attrib)
+        page.extend((style, *self._root))
+        return ElementTree.tostring(page, encoding="unicode")
 
 
 def _path(points: Points) -> str:
