@@ -31,7 +31,8 @@ CASES = {
 """Name of the golden: kind of a template, or file of an example."""
 
 VOLATILE = {"case_hash", "hash", "babbitt", "version", "wall_time", "iterations", "svg", "case_text"}
-"""What may differ from run to run, or is a picture or a copy of the input."""
+VOLATILE |= {"level", "shared_assumptions", "sketch"}
+"""What may differ from run to run, or is a picture, a copy of the input or the layout of a report."""
 
 FORMULAS, FILMS, COEFFICIENTS = 1e-10, 1e-7, 1e-4
 """Relative tolerances: results of closed formulas, of films, and of derivatives and small differences."""

@@ -15,7 +15,7 @@ from babbitt.kinds.journal.iso7902 import check
 from babbitt.kinds.journal.iso7902.model import PrescribedLoad
 from babbitt.kinds.journal.iso7902.supply import Arrangement, Holes
 from babbitt.kinds.journal.report.views import ISO7902
-from babbitt.report.bearing_content import bearing_content
+from babbitt.report.bearing_content import bearing_content, calculation_content
 from babbitt.report.chapters import chapters
 from babbitt.report.content import content
 from babbitt.report.inputs import inputs
@@ -152,5 +152,5 @@ def test_a_journal_that_turns_clockwise_says_so():
     assert backward.angular_speed == -forward.angular_speed < 0.0
     assert backward.surface_speed == forward.surface_speed
     (chapter,) = of(replace(EXAMPLE, journal_speed=-EXAMPLE.journal_speed))
-    shown = [line for part in bearing_content(chapter)["sections"] for line in part["lines"]]
+    shown = [line for part in calculation_content(chapter) for line in part["lines"]]
     assert any("U = " in line["spoken"] for line in shown)

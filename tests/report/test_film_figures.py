@@ -29,7 +29,7 @@ pytest.importorskip("matplotlib")
 
 from babbitt.kinds.journal.report import film_curves, film_maps, film_polar, film_stability
 from babbitt.kinds.journal.report.film_figures import LEFT_OUT, SLOW, all_figures, report_figures
-from babbitt.report.bearing_content import bearing_content
+from babbitt.report.bearing_content import figures_content
 from babbitt.report.chapters import chapters
 from babbitt.report.drawing import style
 from babbitt.report.figures import write_plots
@@ -329,7 +329,7 @@ def test_names_of_levels_keep_off_edges_and_supplies():
 
 def test_the_report_has_the_figures_of_a_film():
     (chapter,) = chapters((solution("two"),))
-    figures = bearing_content(chapter)["figures"]
+    figures = figures_content(chapter)
     assert [figure["name"] for figure in figures] == REPORTED
     wide = [figure["name"] for figure in figures if figure["wide"]]
     assert wide == [

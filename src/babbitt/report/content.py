@@ -70,7 +70,7 @@ def content(machine: MachineResult, level: Level = Level.FULL) -> Data:
         "overview": _overview(() if level is Level.SUMMARY else results),
         "findings": _findings(results, level),
         "level": level.value,
-        "assumptions": list(shared),
+        "shared_assumptions": list(shared),
         "bearings": [_bearing(part, level, len(parts), shared) for part in parts],
         "case_text": plain_lines(machine.case_text).strip("\n") if level is Level.FULL else "",
     }

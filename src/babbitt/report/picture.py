@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from babbitt.report.picture_words import sized
+from babbitt.report.text import plain_text
 
 __all__ = ["LETTER", "Canvas", "Handle", "Picture"]
 
@@ -32,6 +33,9 @@ HEAD, LETTER = 0.09, 0.055
 
 STROKE, BOLD = 0.008, ("load", "reaction", "flow", "tilt", "curve")
 """Width of a line over half the width of the picture, and styles of lines twice as wide; a browser has its own."""
+
+PRINTED = 300.0
+"""Width of a drawing on paper, in points of SVG."""
 
 PAPER = Path(__file__).parent / "templates" / "picture.css"
 
@@ -137,7 +141,7 @@ class Canvas:
             "dominant-baseline": "middle",
             "stroke-width": _number(0.25 * self.letter),
         }
-        self._add("text", style, place | aligned).text = words
+        self._add("text", style, place | aligned).text = plain_text(words)
 
     def notes(self, x: float, y: float, lines: Iterable[str], anchor: str = "start") -> None:
         """Lines of words one below the other, the first at a place."""
@@ -183,17 +187,17 @@ class Picture(Canvas):
 
     def __init__(self, reach: float, spoken: str, low: float | None = None, high: float | None = None) -> None:
         self.low, self.high = (-reach if low is None else low), (reach if high is None else high)
-        self.spoken, height = spoken, self.high - self.low
+        self.spoken, height = plain_text(spoken), self.high - self.low
         self.tall = height >= 2.2 * reach
         seen = {
             "xmlns": "http://www.w3.org/2000/svg",
             "viewBox": " ".join(_number(value) for value in (-reach, -self.high, 2.0 * reach, height)),
             "role": "img",
-            "aria-label": spoken,
+            "aria-label": self.spoken,
             "class": "picture tall" if self.tall else "picture",
         }
         super().__init__(ElementTree.Element("svg", seen), reach)
-        ElementTree.SubElement(self._root, "desc").text = spoken
+        ElementTree.SubElement(self._root, "desc").text = self.spoken
 
     def svg(self) -> str:
         """The drawing as a text of SVG, to be styled by the page that shows it."""
@@ -203,7 +207,8 @@ class Picture(Canvas):
         """The drawing as a text of SVG in the style of paper."""
         style = ElementTree.Element("style")
         style.text = PAPER.read_text(encoding="utf-8")
-        page = ElementTree.Element("svg", self._root.attrib)
+        size = {"width": f"{PRINTED:g}", "height": f"{PRINTED * 0.5 * (self.high - self.low) / self.reach:.5g}"}
+        page = ElementTree.Element("svg", self._root.attrib | size)
         page.extend((style, *self._root))
         return ElementTree.tostring(page, encoding="unicode")
 
