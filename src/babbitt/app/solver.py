@@ -18,10 +18,13 @@ from pebble import ProcessExpired, ProcessFuture, ProcessPool
 
 from babbitt.core.picklable_error import PicklableError
 
-__all__ = ["LONGEST", "Ended", "Latest", "Solver"]
+__all__ = ["LONGEST", "LONGEST_STUDY", "Ended", "Latest", "Solver", "outcome_of"]
 
 LONGEST = 30.0
 """Seconds that an answer may take."""
+
+LONGEST_STUDY = 600.0
+"""Seconds that a study may take."""
 
 STALE = 5.0
 """Seconds after which a question that is no longer of interest is ended: before that its answer is near, and a new
