@@ -27,6 +27,9 @@ AROUND, ACROSS = "theta", "z"
 INK = "#76808b"
 """Of words in a chart: legible on a light page and on a dark one."""
 
+EYE = {"x": 0.9, "y": -1.9, "z": 0.9}
+"""Where a surface is seen from, in its own size."""
+
 MOST_PLACES = 181
 """Places along one side of a chart; a finer grid is thinned."""
 
@@ -128,7 +131,11 @@ def chart_of(found: Map, as_surface: bool) -> dict[str, Any]:
         lines = [
             {"type": "scatter", "mode": "lines", "x": sheet.angles, "y": sheet.values[0]} for sheet in found.sheets
         ]
-        return {"data": lines, "layout": {**base, "xaxis": angle, "yaxis": {"title": {"text": title}}}, "config": config}
+        return {
+            "data": lines,
+            "layout": {**base, "xaxis": angle, "yaxis": {"title": {"text": title}}},
+            "config": config,
+        }
     kind = "surface" if as_surface else "heatmap"
     data = [
         {"type": kind, "x": sheet.angles, "y": sheet.widths, "z": sheet.values, "coloraxis": "coloraxis"}
@@ -137,6 +144,7 @@ def chart_of(found: Map, as_surface: bool) -> dict[str, Any]:
     layout = {**base, "coloraxis": {"colorscale": "Viridis", "colorbar": {"title": {"text": title}}}}
     if as_surface:
         names = {"xaxis": angle, "yaxis": width, "zaxis": {"title": {"text": title}}}
-        layout["scene"] = {**names, "aspectratio": {"x": 1.8, "y": 1.0, "z": 0.8}}
+        layout["scene"] = {**names, "aspectratio": {"x": 1.6, "y": 0.9, "z": 0.7}, "camera": {"eye": EYE}}
+        layout["margin"] = {"l": 0, "r": 0, "t": 0, "b": 0}
         return {"data": data, "layout": layout, "config": config}
     return {"data": data, "layout": {**layout, "xaxis": angle, "yaxis": width}, "config": config}

@@ -42,7 +42,8 @@ class MapsView:
                 return
             several = len({bearing for bearing, _ in self._maps}) > 1
             names = {
-                place: f"{place[0]}: {one.meaning}" if several else one.meaning for place, one in self._maps.items()
+                place: f"{place[0]}: {one.meaning}" if several else one.meaning
+                for place, one in self._maps.items()
             }
             self._place = self._place if self._place in self._maps else next(iter(self._maps))
             with ui.row().classes("items-center w-full"):

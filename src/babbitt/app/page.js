@@ -27,3 +27,16 @@
     held = null;
   });
 })();
+// The draft outlives a reload: it is kept by the browser, for this tab alone, and is sent to nobody else.
+window.babbitt = {
+  keep: (key, text) => {
+    try { sessionStorage.setItem(key, JSON.stringify({hash: location.hash, text: text})); } catch { /* full, or forbidden */ }
+  },
+  kept: (key) => {
+    try {
+      const found = JSON.parse(sessionStorage.getItem(key));
+      return found && found.hash === location.hash ? found.text : null;
+    } catch { return null; }
+  },
+};
+window.addEventListener("hashchange", () => emitEvent("linked", location.hash));

@@ -45,13 +45,9 @@ def show_figures(figures: Iterable[Figure]) -> None:
     """Figures, each with its caption."""
     for figure in figures:
         # Drawn by this package, its texts as paths: nothing of a case is markup in it.
-        ui.html(figure.svg, sanitize=False).classes("figure").props(f'role="img" aria-label="{_quoted(figure.name)}"')
+        drawn = ui.html(figure.svg, sanitize=False).classes("figure").props('role="img"')
+        drawn.props["aria-label"] = figure.name
         ui.label(figure.caption).classes("small")
-
-
-def _quoted(text: str) -> str:
-    """Text for an attribute."""
-    return text.replace("\\", "").replace('"', "'")
 
 
 def show_faults(faults: Iterable[Fault]) -> None:
@@ -111,7 +107,7 @@ class LongWork:
         self._solver, self._question, self._show = solver, question, show
         self._running: Any = None
         self._file = ""
-        with ui.row().classes("items-center w-full"):
+        with ui.row().classes("items-center w-full") as self.row:
             self._start = ui.button(says, on_click=self._begin).props("outline no-caps")
             self._cancel = ui.button(word("cancel"), on_click=self._end).props("flat no-caps")
             self._bar = ui.linear_progress(value=0.0, show_value=False).classes("grow progress")

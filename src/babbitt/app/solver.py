@@ -161,15 +161,3 @@ def _prepared() -> None:
     from babbitt.core.kind import kinds
 
     answer(kinds()["journal"].read_template())
-
-
-def loaded() -> None:
-    """Load the kernels of films, so that no question of a visitor waits for them."""
-    from babbitt.app.answer import answer
-    from babbitt.app.document import CaseDocument
-    from babbitt.core.kind import kinds
-
-    document = CaseDocument(kinds()["journal"].read_template())
-    for thermal in ("global", "adiabatic"):
-        document.change(("method",), {"kind": "film", "thermal": thermal})
-        answer(document.text)

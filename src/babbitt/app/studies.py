@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from babbitt.app.answer import NAME, Fault, Figure, Table, faults_of, read
-from babbitt.app.document import with_changed
-from babbitt.app.form import as_text, form_of
+from babbitt.app.document import CaseDocument, with_changed
+from babbitt.app.form import Item, as_text
 from babbitt.app.progress import FileWatch
 from babbitt.app.slider import quantities
 from babbitt.app.units import split
@@ -20,7 +20,17 @@ from babbitt.report.text import plain_text
 from babbitt.study.size_choices import standard_choices
 from babbitt.study.study import Study
 
-__all__ = ["Axis", "Studied", "asked_text", "axes_of", "block_of", "kinds_of", "studied", "study_file"]
+__all__ = [
+    "Axis",
+    "Studied",
+    "asked_text",
+    "axes_of",
+    "block_of",
+    "first_axis",
+    "kinds_of",
+    "studied",
+    "study_file",
+]
 
 NEEDS = {"sweep": (1, 3), "size": (1, 1), "tolerance": (1, 8), "map": (0, 2), "corners": (0, 0), "design": (0, 0)}
 """Kinds of study on the page, each with the fewest and most fields that it varies."""
@@ -79,12 +89,12 @@ def kinds_of(given: Mapping[str, Any]) -> tuple[str, ...]:
     return (*own, *(name for name in NEEDS if name not in without))
 
 
-def axes_of(given: Mapping[str, Any], kind: str) -> dict[str, Axis]:
+def axes_of(document: CaseDocument, kind: str) -> dict[str, Axis]:
     """The fields that a study of a case may vary, by their paths, each with the values to begin with."""
     if kind not in NEEDS or NEEDS[kind][1] == 0:
         return {}
-    tolerance = kind == "tolerance"
-    found = {axis.path: axis for axis in _numbers(given, NARROW if tolerance else WIDE)}
+    given, tolerance = document.given, kind == "tolerance"
+    found = {axis.path: axis for axis in _numbers(document.items, NARROW if tolerance else WIDE)}
     clearance = given.get("clearance")
     if isinstance(clearance, Mapping) and {"bore", "journal"} <= clearance.keys():
         fit = f"{clearance['bore']}/{clearance['journal']}"
@@ -93,7 +103,8 @@ def axes_of(given: Mapping[str, Any], kind: str) -> dict[str, Axis]:
         else:
             found["clearance.mean"] = Axis("clearance.mean", *RELATIVE_CLEARANCES)
             found |= {
-                path: Axis(path, choices=standard_choices(path)) for path in ("clearance.bore", "clearance.journal")
+                path: Axis(path, choices=standard_choices(path))
+                for path in ("clearance.bore", "clearance.journal")
             }
     if kind == "map":  # two axes of numbers
         return {path: axis for path, axis in found.items() if not axis.choices}
@@ -104,8 +115,16 @@ def axes_of(given: Mapping[str, Any], kind: str) -> dict[str, Axis]:
     return found
 
 
-def _numbers(given: Mapping[str, Any], factor: float) -> Iterator[Axis]:
-    for entry in quantities(form_of(given)):
+def first_axis(given: Mapping[str, Any], known: Iterable[str]) -> str:
+    """The field to begin with: that over which a map of the kind goes up, such as the load, else the first."""
+    paths = list(known)
+    kind = find_kind(str(given.get("kind")))
+    usual = kind.envelope[1] if kind is not None else ()
+    return next((path for path in paths if path.rpartition(".")[2] in usual), paths[0])
+
+
+def _numbers(items: tuple[Item, ...], factor: float) -> Iterator[Axis]:
+    for entry in quantities(items):
         number, unit = split(as_text(entry.value), entry.units)
         if entry.options or not (value := float(number)):
             continue

@@ -11,7 +11,18 @@ from nicegui import ui
 from babbitt.app.document import CaseDocument
 from babbitt.app.parts import LongWork, Question, show_faults, show_figures, show_table, tell_ended
 from babbitt.app.solver import Ended, Solver
-from babbitt.app.studies import NEEDS, Axis, Studied, asked_text, axes_of, block_of, kinds_of, studied, study_file
+from babbitt.app.studies import (
+    NEEDS,
+    Axis,
+    Studied,
+    asked_text,
+    axes_of,
+    block_of,
+    first_axis,
+    kinds_of,
+    studied,
+    study_file,
+)
 from babbitt.app.words import word
 
 __all__ = ["StudiesView"]
@@ -42,18 +53,16 @@ class StudiesView:
         self._study: Any = None
         self._box = ui.column().classes("w-full")
         self.work = LongWork(solver, word("run_study"), self._asked, self._show)
-        ui.button(word("keep_study"), on_click=self._keep).props("flat dense no-caps").tooltip(word("keep_study_help"))
+        ui.button(word("keep_study"), on_click=self._keep).props("flat dense no-caps").tooltip(
+            word("keep_study_help")
+        )
         self.draw()
 
     def draw(self) -> None:
         """Draw the choices anew: another case."""
-        given = self.document.given
-        try:
-            kinds = kinds_of(given)
-            self._kind = self._kind if self._kind in kinds else kinds[0]
-            self._known = axes_of(given, self._kind)
-        except KeyError:  # no kind of the case language: the faults say so
-            return
+        kinds = kinds_of(self.document.given)
+        self._kind = self._kind if self._kind in kinds else kinds[0]
+        self._known = axes_of(self.document, self._kind)
         self._axes = {path: axis for path, axis in self._known.items() if path in self._axes}
         self._box.clear()
         with self._box:
@@ -75,7 +84,7 @@ class StudiesView:
         names = {path: path.replace("_", " ").replace(".", " ") for path in self._known}
         fewest, most = NEEDS[self._kind]
         if not self._axes and fewest:
-            first = next(iter(self._known))
+            first = first_axis(self.document.given, self._known)
             self._axes = {first: self._known[first]}
         label = word("vary_fields", fewest=fewest, most=most)
         ui.select(
@@ -103,7 +112,8 @@ class StudiesView:
                 if self._kind == "tolerance":
                     laws = {law: word(f"law_{law}") for law in ("uniform", "triangular")}
                     ui.select(
-                        laws, value=axis.law, label=word("law"), on_change=lambda e: self._set(axis.path, law=e.value)
+                        laws, value=axis.law, label=word("law"),
+                        on_change=lambda e: self._set(axis.path, law=e.value),
                     ).props("dense")  # fmt: skip
                 else:
                     ui.number(
