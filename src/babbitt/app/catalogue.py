@@ -84,4 +84,4 @@ def viscosity_chart(names: Iterable[str]) -> dict[str, Any]:
         "paper_bgcolor": "rgba(0,0,0,0)", "plot_bgcolor": "rgba(0,0,0,0)", "font": {"color": INK}, "xaxis": across,
         "yaxis": up, "margin": {"l": 60, "r": 20, "t": 20, "b": 50}, "showlegend": True,
     }  # fmt: skip
-    return {"data": lines, "layout": layout, "config": {"displaylogo": False, "responsive": True}}
+    return {"data": lines, "layout": layout, "config": {"displaylogo": False, "responsive": False}}

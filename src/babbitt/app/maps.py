@@ -126,7 +126,7 @@ def chart_of(found: Map, as_surface: bool) -> dict[str, Any]:
         "paper_bgcolor": "rgba(0,0,0,0)", "plot_bgcolor": "rgba(0,0,0,0)", "font": {"color": INK},
         "margin": {"l": 60, "r": 20, "t": 30, "b": 50}, "showlegend": False,
     }  # fmt: skip
-    config = {"displaylogo": False, "responsive": True}
+    config = {"displaylogo": False, "responsive": False}
     if not over_width:
         lines = [
             {"type": "scatter", "mode": "lines", "x": sheet.angles, "y": sheet.values[0]} for sheet in found.sheets

@@ -18,6 +18,10 @@ __all__ = ["LongWork", "icon_button", "on_request", "show_faults", "show_figures
 LOOK = 0.5
 """Seconds between two looks at how far long work is."""
 
+WORDS = {"align": "left", "style": "white-space: normal; min-width: 5em"}
+NUMBERS = {"align": "right"}
+"""Columns of tables: words may break over lines, numbers do not."""
+
 Question = tuple[Callable[..., Any], tuple[Any, ...]]
 
 
@@ -30,7 +34,7 @@ def icon_button(icon: str, says: str, pressed: Callable[[], Any]) -> ui.button:
 def show_table(table: Table) -> ui.table:
     """Rows of text."""
     columns = [
-        {"name": str(n), "label": head, "field": str(n), "align": "left" if n < table.words else "right"}
+        {"name": str(n), "label": head, "field": str(n), **(WORDS if n < table.words else NUMBERS)}
         for n, head in enumerate(table.heads)
     ]
     rows = [{"key": key, **{str(n): cell for n, cell in enumerate(row)}} for key, row in enumerate(table.rows)]

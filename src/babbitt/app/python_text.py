@@ -11,7 +11,7 @@ from babbitt.core.files.reading import Reach
 
 __all__ = ["python_of"]
 
-WIDEST = 100
+WIDEST = 84
 """Characters of a line."""
 
 LEFT_OUT = ("babbitt", "kind", "study")

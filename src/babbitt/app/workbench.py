@@ -60,6 +60,7 @@ class Workbench:
             with ui.element("section").classes("bearing").props(f'aria-label="{word("bearing")}"'):
                 self._compiling = ui.label("").classes("small").props('role="status"')
                 self._drawing = ui.column().classes("w-full")
+            with ui.element("section").classes("more").props(f'aria-label="{word("more")}"'):
                 self._tabs()
             with ui.element("section").classes("answer").props(f'aria-label="{word("results")}" id="answer"'):
                 self._cards = ui.column().classes("w-full")
@@ -93,7 +94,7 @@ class Workbench:
         }
         with ui.tabs().props("dense align=left no-caps").classes("wrapped") as tabs:
             made = {name: ui.tab(word(name)) for name in drawn}
-        with ui.tab_panels(tabs, value=made["explore"]).classes("w-full panels").props("keep-alive"):
+        with ui.tab_panels(tabs, value=made["explore"]).classes("w-full panels"):
             for name, draw in drawn.items():
                 with ui.tab_panel(made[name]):
                     draw()
