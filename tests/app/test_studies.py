@@ -91,8 +91,10 @@ def test_tolerances_take_the_fit_and_the_grade():
     load = Axis("load", "1 kN", "3 kN", law="triangular")
     block = block_of("tolerance", [axes["clearance"], axes["lubricant"], load], 20)
     assert block["vary"] == {
-        "clearance": {"fit": "H7/e7"}, "lubricant": {"scatter": "vg"}, "load": {"triangular": ["1 kN", "2 kN", "3 kN"]}
-    }  # fmt: skip
+        "clearance": {"fit": "H7/e7"},
+        "lubricant": {"scatter": "vg"},
+        "load": {"triangular": ["1 kN", "2 kN", "3 kN"]},
+    }
     assert read(asked(block)).study_block.samples == 20
 
 
