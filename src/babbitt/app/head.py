@@ -95,10 +95,8 @@ class Head:
     async def _python(self) -> None:
         try:
             self._offer(await self._solver.ask(python_of, self.document.text))
-        except Ended as ended:
-            ui.notify(tell_ended(ended), type="warning")
-        except InputError:
-            ui.notify(word("faults"), type="warning")
+        except (Ended, InputError) as error:
+            ui.notify(tell_ended(error), type="warning")
 
     def _offer(self, text: str) -> None:
         """Show a text to take along, copied where the browser lets it be."""
@@ -119,11 +117,8 @@ class Head:
         ui.notify(word("working"))
         try:
             content = await self._solver.ask(function, *given)
-        except Ended as ended:
-            ui.notify(tell_ended(ended), type="warning")
-            return
-        except InputError:
-            ui.notify(word("faults"), type="warning")
+        except (Ended, InputError) as error:
+            ui.notify(tell_ended(error), type="warning")
             return
         ui.download.content(content, name)
 

@@ -12,6 +12,7 @@ from babbitt.app.answer import Fault, Figure, Table
 from babbitt.app.progress import progress_in
 from babbitt.app.solver import LONGEST, LONGEST_STUDY, Ended, Solver, outcome_of
 from babbitt.app.words import word
+from babbitt.core.notices import InputError
 
 __all__ = ["LongWork", "icon_button", "on_request", "show_faults", "show_figures", "show_table", "tell_ended"]
 
@@ -61,9 +62,9 @@ def show_faults(faults: Iterable[Fault]) -> None:
         ui.label(f"{where}{fault.message} [{fault.code}]").classes("fault").props('role="alert"')
 
 
-def tell_ended(ended: Ended, longest: float = LONGEST) -> str:
+def tell_ended(error: Ended | InputError, longest: float = LONGEST) -> str:
     """Why a question has no answer, in words."""
-    return word(ended.why, seconds=longest)
+    return word(error.why, seconds=longest) if isinstance(error, Ended) else error.message
 
 
 def on_request(says: str, work: Callable[[ui.column], Any]) -> ui.column:
@@ -78,10 +79,10 @@ def on_request(says: str, work: Callable[[ui.column], Any]) -> ui.column:
             ui.label(word("working")).props('role="status"')
         try:
             await work(box)
-        except Ended as ended:
+        except (Ended, InputError) as error:
             box.clear()
             with box:
-                ui.label(tell_ended(ended))
+                ui.label(tell_ended(error)).classes("fault").props('role="alert"')
         finally:
             button.enable()
 
@@ -150,8 +151,8 @@ class LongWork:
                 self._file = f"{folder}/progress"
                 self._running = self._solver.start(function, *given, self._file, longest=LONGEST_STUDY)
                 found = await outcome_of(self._running)
-        except Ended as ended:
-            self._said.text = tell_ended(ended, LONGEST_STUDY)
+        except (Ended, InputError) as error:
+            self._said.text = tell_ended(error, LONGEST_STUDY)
             return
         finally:
             self._running = None

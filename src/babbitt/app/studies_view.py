@@ -24,6 +24,7 @@ from babbitt.app.studies import (
     study_file,
 )
 from babbitt.app.words import word
+from babbitt.core.notices import InputError
 
 __all__ = ["StudiesView"]
 
@@ -167,7 +168,7 @@ class StudiesView:
         ui.notify(word("working"))
         try:
             content = await self._solver.ask(study_file, self._study, ending)
-        except Ended as ended:
-            ui.notify(tell_ended(ended), type="warning")
+        except (Ended, InputError) as error:
+            ui.notify(tell_ended(error), type="warning")
             return
         ui.download.content(content, f"study{ending}")
