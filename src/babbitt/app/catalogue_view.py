@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
 
 from nicegui import ui
 
@@ -40,29 +39,31 @@ class CatalogueView:
             on_change=lambda event: self._chart.update_figure(viscosity_chart(event.value)),
         ).props("dense use-chips").classes("w-full")  # fmt: skip
         self._chart = ui.plotly(viscosity_chart(FIRST)).classes("w-full chart")
-        self._chart.props(f'role="img" aria-label="{word("viscosity_chart")}"')
+        self._chart.props(f'role="figure" aria-label="{word("viscosity_chart")}"')
         ui.label(word("viscosity_axes")).classes("small")
         self._table(found, "oil")
         self._table(metals(), "metal")
 
     def _table(self, found: Table, what: str) -> None:
         ui.label(word(f"{what}s")).classes("heading")
-        table = show_table(found)
-        table.set_selection("single")
+        names = [row[0] for row in found.rows]
+        with ui.row().classes("items-center w-full"):
+            chosen = ui.select(names, label=word(f"choose_{what}"), with_input=True).props("dense").classes("grow")
 
-        def taken() -> None:
-            if not table.selected:
-                ui.notify(word("choose_first"))
-                return
-            self._put(table.selected[0]["0"], what)
+            def taken() -> None:
+                if chosen.value is None:
+                    ui.notify(word("choose_first"))
+                else:
+                    self._put(str(chosen.value), what)
 
-        ui.button(word(f"take_{what}"), on_click=taken).props("outline no-caps")
+            ui.button(word("take"), on_click=taken).props(f'outline no-caps aria-label="{word(f"take_{what}")}"')
+        show_table(found)
 
-    def _put(self, name: Any, what: str) -> None:
+    def _put(self, name: str, what: str) -> None:
         path = field_for(self.document.items, FIELDS[what])
         if path is None:
             ui.notify(word("no_such_field"), type="warning")
             return
-        self.document.change(path, str(name))
+        self.document.change(path, name)
         self._changed()
         ui.notify(word("taken", name=name))

@@ -53,7 +53,9 @@ class FormView:
     def _units(self) -> None:
         """Whether values show in units of SI or of inches; the case keeps those in which it was written."""
         names = {system: word(f"units_{system}") for system in SYSTEMS}
-        found = ui.toggle(names, value=self._system, on_change=self._shown_in).props("dense no-caps unelevated")
+        found = ui.toggle(names, value=self._system, on_change=self._shown_in).props(
+            "dense no-caps unelevated toggle-color=grey-8"
+        )
         found.props(f'aria-label="{word("unit_system")}"').classes("units")
 
     def _shown_in(self, event: Any) -> None:

@@ -41,7 +41,7 @@ class Head:
         self.document, self._solver, self._replaced = document, solver, replaced
         with ui.header().classes("head"):
             ui.link(word("skip"), "#answer").classes("skip")
-            ui.label(word("title")).classes("title")
+            ui.html(word("title"), tag="h1", sanitize=False).classes("title")
             with self._menu(word("new"), "note_add"):
                 for name, kind in kinds().items():
                     self._entry(kind.description, partial(self._template, name))

@@ -49,7 +49,11 @@ class MapsView:
             with ui.row().classes("items-center w-full"):
                 ui.select(names, value=self._place, label=word("field"), on_change=self._chosen).classes("grow")
                 ui.switch(word("as_surface"), value=self._as_surface, on_change=self._turned)
-            self._chart = ui.plotly(self._figure()).classes("w-full chart").props('role="img"')
+            self._chart = (
+                ui.plotly(self._figure())
+                .classes("w-full chart")
+                .props(f'role="figure" aria-label="{word("field")}"')
+            )
 
     def _figure(self) -> dict[str, Any]:
         assert self._place is not None, "a field was chosen"

@@ -1,3 +1,9 @@
+document.documentElement.lang = "en";
+// What the library of the page leaves without a name, or out of reach of the keyboard.
+new MutationObserver(() => {
+  document.querySelectorAll(".q-loading-bar:not([aria-label])").forEach((bar) => bar.setAttribute("aria-label", "Loading"));
+  document.querySelectorAll(".q-table__middle:not([tabindex])").forEach((box) => box.setAttribute("tabindex", "0"));
+}).observe(document.documentElement, {childList: true, subtree: true});
 // Drag what may be turned: the load arrow, grooves, pockets and holes.
 (() => {
   let held = null;

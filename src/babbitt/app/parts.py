@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from concurrent.futures import BrokenExecutor
 from tempfile import TemporaryDirectory
 from typing import Any
 
@@ -153,6 +154,9 @@ class LongWork:
                 found = await outcome_of(self._running)
         except (Ended, InputError) as error:
             self._said.text = tell_ended(error, LONGEST_STUDY)
+            return
+        except BrokenExecutor:
+            self._said.text = word("died")
             return
         finally:
             self._running = None

@@ -24,15 +24,17 @@ class PublishedView:
 
     def __init__(self, solver: Solver) -> None:
         ui.label(word("validation_help")).classes("small")
+        found = published()
+        self._chosen = ui.select([row[0] for row in found.rows], multiple=True, label=word("choose_cases"))
+        self._chosen.props("dense use-chips").classes("w-full")
         LongWork(solver, word("run_cases"), self._asked, self._show)
-        self._table = show_table(published())
-        self._table.set_selection("multiple")
+        show_table(found)
 
     def _asked(self) -> Question | None:
-        if not self._table.selected:
+        if not self._chosen.value:
             ui.notify(word("choose_first"))
             return None
-        return scoreboard, (tuple(row["0"] for row in self._table.selected),)
+        return scoreboard, (tuple(self._chosen.value),)
 
     def _show(self, found: tuple[Table, ...]) -> None:
         for table in found:

@@ -54,7 +54,7 @@ class Workbench:
         """Draw the page."""
         self._client = context.client
         Head(self.document, self.service.solver, self._replaced)
-        with ui.element("main").classes("bench"):
+        with ui.element("div").classes("bench"):
             with ui.element("section").classes("case").props(f'aria-label="{word("form")}"'):
                 self._case()
             with ui.element("section").classes("bearing").props(f'aria-label="{word("bearing")}"'):
