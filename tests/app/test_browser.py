@@ -1,106 +1,17 @@
 """The page in a real browser: what a designer does, by mouse and by keyboard alone."""
 
 import json
-import os
 import re
-import shutil
-import socket
 import subprocess
 import sys
-import threading
 from urllib.request import Request, urlopen
 
 import pytest
+from browsing import IN_BROWSER, film_thickness, section, text_of, until
 
 from babbitt.core.kind import kinds
 
-BROWSER = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
-pytestmark = [
-    pytest.mark.slow,
-    pytest.mark.thorough,
-    pytest.mark.skipif(BROWSER is None, reason="no Chromium among the programs of the system"),
-]
-PAUSE = threading.Event()
-LONG = 120_000
-"""Milliseconds: a loaded machine is slow, and no test depends on the clock."""
-
-
-@pytest.fixture(scope="module")
-def server(tmp_path_factory):
-    """Address of a page that serves the template of a journal bearing."""
-    with socket.socket() as found:
-        found.bind(("127.0.0.1", 0))
-        port = found.getsockname()[1]
-    # The library of the page starts nothing where it believes to be tested itself.
-    environment = {name: value for name, value in os.environ.items() if not name.startswith("PYTEST")}
-    address = f"http://127.0.0.1:{port}"
-    with (tmp_path_factory.mktemp("server") / "log").open("w+") as log:
-        process = subprocess.Popen(
-            [sys.executable, "-m", "babbitt", "app", "--no-browser", "--port", str(port)],
-            stdout=log, stderr=subprocess.STDOUT, env=environment,
-        )  # fmt: skip
-        for _ in range(600):
-            try:
-                urlopen(address, timeout=5).close()
-                break
-            except OSError:
-                log.seek(0)
-                assert process.poll() is None, log.read()
-                PAUSE.wait(0.1)
-        yield address
-        process.terminate()
-        process.wait(30)
-
-
-@pytest.fixture(scope="module")
-def chromium():
-    playwright = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
-    options = [
-        "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
-        "--disable-component-update", "--disable-sync",
-    ]  # fmt: skip
-    with playwright.sync_playwright() as driver:
-        started = driver.chromium.launch(executable_path=BROWSER, args=options)
-        yield started
-        started.close()
-
-
-@pytest.fixture
-def page(chromium, server):
-    """The page with its first answer, and no request to any other host."""
-    opened = chromium.new_page(viewport={"width": 1280, "height": 900})
-    opened.set_default_timeout(LONG)
-    foreign, errors = [], []
-    opened.on(
-        "request",
-        lambda one: foreign.append(one.url) if not one.url.startswith((server, "data:", "blob:")) else None,
-    )
-    opened.on("pageerror", lambda one: errors.append(str(one)))
-    opened.goto(server)
-    opened.wait_for_selector(".verdict")
-    yield opened
-    assert foreign == []
-    assert errors == []
-    opened.close()
-
-
-def film_thickness(page):
-    """Of the card, in µm."""
-    said = page.locator(".card", has_text="Minimum film thickness").first.inner_text()
-    return float(re.search(r"= ([\d.]+) µm", said).group(1))
-
-
-def until(page, condition):
-    """Wait until something holds on the page."""
-    for _ in range(600):
-        if condition():
-            return
-        page.wait_for_timeout(100)
-    raise AssertionError("did not come about")
-
-
-def section(page, heading):
-    page.locator(".section", has_text=heading).locator(".q-expansion-item__container > .q-item").first.click()
+pytestmark = IN_BROWSER
 
 
 def solved_by_command(text, tmp_path):
@@ -111,12 +22,6 @@ def solved_by_command(text, tmp_path):
         capture_output=True,
     )  # fmt: skip
     return json.loads((tmp_path / "out.json").read_text())
-
-
-def text_of(page):
-    page.get_by_role("tab", name="Text").click()
-    page.wait_for_selector(".cm-line")
-    return "\n".join(page.locator(".cm-line").all_inner_texts())
 
 
 def test_a_slider_thins_the_film(page):

@@ -21,7 +21,7 @@ def asked(headers, token="", query="", kind="http"):
 
     scope = {
         "type": kind, "path": "/", "query_string": query.encode(),
-        "headers": [(name.encode(), value.encode()) for name, value in headers.items()],
+        "headers": [(name.encode(), value.encode("utf-8")) for name, value in headers.items()],
     }  # fmt: skip
     guard = Guard(page, ("127.0.0.1", "localhost", "::1"), token)
     asyncio.run(guard(scope, None, send))
@@ -71,6 +71,31 @@ def test_the_token_is_asked_for(query, cookie, status):
         assert headers["set-cookie"] == f"{COOKIE}={TOKEN}; HttpOnly; SameSite=Strict; Path=/"
     else:
         assert "set-cookie" not in headers
+
+
+@pytest.mark.parametrize("length", ["10000000", "1100001", "-1", "many", "9" * 5000, "\u0661"])
+def test_large_uploads_are_refused_unread(length):
+    assert asked({"host": "127.0.0.1", "content-length": length})[0] == 413
+
+
+def test_an_upload_of_unknown_size_is_refused():
+    assert asked({"host": "127.0.0.1", "transfer-encoding": "chunked"})[0] == 413
+
+
+def test_a_case_file_of_full_size_comes_through():
+    assert asked({"host": "127.0.0.1", "content-length": "1000500"})[0] == 200
+
+
+@pytest.mark.parametrize(
+    "headers", [{"host": "evil\nhost"}, {"host": "127.0.0.1", "origin": "http://a\nb"}, {"host": "\x1b[31mred"}]
+)
+def test_a_refusal_is_one_line_of_the_log(headers, caplog):
+    """Whoever is refused writes no lines of his own into the log, and no marks that steer a terminal."""
+    with caplog.at_level("WARNING", logger="babbitt.app"):
+        assert asked(headers)[0] == 403
+    (record,) = caplog.records
+    assert record.getMessage().startswith("refused http '/'")
+    assert record.getMessage().isprintable()
 
 
 def test_a_websocket_without_token_is_closed():

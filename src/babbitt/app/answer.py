@@ -35,6 +35,7 @@ __all__ = [
     "Table",
     "answer",
     "compared",
+    "faults_of",
     "figures",
     "json_of",
     "read",
@@ -148,12 +149,25 @@ class Figure:
 
 @dataclass(frozen=True)
 class Table:
-    """A comparison of methods: heads, and rows of as many cells and one for the name."""
+    """Rows of text under heads.
+
+    Attributes
+    ----------
+    title : str
+    heads : tuple of str
+    rows : tuple of tuple of str
+        As many cells as heads.
+    remarks : tuple of str
+        What to know of them.
+    words : int
+        Columns of words; those after them are numbers.
+    """
 
     title: str
     heads: tuple[str, ...]
     rows: tuple[tuple[str, ...], ...]
-    remarks: tuple[str, ...]
+    remarks: tuple[str, ...] = ()
+    words: int = 1
 
 
 def read(text: str) -> CaseFile:
@@ -180,10 +194,14 @@ def answer(text: str, quick: bool = False) -> Answer:
     try:
         machine = solved(text, quick)
     except CaseError as error:
-        faults = tuple(Fault(one.field, one.line, one.message, one.code) for one in error.problems)
-        return Answer(faults, quick=quick, seconds=time.perf_counter() - begun)
+        return Answer(faults_of(error), quick=quick, seconds=time.perf_counter() - begun)
     bearings = tuple(shown(one) for one in machine.solutions)
     return Answer((), bearings, machine.case_hash, quick, time.perf_counter() - begun)
+
+
+def faults_of(error: CaseError) -> tuple[Fault, ...]:
+    """All that is wrong, as the page shows it."""
+    return tuple(Fault(one.field, one.line, one.message, one.code) for one in error.problems)
 
 
 def solved(text: str, quick: bool = False) -> MachineResult:
@@ -318,7 +336,7 @@ def compared(text: str) -> tuple[Table, ...]:
         rows = tuple(
             (f"{row.meaning} {row.unit}".strip(), *row.cells) for row in compared_rows(one.compared, variants)
         )
-        heads = tuple(head(variant, one.asked) for variant in variants)
+        heads = ("", *(head(variant, one.asked) for variant in variants))
         remarks = tuple(line for line in (*one.sentences, *one.left_out.splitlines()) if line)
         tables.append(Table(plain_text(one.name), heads, rows, remarks))
     return tuple(tables)

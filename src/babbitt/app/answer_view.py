@@ -6,7 +6,8 @@ import math
 
 from nicegui import ui
 
-from babbitt.app.answer import Answer, Card, Finding, Shown
+from babbitt.app.answer import Answer, Card, Finding, Shown, Table
+from babbitt.app.parts import show_faults, show_table
 from babbitt.app.words import word
 
 __all__ = ["cards", "drawing", "results"]
@@ -15,13 +16,11 @@ ICONS = {"pass": "check_circle", "remarks": "info", "fail": "cancel", "no_verdic
 """Of verdicts, so that none is told by colour alone."""
 
 
-def cards(answer: Answer, place: int) -> None:
-    """Verdict and numbers of one bearing, or what is wrong with the case."""
+def cards(answer: Answer, place: int, kept: Shown | None = None) -> None:
+    """Verdict and numbers of one bearing, those of a design that was kept under them, or what is wrong."""
     if answer.faults:
         ui.label(word("faults")).classes("heading")
-        for fault in answer.faults:
-            where = f"{fault.field}: " if fault.field else f"{word('line')} {fault.line}: "
-            ui.label(f"{where}{fault.message} [{fault.code}]").classes("fault")
+        show_faults(answer.faults)
         return
     shown = answer.bearings[place]
     with ui.row().classes(f"verdict {shown.verdict_key}").props('role="status"'):
@@ -32,17 +31,20 @@ def cards(answer: Answer, place: int) -> None:
     ui.label(shown.method).classes("small")
     if shown.governing:
         ui.label(f"{word('governing')}: {shown.governing}").classes("small")
+    before = {card.label: card for card in kept.cards} if kept is not None else {}
     for card in shown.cards:
-        _card(card)
+        _card(card, before.get(card.label))
     for finding in shown.findings:
         _finding(finding)
 
 
-def _card(card: Card) -> None:
+def _card(card: Card, before: Card | None) -> None:
     with ui.element("div").classes(f"card {card.word}"):
         with ui.row().classes("line"):
             ui.label(card.label).classes("name")
             ui.label(f"{card.symbol} = {card.value}").classes("number")
+        if before is not None:
+            ui.label(f"A: {before.value}").classes("small kept")
         if card.limit:
             used = min(card.share, 1.0) if math.isfinite(card.share) else 1.0
             with ui.element("div").classes("bar").props(f'role="img" aria-label="{_used(card)}"'):
@@ -77,14 +79,6 @@ def drawing(shown: Shown) -> None:
 
 def results(shown: Shown) -> None:
     """Every number."""
-    columns = [
-        {"name": name, "label": said, "field": name, "align": align}
-        for name, said, align in (
-            ("quantity", word("quantity"), "left"),
-            ("symbol", word("symbol"), "left"),
-            ("value", word("value"), "right"),
-            ("unit", word("unit"), "left"),
-        )
-    ]
-    rows = [dict(zip(("quantity", "symbol", "value", "unit"), row, strict=True)) for row in shown.rows]
-    ui.table(columns=columns, rows=rows, row_key="quantity").props("dense flat").classes("results")
+    heads = tuple(word(name) for name in ("quantity", "symbol", "value", "unit"))
+    made = show_table(Table("", heads, shown.rows, words=2))
+    made.columns[-1]["align"] = "left"

@@ -7,7 +7,7 @@ import itertools
 from collections.abc import Mapping
 from typing import Any
 
-from babbitt.app.form import Path
+from babbitt.app.form import Item, Path, form_of
 from babbitt.case.document import DocumentError, read_document
 from babbitt.case.with_units import case_text
 
@@ -29,6 +29,8 @@ class CaseDocument:
     def __init__(self, text: str) -> None:
         self._texts, self._place = [text], 0
         self._before: str | None = None
+        self._read: tuple[str, dict[str, Any]] = ("", {})
+        self._drawn: tuple[str, tuple[Item, ...]] = ("", ())
 
     @property
     def text(self) -> str:
@@ -37,12 +39,20 @@ class CaseDocument:
 
     @property
     def given(self) -> dict[str, Any]:
-        """What it says; empty for a text that is no mapping."""
-        try:
-            found = read_document(self.text).plain()
-        except DocumentError:
-            return {}
-        return found if isinstance(found, dict) else {}
+        """What it says, read once for each text; empty for a text that is no mapping."""
+        if self._read[0] != self.text:
+            self._read = (self.text, _mapping_in(self.text))
+        return self._read[1]
+
+    @property
+    def items(self) -> tuple[Item, ...]:
+        """Its fields as a form, made once for each text; none where the text names no kind of case."""
+        if self._drawn[0] != self.text:
+            try:
+                self._drawn = (self.text, form_of(self.given))
+            except (KeyError, TypeError):
+                self._drawn = (self.text, ())
+        return self._drawn[1]
 
     @property
     def can_undo(self) -> bool:
@@ -96,6 +106,14 @@ class CaseDocument:
     def redo(self) -> None:
         """Go forward by one change that was taken back."""
         self._place = min(self._place + 1, len(self._texts) - 1)
+
+
+def _mapping_in(text: str) -> dict[str, Any]:
+    try:
+        found = read_document(text).plain()
+    except DocumentError:
+        return {}
+    return found if isinstance(found, dict) else {}
 
 
 def with_changed(given: Mapping[str, Any], path: Path, value: Any) -> dict[str, Any]:

@@ -10,8 +10,8 @@ from nicegui import ui
 
 from babbitt.app.answer import Fault
 from babbitt.app.document import CaseDocument
-from babbitt.app.form import NONE, TEXT, Choice, Entry, Group, Item, Path, Rows, as_text, form_of, sections_of
-from babbitt.app.units import in_unit, split
+from babbitt.app.form import NONE, TEXT, Choice, Entry, Group, Item, Path, Rows, as_text, sections_of
+from babbitt.app.units import SYSTEMS, in_unit, shown_in, split
 from babbitt.app.words import sections, word
 
 __all__ = ["FormView"]
@@ -33,6 +33,7 @@ class FormView:
         self.document, self._changed = document, changed
         self._inputs: dict[Path, Any] = {}
         self._open = set(list(sections())[:1])
+        self._system = SYSTEMS[0]
         self._box = ui.column().classes("form")
         self.draw()
 
@@ -40,19 +41,26 @@ class FormView:
         """Draw all controls anew: another case, or another way to give a part."""
         self._inputs.clear()
         self._box.clear()
-        given = self.document.given
-        if not isinstance(given.get("kind"), str):
-            return
-        try:
-            items = form_of(given)
-        except KeyError:  # no kind of the case language: the faults tell
-            return
+        items = self.document.items
         with self._box:
+            self._units()
             for heading, under in sections_of(items, sections(), word("section_other")).items():
                 is_open = heading in self._open
                 section = ui.expansion(heading, value=is_open, on_value_change=self._keep(heading))
                 with section.classes("section"):
                     self._list(under)
+
+    def _units(self) -> None:
+        """Whether values show in units of SI or of inches; the case keeps those in which it was written."""
+        names = {system: word(f"units_{system}") for system in SYSTEMS}
+        found = ui.toggle(names, value=self._system, on_change=self._shown_in).props(
+            "dense no-caps unelevated toggle-color=grey-8"
+        )
+        found.props(f'aria-label="{word("unit_system")}"').classes("units")
+
+    def _shown_in(self, event: Any) -> None:
+        self._system = event.value
+        self.draw()
 
     def blame(self, faults: Iterable[Fault]) -> None:
         """Show what is wrong under the fields that are to blame."""
@@ -110,7 +118,7 @@ class FormView:
 
     def _quantity(self, entry: Entry) -> None:
         number, unit = split(as_text(entry.value), entry.units)
-        chosen = unit or entry.units[0]
+        number, chosen = shown_in(self._system, number, unit or entry.units[0], entry.units)
         with ui.row().classes("quantity"):
             field = ui.input(entry.label, value=number, placeholder=entry.example).classes("grow")
             select = ui.select(list(entry.units), value=chosen).classes("unit").props("dense borderless")

@@ -14,6 +14,8 @@ from http.cookies import SimpleCookie
 from typing import Any
 from urllib.parse import parse_qs, urlsplit
 
+from babbitt.case.loading import LARGEST_FILE
+
 __all__ = ["COOKIE", "Guard"]
 
 COOKIE = "babbitt_token"
@@ -21,6 +23,9 @@ COOKIE = "babbitt_token"
 Scope = MutableMapping[str, Any]
 Receive = Callable[[], Awaitable[MutableMapping[str, Any]]]
 Send = Callable[[MutableMapping[str, Any]], Awaitable[None]]
+
+MOST_BYTES = LARGEST_FILE + 100_000
+"""Of a request: the largest case file, and what stands about it in a form."""
 
 LOG = logging.getLogger("babbitt.app")
 
@@ -59,6 +64,9 @@ class Guard:
         headers = {name.decode("latin-1").lower(): value.decode("latin-1") for name, value in scope["headers"]}
         if (why := self._refusal(headers)) is not None:
             await _refuse(scope, send, 403, why)
+            return
+        if (why := too_large(headers)) is not None:
+            await _refuse(scope, send, 413, why)
             return
         offered = parse_qs(scope.get("query_string", b"").decode("latin-1")).get("token", [""])[0]
         if self.token and not self._knows(headers) and not self._matches(offered):
@@ -105,6 +113,16 @@ def host_of(address: str) -> str:
         return (urlsplit(address).hostname or "").lower()
     except ValueError:
         return ""
+
+
+def too_large(headers: dict[str, str]) -> str | None:
+    """Why what a request brings is refused; None where it is not. What does not say its size is refused, too."""
+    if "chunked" in headers.get("transfer-encoding", "").lower():
+        return "a request says how much it brings"
+    length = headers.get("content-length", "0")
+    if not length.isascii() or not length.isdecimal() or int(length[:20]) > MOST_BYTES:
+        return f"a request brings at most {MOST_BYTES} bytes"
+    return None
 
 
 async def _refuse(scope: Scope, send: Send, status: int, why: str) -> None:

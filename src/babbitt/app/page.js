@@ -1,3 +1,9 @@
+document.documentElement.lang = "en";
+// What the library of the page leaves without a name, or out of reach of the keyboard.
+new MutationObserver(() => {
+  document.querySelectorAll(".q-loading-bar:not([aria-label])").forEach((bar) => bar.setAttribute("aria-label", "Loading"));
+  document.querySelectorAll(".q-table__middle:not([tabindex])").forEach((box) => box.setAttribute("tabindex", "0"));
+}).observe(document.documentElement, {childList: true, subtree: true});
 // Drag what may be turned: the load arrow, grooves, pockets and holes.
 (() => {
   let held = null;
@@ -25,3 +31,16 @@
     held = null;
   });
 })();
+// The draft outlives a reload: it is kept by the browser, for this tab alone, and is sent to nobody else.
+window.babbitt = {
+  keep: (key, text) => {
+    try { sessionStorage.setItem(key, JSON.stringify({hash: location.hash, text: text})); } catch { /* full, or forbidden */ }
+  },
+  kept: (key) => {
+    try {
+      const found = JSON.parse(sessionStorage.getItem(key));
+      return found && found.hash === location.hash ? found.text : null;
+    } catch { return null; }
+  },
+};
+window.addEventListener("hashchange", () => emitEvent("linked", location.hash));

@@ -11,6 +11,10 @@ __all__ = ["LOOPBACK", "free_port", "serve"]
 LOOPBACK = ("127.0.0.1", "localhost", "::1")
 
 
+RECONNECT = 60.0
+"""Seconds that a page without connection is kept for: a computer that slept, a browser that was busy."""
+
+
 def free_port(host: str) -> int:
     """A port that nobody listens at."""
     with socket.socket(socket.AF_INET6 if ":" in host else socket.AF_INET) as found:
@@ -39,29 +43,28 @@ def serve(text: str, host: str, port: int, token: str, allowed_hosts: tuple[str,
     from nicegui import app, ui
 
     from babbitt.app.guard import Guard
-    from babbitt.app.solver import Solver, loaded
+    from babbitt.app.service import started
     from babbitt.app.words import word
     from babbitt.app.workbench import Workbench
 
     open_to_others = host not in LOOPBACK
     token = token or (secrets.token_urlsafe(16) if open_to_others else "")
     port = port or free_port(host)
-    solver = Solver()
-    solver.start(loaded)
+    service = started()
     app.add_middleware(Guard, hosts=(*LOOPBACK, host, *allowed_hosts), token=token)
-    app.on_shutdown(solver.close)
+    app.on_shutdown(service.close)
     style = files("babbitt.app").joinpath("page.css").read_text(encoding="utf-8")
     script = files("babbitt.app").joinpath("page.js").read_text(encoding="utf-8")
 
     def page() -> None:
         ui.add_css(style)
         ui.add_head_html(f"<script>{script}</script>")
-        Workbench(solver, text).build()
+        Workbench(service, text).build()
 
     shown = f"[{host}]" if ":" in host else host
     path = f"/?token={token}" if token else "/"
     print(f"babbitt: http://{shown}:{port}{path} (Ctrl-C ends it)", flush=True)
     ui.run(
         page, host=host, port=port, title=word("title"), reload=False, show=path if browser else False,
-        show_welcome_message=False, dark=None, favicon="⚙",
+        show_welcome_message=False, dark=None, favicon="⚙", reconnect_timeout=RECONNECT,
     )  # fmt: skip

@@ -9,7 +9,7 @@ from typing import Any
 from nicegui import ui
 
 from babbitt.app.document import CaseDocument
-from babbitt.app.form import Entry, Item, Path, Rows, as_text, form_of
+from babbitt.app.form import Entry, Item, Path, Rows, as_text
 from babbitt.app.units import split
 from babbitt.app.words import word
 
@@ -38,10 +38,8 @@ class Slider:
     def draw(self) -> None:
         """Draw the sliders anew."""
         self._box.clear()
-        given = self.document.given
-        try:
-            entries = {one.path: one for one in quantities(form_of(given))}
-        except KeyError:
+        entries = {one.path: one for one in quantities(self.document.items)}
+        if not entries:
             return
         self._picked = [path for path in self._picked if path in entries] or list(entries)[:3]
         with self._box:

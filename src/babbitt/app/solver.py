@@ -7,21 +7,25 @@ import math
 import os
 import time
 from collections.abc import Callable
-from concurrent.futures import CancelledError
+from concurrent.futures import BrokenExecutor, CancelledError
 from dataclasses import dataclass
 from importlib import import_module
 from importlib.util import find_spec
 from multiprocessing import get_context
+from threading import Thread
 from typing import Any
 
 from pebble import ProcessExpired, ProcessFuture, ProcessPool
 
 from babbitt.core.picklable_error import PicklableError
 
-__all__ = ["LONGEST", "Ended", "Latest", "Solver"]
+__all__ = ["LONGEST", "LONGEST_STUDY", "Ended", "Latest", "Solver", "outcome_of"]
 
 LONGEST = 30.0
 """Seconds that an answer may take."""
+
+LONGEST_STUDY = 600.0
+"""Seconds that a study may take."""
 
 STALE = 5.0
 """Seconds after which a question that is no longer of interest is ended: before that its answer is near, and a new
@@ -58,12 +62,30 @@ class Solver:
     """
 
     def __init__(self, workers: int | None = None) -> None:
-        count = workers or max(1, (os.cpu_count() or 1) - 1)
-        self._pool = ProcessPool(max_workers=count, initializer=_prepared, context=get_context("spawn"))
+        self._count = workers or max(1, (os.cpu_count() or 1) - 1)
+        self._pool = self._new_pool()
+        self._open: set[ProcessFuture[Any]] = set()
+
+    def _new_pool(self) -> ProcessPool:
+        return ProcessPool(max_workers=self._count, initializer=_prepared, context=get_context("spawn"))
 
     def start(self, function: Callable[..., Any], *given: Any, longest: float = LONGEST) -> ProcessFuture[Any]:
         """Ask; the answer comes by the future."""
-        return self._pool.schedule(function, args=given, timeout=longest)
+        try:
+            future = self._pool.schedule(function, args=given, timeout=longest)
+        except RuntimeError:  # a process was killed while it held the pipe of all: the pool cannot go on
+            self._renew()
+            future = self._pool.schedule(function, args=given, timeout=longest)
+        self._open.add(future)
+        future.add_done_callback(self._open.discard)
+        return future
+
+    def _renew(self) -> None:
+        """Take new processes, and end the questions that the old ones will not answer."""
+        lost, self._pool = self._pool, self._new_pool()
+        for future in list(self._open):
+            future.cancel()  # type: ignore[no-untyped-call]
+        Thread(target=_ended, args=(lost,), daemon=True).start()
 
     async def ask(self, function: Callable[..., Any], *given: Any, longest: float = LONGEST) -> Any:
         """Ask and wait.
@@ -72,12 +94,19 @@ class Solver:
         ------
         Ended
         """
-        return await outcome_of(self.start(function, *given, longest=longest))
+        try:
+            return await outcome_of(self.start(function, *given, longest=longest))
+        except BrokenExecutor:  # a process died before it took the question
+            return await outcome_of(self.start(function, *given, longest=longest))
 
     def close(self) -> None:
         """End all processes."""
-        self._pool.stop()  # type: ignore[no-untyped-call]
-        self._pool.join()
+        _ended(self._pool)
+
+
+def _ended(pool: ProcessPool) -> None:
+    pool.stop()  # type: ignore[no-untyped-call]
+    pool.join()
 
 
 async def outcome_of(future: ProcessFuture[Any]) -> Any:
@@ -86,6 +115,8 @@ async def outcome_of(future: ProcessFuture[Any]) -> Any:
     Raises
     ------
     Ended
+    BrokenExecutor
+        Where all processes died and the question was not taken up.
     """
     try:
         return await asyncio.wrap_future(future)
@@ -131,8 +162,14 @@ class Latest:
             if self._waiting is not mine:
                 return None
             self._end_if_stale(running)
+        try:
+            return await self._answer(mine)
+        except BrokenExecutor:  # a process died before it took the question
+            return await self._answer(mine)
+
+    async def _answer(self, question: _Question) -> Any:
         self._begun = math.inf
-        self._running = future = self._solver.start(mine.function, *mine.given)
+        self._running = future = self._solver.start(question.function, *question.given)
         try:
             return await outcome_of(future)
         finally:
@@ -158,15 +195,3 @@ def _prepared() -> None:
     from babbitt.core.kind import kinds
 
     answer(kinds()["journal"].read_template())
-
-
-def loaded() -> None:
-    """Load the kernels of films, so that no question of a visitor waits for them."""
-    from babbitt.app.answer import answer
-    from babbitt.app.document import CaseDocument
-    from babbitt.core.kind import kinds
-
-    document = CaseDocument(kinds()["journal"].read_template())
-    for thermal in ("global", "adiabatic"):
-        document.change(("method",), {"kind": "film", "thermal": thermal})
-        answer(document.text)

@@ -6,7 +6,17 @@ from collections.abc import Sequence
 
 from babbitt.core.units import KINDS
 
-__all__ = ["in_unit", "split"]
+__all__ = ["SYSTEMS", "in_unit", "shown_in", "split"]
+
+SYSTEMS = ("si", "inch")
+"""Systems of units of the form."""
+
+INCH = {
+    "mm": "in", "m": "in", "cm": "in", "um": "mil", "micron": "mil", "N": "lbf", "kN": "lbf", "MN": "lbf",
+    "Pa": "psi", "kPa": "psi", "MPa": "psi", "bar": "psi", "mbar": "psi", "degC": "degF", "°C": "degF",
+    "kg": "lb", "t": "lb", "g": "lb", "m/s": "ft/s", "kW": "hp", "L/min": "gal/min",
+}  # fmt: skip
+"""Unit of the inch system in the place of another one, where the kind of quantity has both."""
 
 
 def split(text: str, units: Sequence[str]) -> tuple[str, str]:
@@ -36,3 +46,23 @@ def in_unit(number: str, unit: str, other: str) -> str:
             si = float(number) * kind.everyday[unit] + kind.offsets.get(unit, 0.0)
             return f"{kind.from_si(si, other):.6g}"
     return number
+
+
+def shown_in(system: str, number: str, unit: str, units: Sequence[str]) -> tuple[str, str]:
+    """A quantity as a system of units shows it; as it is where the system has no other unit for it.
+
+    >>> shown_in("inch", "120", "mm", ["mm", "in"]), shown_in("si", "120", "mm", ["mm", "in"])
+    (('4.72441', 'in'), ('120', 'mm'))
+    """
+    other = INCH.get(unit) if system == "inch" else None
+    if other is None or other not in units:
+        return number, unit
+    return in_unit(number, unit, other) if _is_number(number) else number, other
+
+
+def _is_number(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True

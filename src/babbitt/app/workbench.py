@@ -2,24 +2,35 @@
 
 from __future__ import annotations
 
+import hashlib
+import json
 from collections.abc import Callable
-from functools import partial
 from typing import Any
 
 from nicegui import background_tasks, context, events, ui
 
 from babbitt.app import answer_view
-from babbitt.app.answer import Answer, answer, compared, figures, json_of, report_of
+from babbitt.app.answer import Answer, answer, compared, figures
+from babbitt.app.catalogue_view import CatalogueView
+from babbitt.app.designs_view import DesignsView
 from babbitt.app.document import CaseDocument
+from babbitt.app.figures import all_figures
 from babbitt.app.form_view import FormView
-from babbitt.app.link import case_of, link_of
+from babbitt.app.head import Head
+from babbitt.app.link import case_of
+from babbitt.app.maps_view import MapsView
+from babbitt.app.parts import LongWork, on_request, show_faults, show_figures, show_table, tell_ended
+from babbitt.app.published_view import PublishedView
+from babbitt.app.service import Service
 from babbitt.app.slider import Slider
-from babbitt.app.solver import LONGEST, Ended, Latest, Solver
+from babbitt.app.solver import Ended, Latest
+from babbitt.app.studies_view import StudiesView
 from babbitt.app.words import word
-from babbitt.case.loading import LARGEST_FILE
-from babbitt.core.kind import kinds
 
 __all__ = ["Workbench"]
+
+LOOK = 0.5
+"""Seconds between two looks at kernels that are being compiled."""
 
 
 class Workbench:
@@ -27,64 +38,39 @@ class Workbench:
 
     Parameters
     ----------
-    solver : Solver
+    service : Service
     text : str
         The case to begin with.
     """
 
-    def __init__(self, solver: Solver, text: str) -> None:
-        self.solver, self.latest = solver, Latest(solver)
+    def __init__(self, service: Service, text: str) -> None:
+        self.service, self.latest = service, Latest(service.solver)
         self.document = CaseDocument(text)
         self.found = Answer()
         self.place = 0
+        self._key = f"babbitt:{hashlib.sha256(text.encode()).hexdigest()[:16]}"
 
     def build(self) -> None:
         """Draw the page."""
         self._client = context.client
-        self._head()
-        with ui.element("main").classes("bench"):
+        Head(self.document, self.service.solver, self._replaced)
+        with ui.element("div").classes("bench"):
             with ui.element("section").classes("case").props(f'aria-label="{word("form")}"'):
                 self._case()
             with ui.element("section").classes("bearing").props(f'aria-label="{word("bearing")}"'):
+                self._compiling = ui.label("").classes("small").props('role="status"')
                 self._drawing = ui.column().classes("w-full")
+            with ui.element("section").classes("more").props(f'aria-label="{word("more")}"'):
                 self._tabs()
             with ui.element("section").classes("answer").props(f'aria-label="{word("results")}" id="answer"'):
                 self._cards = ui.column().classes("w-full")
         ui.on("turned", self._turned, args=["field", "angle"])
+        ui.on("linked", self._linked)
         ui.timer(0.1, self._begin, once=True)
-
-    def _head(self) -> None:
-        with ui.header().classes("head"):
-            ui.link(word("skip"), "#answer").classes("skip")
-            ui.label(word("title")).classes("title")
-            with ui.button(word("new"), icon="note_add").props("flat dense"), ui.menu():
-                for name, kind in kinds().items():
-                    self._entry(kind.description, partial(self._template, name))
-            self._icon("folder_open", word("open"), lambda: self._upload.run_method("pickFiles"))
-            self._upload = ui.upload(
-                on_upload=self._opened, on_rejected=lambda: ui.notify(word("too_large"), type="negative"),
-                max_file_size=LARGEST_FILE, auto_upload=True,
-            ).classes("hidden")  # fmt: skip
-            self._icon("save", word("save"), lambda: ui.download.content(self.document.text, "case.yaml"))
-            self._icon("undo", word("undo"), lambda: self._step(self.document.undo))
-            self._icon("redo", word("redo"), lambda: self._step(self.document.redo))
-            self._icon("link", word("share"), self._share)
-            with ui.button(word("report"), icon="description").props("flat dense"), ui.menu():
-                self._entry(word("as_pdf"), lambda: self._report("pdf"))
-                self._entry(word("as_html"), lambda: self._report("html"))
-                self._entry(word("as_json"), self._json)
-            ui.space()
-            dark = ui.dark_mode(None)  # as the system has it
-            self._icon("contrast", word("dark"), lambda: dark.set_value(not dark.value))
-
-    def _entry(self, says: str, pressed: Callable[[], Any]) -> None:
-        ui.menu_item(says, pressed).props('role="menuitem"')
-
-    def _icon(self, icon: str, says: str, pressed: Callable[[], Any]) -> None:
-        ui.button(icon=icon, on_click=pressed).props(f'flat dense round aria-label="{says}"').tooltip(says)
+        self._timer = ui.timer(LOOK, self._look)
 
     def _case(self) -> None:
-        with ui.tabs().props("dense") as tabs:
+        with ui.tabs().props("dense no-caps") as tabs:
             form, text = ui.tab(word("form")), ui.tab(word("text"))
         with ui.tab_panels(tabs, value=form).classes("w-full panels").props("keep-alive"):
             with ui.tab_panel(form):
@@ -95,77 +81,93 @@ class Workbench:
                 ).classes("editor").props(f'aria-label="{word("case_text")}"')  # fmt: skip
 
     def _tabs(self) -> None:
-        with ui.tabs().props("dense align=left") as tabs:
-            explore, results, pictures, methods = (
-                ui.tab(word(name)) for name in ("explore", "results", "figures", "compare")
-            )
-        with ui.tab_panels(tabs, value=explore).classes("w-full panels"):
-            with ui.tab_panel(explore):
-                self._slider = Slider(self.document, self._slid, self._changed)
-            with ui.tab_panel(results):
-                self._results = ui.column().classes("w-full")
-            with ui.tab_panel(pictures):
-                self._on_request(word("draw_figures"), self._draw_figures)
-            with ui.tab_panel(methods):
-                self._on_request(word("run_comparison"), self._compare)
+        drawn: dict[str, Callable[[], Any]] = {
+            "explore": self._sliders,
+            "results": self._result_table,
+            "maps": lambda: MapsView(self.service.solver, lambda: self.document.text),
+            "figures": self._figures,
+            "compare": lambda: on_request(word("run_comparison"), self._compare),
+            "designs": self._designs_tab,
+            "studies": self._studies_tab,
+            "catalogue": lambda: CatalogueView(self.document, self._set_elsewhere),
+            "validation": lambda: PublishedView(self.service.slow),
+        }
+        with ui.tabs().props("dense align=left no-caps").classes("wrapped") as tabs:
+            made = {name: ui.tab(word(name)) for name in drawn}
+        with ui.tab_panels(tabs, value=made["explore"]).classes("w-full panels"):
+            for name, draw in drawn.items():
+                with ui.tab_panel(made[name]):
+                    draw()
 
-    def _on_request(self, says: str, work: Callable[[ui.column], Any]) -> None:
-        button = ui.button(says).props("outline")
-        box = ui.column().classes("w-full")
+    def _sliders(self) -> None:
+        self._slider = Slider(self.document, self._slid, self._changed)
 
-        async def pressed() -> None:
-            button.disable()
-            box.clear()
-            with box:
-                ui.label(word("working"))
-            try:
-                await work(box)
-            except Ended as ended:
-                box.clear()
-                with box:
-                    ui.label(word(ended.why, seconds=LONGEST))
-            finally:
-                button.enable()
+    def _result_table(self) -> None:
+        self._results = ui.column().classes("w-full")
 
-        button.on_click(pressed)
+    def _figures(self) -> None:
+        on_request(word("draw_figures"), self._draw_figures)
+        ui.label(word("all_figures_help")).classes("small")
+        LongWork(
+            self.service.slow, word("all_figures"), lambda: (all_figures, (self.document.text,)), _figures_shown
+        )
+
+    def _designs_tab(self) -> None:
+        self._designs = DesignsView(
+            self.service.solver, lambda: (self.document.text, self.found), self._replace, self._show
+        )
+
+    def _studies_tab(self) -> None:
+        self._studies = StudiesView(self.document, self.service.slow, self._set_elsewhere)
 
     async def _begin(self) -> None:
-        """Take the case of the link, if there is one, and answer."""
-        fragment = await ui.run_javascript("return location.hash", timeout=5.0)
-        if fragment and len(str(fragment)) > 1:
-            text = case_of(str(fragment))
+        """Take the case of the draft or of the link, if there is one, and answer."""
+        script = f"return {{fragment: location.hash, draft: babbitt.kept('{self._key}')}}"
+        found = await ui.run_javascript(script, timeout=5.0)
+        fragment, draft = str(found["fragment"] or ""), found["draft"]
+        text = draft if isinstance(draft, str) else None
+        if text is None and len(fragment) > 1:
+            text = case_of(fragment)
             if text is None:
                 ui.notify(word("not_a_link"), type="negative")
-            else:
-                self._replace(text)
-                return
-        await self._answer(False)
+        if text is None or text == self.document.text:
+            await self._answer(False)
+        else:
+            self._replace(text)
 
-    def _template(self, kind: str) -> None:
-        self._replace(kinds()[kind].read_template())
+    def _linked(self, event: events.GenericEventArguments) -> None:
+        """Another link came into the address."""
+        text = case_of(str(event.args))
+        if text is None:
+            ui.notify(word("not_a_link"), type="negative")
+        else:
+            self._replace(text)
 
-    async def _opened(self, event: events.UploadEventArguments) -> None:
-        content = await event.file.read()
-        self._upload.reset()
-        if len(content) > LARGEST_FILE:
-            ui.notify(word("too_large"), type="negative")
-            return
-        self._replace(content.decode("utf-8", errors="replace"))
+    def _look(self) -> None:
+        now = self.service.compiling
+        self._compiling.text = "" if now is None else word("compiling", done=now.done, rows=now.rows)
+        self._compiling.set_visibility(now is not None)
+        if now is None:
+            self._timer.deactivate()
 
     def _replace(self, text: str) -> None:
         self.document.write(text)
-        self.place = 0
-        self._all_anew()
+        self._replaced()
 
-    def _step(self, move: Callable[[], None]) -> None:
-        move()
+    def _replaced(self) -> None:
+        self.place = 0
         self._all_anew()
 
     def _all_anew(self) -> None:
         self._form.draw()
         self._slider.draw()
+        self._studies.draw()
         self._editor.set_value(self.document.text)
         self._ask(False)
+
+    def _set_elsewhere(self) -> None:
+        """A tab put something into the case."""
+        self._all_anew()
 
     def _typed(self, event: events.ValueChangeEventArguments[Any]) -> None:
         if event.value != self.document.text:
@@ -199,6 +201,8 @@ class Workbench:
 
     async def _answer(self, quick: bool) -> None:
         with self._client:
+            if not quick:
+                ui.run_javascript(f"babbitt.keep({json.dumps(self._key)}, {json.dumps(self.document.text)})")
             await self._answered(quick)
 
     async def _answered(self, quick: bool) -> None:
@@ -206,7 +210,7 @@ class Workbench:
             found = await self.latest.ask(answer, self.document.text, quick)
         except Ended as ended:
             if ended.why != "cancelled":
-                ui.notify(word(ended.why, seconds=LONGEST), type="warning")
+                ui.notify(tell_ended(ended), type="warning")
             return
         if found is None:
             return
@@ -216,12 +220,14 @@ class Workbench:
         self._show()
 
     def _show(self) -> None:
+        if not (self.found.bearings or self.found.faults):
+            return
         self._cards.clear()
         with self._cards:
             if len(self.found.bearings) > 1:
                 names = {number: one.name for number, one in enumerate(self.found.bearings)}
                 ui.select(names, value=self.place, label=word("bearing"), on_change=self._chosen).props("dense")
-            answer_view.cards(self.found, self.place)
+            answer_view.cards(self.found, self.place, self._designs.of(self.place))
         if self.found.faults:
             self._drawing.classes(add="stale")  # what is drawn is what was solved last
             return
@@ -240,46 +246,22 @@ class Workbench:
         self._show()
 
     async def _draw_figures(self, box: ui.column) -> None:
-        found = await self.solver.ask(figures, self.document.text)
+        found = await self.service.solver.ask(figures, self.document.text)
         box.clear()
         with box:
-            for figure in found:
-                ui.html(figure.svg, sanitize=False).classes("figure")  # drawn by this package, texts as paths
-                ui.label(figure.caption).classes("small")
+            show_figures(found)
 
     async def _compare(self, box: ui.column) -> None:
-        found = await self.solver.ask(compared, self.document.text)
+        found = await self.service.solver.ask(compared, self.document.text)
         box.clear()
         with box:
             for table in found:
-                heads = (word("quantity"), *table.heads)
-                columns = [
-                    {"name": str(n), "label": head, "field": str(n), "align": "right" if n else "left"}
-                    for n, head in enumerate(heads)
-                ]
-                rows = [{str(n): cell for n, cell in enumerate(row)} for row in table.rows]
-                ui.table(columns=columns, rows=rows, row_key="0", title=table.title).props("dense flat")
-                for remark in table.remarks:
-                    ui.label(remark).classes("small")
+                show_table(table)
 
-    async def _report(self, report_format: str) -> None:
-        await self._download(report_of, f"report.{report_format}", self.document.text, report_format)
 
-    async def _json(self) -> None:
-        await self._download(json_of, "results.json", self.document.text)
-
-    async def _download(self, function: Callable[..., Any], name: str, *given: Any) -> None:
-        ui.notify(word("working"))
-        try:
-            content = await self.solver.ask(function, *given)
-        except Ended as ended:
-            ui.notify(word(ended.why, seconds=LONGEST), type="warning")
-            return
-        ui.download.content(content, name)
-
-    async def _share(self) -> None:
-        link = link_of(self.document.text)
-        await ui.run_javascript(
-            f"history.replaceState(null, '', '#{link}'); navigator.clipboard?.writeText(location.href)"
-        )
-        ui.notify(word("shared"))
+def _figures_shown(found: Any) -> None:
+    faults, drawn = found
+    show_faults(faults)
+    if not drawn and not faults:
+        ui.label(word("no_figures")).classes("small")
+    show_figures(drawn)

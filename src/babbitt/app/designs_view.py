@@ -1,0 +1,68 @@
+"""The tab of two designs: one is kept as A, the case on the page is B."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from nicegui import ui
+
+from babbitt.app.answer import Answer, Shown
+from babbitt.app.designs import side_by_side
+from babbitt.app.parts import on_request, show_faults, show_table
+from babbitt.app.solver import Solver
+from babbitt.app.words import word
+
+__all__ = ["DesignsView"]
+
+
+class DesignsView:
+    """A design that is kept, beside the one on the page.
+
+    Parameters
+    ----------
+    solver : Solver
+    page : callable
+        Text and answer of the case as they stand.
+    replace : callable
+        Puts another text on the page.
+    kept : callable
+        Called when a design was kept.
+    """
+
+    def __init__(
+        self,
+        solver: Solver,
+        page: Callable[[], tuple[str, Answer]],
+        replace: Callable[[str], None],
+        kept: Callable[[], None],
+    ) -> None:
+        self._solver, self._page, self._kept = solver, page, kept
+        self._text, self._answer = "", Answer()
+        with ui.row():
+            ui.button(word("keep_design"), on_click=self._keep).props("outline no-caps")
+            self._back = ui.button(word("back_to_design"), on_click=lambda: replace(self._text))
+            self._back.props("flat no-caps").disable()
+        self._said = ui.label(word("no_design")).classes("small")
+        on_request(word("compare_designs"), self._compare)
+
+    def of(self, place: int) -> Shown | None:
+        """The bearing of the design that was kept at a place; None where there is none."""
+        return self._answer.bearings[place] if place < len(self._answer.bearings) else None
+
+    def _keep(self) -> None:
+        self._text, self._answer = self._page()
+        name = self._answer.bearings[0].name if self._answer.bearings else ""
+        self._said.text = word("design_kept", name=name)
+        self._back.enable()
+        self._kept()
+
+    async def _compare(self, box: ui.column) -> None:
+        if not self._text:
+            box.clear()
+            return
+        faults, tables = await self._solver.ask(side_by_side, self._text, self._page()[0])
+        box.clear()
+        with box:
+            show_faults(faults)
+            for table in tables:
+                show_table(table)

@@ -1,0 +1,31 @@
+"""Every figure of a case, those for which films are solved included."""
+
+from __future__ import annotations
+
+from babbitt.app.answer import Fault, Figure, faults_of, solved
+from babbitt.app.progress import followed
+from babbitt.case import CaseError
+from babbitt.report.text import plain_text
+from babbitt.report.view import view_of
+
+__all__ = ["all_figures"]
+
+
+def all_figures(text: str, progress: str) -> tuple[tuple[Fault, ...], tuple[Figure, ...]]:
+    """What is wrong with a case, or every figure of every bearing.
+
+    Parameters
+    ----------
+    text : str
+    progress : str
+        File for `babbitt.app.progress`: bearings that are done.
+    """
+    try:
+        solutions = solved(text).solutions
+    except CaseError as error:
+        return faults_of(error), ()
+    return (), tuple(
+        Figure(plain_text(f"{one.result.name}: {drawn.name}"), drawn.caption, drawn.image.decode())
+        for one in followed(solutions, progress)
+        for drawn in view_of(one.result).figures(one, "svg")
+    )

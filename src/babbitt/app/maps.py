@@ -1,0 +1,150 @@
+"""Fields of a film for charts: what is known over the angle and across the width, whatever the kind of bearing."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from babbitt.app.answer import solved
+from babbitt.core.units import KINDS
+from babbitt.report.text import plain_text
+from babbitt.report.view import view_of
+
+if TYPE_CHECKING:
+    import xarray
+
+__all__ = ["Map", "Sheet", "chart_of", "maps_of"]
+
+SHOWN = {"Pa": ("MPa", "MPa"), "m": ("um", "µm"), "K": ("degC", "°C"), "rad": ("deg", "°")}
+"""Unit of a chart for one of SI, and how it is written."""
+
+AROUND, ACROSS = "theta", "z"
+"""Names of the places in the fields of every kind: angle, and place along the shaft."""
+
+INK = "#76808b"
+"""Of words in a chart: legible on a light page and on a dark one."""
+
+EYE = {"x": 0.9, "y": -1.9, "z": 0.9}
+"""Where a surface is seen from, in its own size."""
+
+MOST_PLACES = 181
+"""Places along one side of a chart; a finer grid is thinned."""
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """Values over one film, of a bearing or of one pad of it.
+
+    Attributes
+    ----------
+    angles : tuple of float
+        Degrees, rising.
+    widths : tuple of float
+        mm along the shaft; empty for what is known over the angle alone.
+    values : tuple of tuple of float or None
+        A row for each width (one row without widths), None where there is no value.
+    """
+
+    angles: tuple[float, ...]
+    widths: tuple[float, ...]
+    values: tuple[tuple[float | None, ...], ...]
+
+
+@dataclass(frozen=True)
+class Map:
+    """One field of one bearing."""
+
+    bearing: str
+    name: str
+    meaning: str
+    unit: str
+    sheets: tuple[Sheet, ...]
+
+
+def maps_of(text: str) -> tuple[Map, ...]:
+    """All fields of all bearings of a case whose method has some."""
+    found: list[Map] = []
+    for solution in solved(text).solutions:
+        fields = view_of(solution.result).fields
+        if fields is not None and solution.result.outcome.solved:
+            found += _maps(fields(solution), plain_text(solution.result.name))
+    return tuple(found)
+
+
+def _maps(fields: xarray.Dataset, bearing: str) -> Iterator[Map]:
+    around, across = fields[AROUND], fields[ACROSS]
+    film = dict.fromkeys((*around.dims, *across.dims))
+    for name in fields.data_vars:
+        one = fields[name]
+        if name in (AROUND, ACROSS) or not one.dims:
+            continue
+        over_width = set(one.dims) == set(film) and len(film) > len(around.dims)
+        if not over_width and one.dims != around.dims:
+            continue
+        unit, said = SHOWN.get(one.attrs["units"], ("", "" if one.attrs["units"] == "1" else one.attrs["units"]))
+        values = _in_unit(one.attrs["units"], one.transpose(*film).values if over_width else one.values, unit)
+        sheets = tuple(_sheets(around.values, across.values if over_width else None, values))
+        yield Map(bearing, str(name), one.attrs["long_name"], said, sheets)
+
+
+def _in_unit(si: str, values: Any, unit: str) -> Any:
+    kind = KINDS[si] if unit else None
+    return np.asarray(values, float) if kind is None else kind.from_si(np.asarray(values, float), unit)  # type: ignore[arg-type]
+
+
+def _sheets(around: Any, across: Any, values: Any) -> Iterator[Sheet]:
+    """One sheet, or one for each pad where the angles have a row for each."""
+    pads = range(len(around)) if around.ndim == 2 else (slice(None),)
+    for pad in pads:
+        angles = np.degrees(around[pad])
+        widths = None if across is None else across[pad] if across.ndim == 2 else across
+        yield _sheet(angles, widths, values[pad])
+
+
+def _sheet(angles: Any, widths: Any, values: Any) -> Sheet:
+    thin = max(1, -(-angles.size // MOST_PLACES))
+    angles, values = angles[::thin], values[::thin]
+    if widths is None:
+        return Sheet(tuple(map(float, angles)), (), (_finite(values),))
+    rows = tuple(_finite(row) for row in np.atleast_2d(values).T)
+    return Sheet(tuple(map(float, angles)), tuple(1e3 * float(place) for place in widths), rows)
+
+
+def _finite(row: Any) -> tuple[float | None, ...]:
+    return tuple(float(f"{value:.5g}") if np.isfinite(value) else None for value in row)
+
+
+def chart_of(found: Map, as_surface: bool) -> dict[str, Any]:
+    """A field as a chart for Plotly: a line over the angle, colours over the unrolled film, or a surface."""
+    over_width = bool(found.sheets[0].widths)
+    title = f"{found.name.replace('_', ' ')} {found.unit}".strip()
+    angle, width = {"title": {"text": "φ °"}}, {"title": {"text": "z mm"}}
+    base = {
+        "paper_bgcolor": "rgba(0,0,0,0)", "plot_bgcolor": "rgba(0,0,0,0)", "font": {"color": INK},
+        "margin": {"l": 60, "r": 20, "t": 30, "b": 50}, "showlegend": False,
+    }  # fmt: skip
+    config = {"displaylogo": False, "responsive": False}
+    if not over_width:
+        lines = [
+            {"type": "scatter", "mode": "lines", "x": sheet.angles, "y": sheet.values[0]} for sheet in found.sheets
+        ]
+        return {
+            "data": lines,
+            "layout": {**base, "xaxis": angle, "yaxis": {"title": {"text": title}}},
+            "config": config,
+        }
+    kind = "surface" if as_surface else "heatmap"
+    data = [
+        {"type": kind, "x": sheet.angles, "y": sheet.widths, "z": sheet.values, "coloraxis": "coloraxis"}
+        for sheet in found.sheets
+    ]
+    layout = {**base, "coloraxis": {"colorscale": "Viridis", "colorbar": {"title": {"text": title}}}}
+    if as_surface:
+        names = {"xaxis": angle, "yaxis": width, "zaxis": {"title": {"text": title}}}
+        layout["scene"] = {**names, "aspectratio": {"x": 1.6, "y": 0.9, "z": 0.7}, "camera": {"eye": EYE}}
+        layout["margin"] = {"l": 0, "r": 0, "t": 0, "b": 0}
+        return {"data": data, "layout": layout, "config": config}
+    return {"data": data, "layout": {**layout, "xaxis": angle, "yaxis": width}, "config": config}

@@ -1,0 +1,166 @@
+"""Parts that several tabs of the page are made of: tables, figures, faults, work that is asked for."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from concurrent.futures import BrokenExecutor
+from tempfile import TemporaryDirectory
+from typing import Any
+
+from nicegui import context, ui
+
+from babbitt.app.answer import Fault, Figure, Table
+from babbitt.app.progress import progress_in
+from babbitt.app.solver import LONGEST, LONGEST_STUDY, Ended, Solver, outcome_of
+from babbitt.app.words import word
+from babbitt.core.notices import InputError
+
+__all__ = ["LongWork", "icon_button", "on_request", "show_faults", "show_figures", "show_table", "tell_ended"]
+
+LOOK = 0.5
+"""Seconds between two looks at how far long work is."""
+
+WORDS = {"align": "left", "style": "white-space: normal; min-width: 5em"}
+NUMBERS = {"align": "right"}
+"""Columns of tables: words may break over lines, numbers do not."""
+
+Question = tuple[Callable[..., Any], tuple[Any, ...]]
+
+
+def icon_button(icon: str, says: str, pressed: Callable[[], Any]) -> ui.button:
+    """A button without words, which says them to whoever cannot see it."""
+    made = ui.button(icon=icon, on_click=pressed).props(f'flat dense round aria-label="{says}"')
+    return made.tooltip(says)
+
+
+def show_table(table: Table) -> ui.table:
+    """Rows of text."""
+    columns = [
+        {"name": str(n), "label": head, "field": str(n), **(WORDS if n < table.words else NUMBERS)}
+        for n, head in enumerate(table.heads)
+    ]
+    rows = [{"key": key, **{str(n): cell for n, cell in enumerate(row)}} for key, row in enumerate(table.rows)]
+    made = ui.table(columns=columns, rows=rows, row_key="key", title=table.title or None)
+    made.props("dense flat").classes("results")
+    for remark in table.remarks:
+        ui.label(remark).classes("small")
+    return made
+
+
+def show_figures(figures: Iterable[Figure]) -> None:
+    """Figures, each with its caption."""
+    for figure in figures:
+        # Drawn by this package, its texts as paths: nothing of a case is markup in it.
+        drawn = ui.html(figure.svg, sanitize=False).classes("figure").props('role="img"')
+        drawn.props["aria-label"] = figure.name
+        ui.label(figure.caption).classes("small")
+
+
+def show_faults(faults: Iterable[Fault]) -> None:
+    """What is wrong."""
+    for fault in faults:
+        where = f"{fault.field}: " if fault.field else f"{word('line')} {fault.line}: " if fault.line else ""
+        ui.label(f"{where}{fault.message} [{fault.code}]").classes("fault").props('role="alert"')
+
+
+def tell_ended(error: Ended | InputError, longest: float = LONGEST) -> str:
+    """Why a question has no answer, in words."""
+    return word(error.why, seconds=longest) if isinstance(error, Ended) else error.message
+
+
+def on_request(says: str, work: Callable[[ui.column], Any]) -> ui.column:
+    """A button, and under it what it asked for."""
+    button = ui.button(says).props("outline no-caps")
+    box = ui.column().classes("w-full")
+
+    async def pressed() -> None:
+        button.disable()
+        box.clear()
+        with box:
+            ui.label(word("working")).props('role="status"')
+        try:
+            await work(box)
+        except (Ended, InputError) as error:
+            box.clear()
+            with box:
+                ui.label(tell_ended(error)).classes("fault").props('role="alert"')
+        finally:
+            button.enable()
+
+    button.on_click(pressed)
+    return box
+
+
+class LongWork:
+    """Work of minutes: a button that begins it, how far it is, a button that ends it, and what came of it.
+
+    Parameters
+    ----------
+    solver : Solver
+        Of long work.
+    says : str
+        On the button.
+    question : callable
+        Gives the function and what it is given; the function gets a file for its progress besides. None where
+        there is nothing to ask.
+    show : callable
+        Shows the answer.
+    """
+
+    def __init__(
+        self, solver: Solver, says: str, question: Callable[[], Question | None], show: Callable[[Any], None]
+    ) -> None:
+        self._solver, self._question, self._show = solver, question, show
+        self._running: Any = None
+        self._file = ""
+        with ui.row().classes("items-center w-full") as self.row:
+            self._start = ui.button(says, on_click=self._begin).props("outline no-caps")
+            self._cancel = ui.button(word("cancel"), on_click=self._end).props("flat no-caps")
+            self._bar = ui.linear_progress(value=0.0, show_value=False).classes("grow progress")
+            self._bar.props(f'aria-label="{word("progress")}"')
+            self._said = ui.label("").classes("small").props('role="status"')
+        self._box = ui.column().classes("w-full")
+        self._timer = ui.timer(LOOK, self._look, active=False)
+        self._idle(True)
+        context.client.on_delete(self._end)
+
+    def _idle(self, is_idle: bool) -> None:
+        self._start.set_enabled(is_idle)
+        self._timer.active = not is_idle
+        self._cancel.set_visibility(not is_idle)
+        self._bar.set_visibility(not is_idle)
+
+    def _look(self) -> None:
+        now = progress_in(self._file)
+        self._bar.value = now.share
+        self._said.text = word("rows_done", done=now.done, rows=now.rows) if now.rows else word("working")
+
+    def _end(self) -> None:
+        if self._running is not None:
+            self._running.cancel()
+
+    async def _begin(self) -> None:
+        asked = self._question()
+        if asked is None:
+            return
+        function, given = asked
+        self._box.clear()
+        self._said.text = word("working")
+        self._idle(False)
+        try:
+            with TemporaryDirectory(prefix="babbitt-") as folder:
+                self._file = f"{folder}/progress"
+                self._running = self._solver.start(function, *given, self._file, longest=LONGEST_STUDY)
+                found = await outcome_of(self._running)
+        except (Ended, InputError) as error:
+            self._said.text = tell_ended(error, LONGEST_STUDY)
+            return
+        except BrokenExecutor:
+            self._said.text = word("died")
+            return
+        finally:
+            self._running = None
+            self._idle(True)
+        self._said.text = ""
+        with self._box:
+            self._show(found)

@@ -1,0 +1,63 @@
+"""What all pages of a server share: worker processes of answers and of long work, and the kernels."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+from babbitt.app.kernels import kernels_compiled, kernels_loaded
+from babbitt.app.progress import Progress, progress_in
+from babbitt.app.solver import LONGEST_STUDY, Solver
+
+__all__ = ["Service", "started"]
+
+
+class Service:
+    """Worker processes of a server.
+
+    Attributes
+    ----------
+    solver : Solver
+        Of answers.
+    slow : Solver
+        Of studies and other work of minutes, so that no answer waits for them.
+    """
+
+    def __init__(self) -> None:
+        self.solver, self.slow = Solver(), Solver(workers=1)
+        self._folder = TemporaryDirectory(prefix="babbitt-")
+        self._compiling: Any = None
+
+    @property
+    def compiling(self) -> Progress | None:
+        """How far kernels are that are being compiled; None where none are."""
+        if self._compiling is None or self._compiling.done():
+            return None
+        return progress_in(self._file)
+
+    @property
+    def _file(self) -> str:
+        return str(Path(self._folder.name) / "kernels")
+
+    def load_kernels(self) -> None:
+        """Have the kernels loaded, or compiled where there are none, so that no question of a visitor waits."""
+        self.solver.start(kernels_loaded).add_done_callback(self._compile_missing)
+
+    def _compile_missing(self, loaded: Any) -> None:
+        if loaded.cancelled() or loaded.exception() is not None or loaded.result():
+            return
+        self._compiling = self.slow.start(kernels_compiled, self._file, longest=LONGEST_STUDY)
+
+    def close(self) -> None:
+        """End all processes."""
+        self.solver.close()
+        self.slow.close()
+        self._folder.cleanup()
+
+
+def started() -> Service:
+    """Worker processes that load what the first questions need."""
+    service = Service()
+    service.load_kernels()
+    return service

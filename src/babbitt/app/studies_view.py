@@ -1,0 +1,174 @@
+"""The tab of studies: which fields vary and how, the study while it runs, its tables and figures."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+from nicegui import ui
+
+from babbitt.app.document import CaseDocument
+from babbitt.app.parts import LongWork, Question, show_faults, show_figures, show_table, tell_ended
+from babbitt.app.solver import Ended, Solver
+from babbitt.app.studies import (
+    NEEDS,
+    Axis,
+    Studied,
+    asked_text,
+    axes_of,
+    block_of,
+    first_axis,
+    kinds_of,
+    studied,
+    study_file,
+)
+from babbitt.app.words import word
+from babbitt.core.notices import InputError
+
+__all__ = ["StudiesView"]
+
+FILES = {".csv": "as_csv", ".xlsx": "as_workbook", ".pdf": "as_pdf", ".html": "as_html"}
+"""Endings of files of a study, each with its word."""
+
+MOST_SAMPLES = 100_000
+
+
+class StudiesView:
+    """Studies of the case.
+
+    Parameters
+    ----------
+    document : CaseDocument
+    solver : Solver
+        Of long work.
+    changed : callable
+        Called when the study was put into the case.
+    """
+
+    def __init__(self, document: CaseDocument, solver: Solver, changed: Callable[[], None]) -> None:
+        self.document, self._solver, self._changed = document, solver, changed
+        self._kind, self._samples = "sweep", 1000
+        self._known: dict[str, Axis] = {}
+        self._axes: dict[str, Axis] = {}
+        self._study: Any = None
+        self._box = ui.column().classes("w-full")
+        self.work = LongWork(solver, word("run_study"), self._asked, self._show)
+        ui.button(word("keep_study"), on_click=self._keep).props("flat dense no-caps").tooltip(
+            word("keep_study_help")
+        )
+        self.draw()
+
+    def draw(self) -> None:
+        """Draw the choices anew: another case."""
+        kinds = kinds_of(self.document.given)
+        self._kind = self._kind if self._kind in kinds else kinds[0]
+        self._known = axes_of(self.document, self._kind)
+        self._axes = {path: axis for path, axis in self._known.items() if path in self._axes}
+        self._box.clear()
+        with self._box:
+            names = {kind: word(f"study_{kind}") for kind in kinds}
+            ui.select(names, value=self._kind, label=word("study_kind"), on_change=self._asks).classes("w-full")
+            if self._known:
+                self._fields()
+            if self._kind == "tolerance":
+                ui.number(
+                    word("samples"), value=self._samples, min=10, max=MOST_SAMPLES, precision=0,
+                    on_change=lambda event: setattr(self, "_samples", int(event.value or 0)),
+                )  # fmt: skip
+
+    def _asks(self, event: Any) -> None:
+        self._kind, self._axes = event.value, {}
+        self.draw()
+
+    def _fields(self) -> None:
+        names = {path: path.replace("_", " ").replace(".", " ") for path in self._known}
+        fewest, most = NEEDS[self._kind]
+        if not self._axes and fewest:
+            first = first_axis(self.document.given, self._known)
+            self._axes = {first: self._known[first]}
+        label = word("vary_fields", fewest=fewest, most=most)
+        ui.select(
+            names, value=list(self._axes), multiple=True, label=label, on_change=self._picked
+        ).props("dense use-chips").classes("w-full")  # fmt: skip
+        for axis in self._axes.values():
+            self._axis(axis, names[axis.path])
+
+    def _picked(self, event: Any) -> None:
+        most = NEEDS[self._kind][1]
+        chosen = list(event.value)[-most:]  # the last ones count
+        self._axes = {path: self._axes.get(path, self._known[path]) for path in chosen}
+        self.draw()
+
+    def _axis(self, axis: Axis, name: str) -> None:
+        with ui.row().classes("axis"):
+            ui.label(name).classes("name")
+            if axis.choices:
+                self._input(axis, "choices", word("choices"), ", ".join(axis.choices), wide=True)
+            elif axis.law in ("fit", "scatter"):
+                ui.label(word(f"law_{axis.law}", what=axis.law_of)).classes("small")
+            else:
+                self._input(axis, "first", word("from"), axis.first)
+                self._input(axis, "last", word("to"), axis.last)
+                if self._kind == "tolerance":
+                    laws = {law: word(f"law_{law}") for law in ("uniform", "triangular")}
+                    ui.select(
+                        laws, value=axis.law, label=word("law"),
+                        on_change=lambda e: self._set(axis.path, law=e.value),
+                    ).props("dense")  # fmt: skip
+                else:
+                    ui.number(
+                        word("points"), value=axis.points, min=2, max=200, precision=0,
+                        on_change=lambda e: self._set(axis.path, points=int(e.value or 2)),
+                    ).props("dense").classes("narrow")  # fmt: skip
+
+    def _input(self, axis: Axis, part: str, label: str, value: str, wide: bool = False) -> None:
+        def typed(event: Any) -> None:
+            text = str(event.value or "").strip()
+            words = tuple(one.strip() for one in text.split(",") if one.strip())
+            self._set(axis.path, **{part: words if part == "choices" else text})
+
+        field = ui.input(label, value=value, on_change=typed).props("dense")
+        field.props(f'aria-label="{axis.path} {label}"').classes("grow" if wide else "end")
+
+    def _set(self, path: str, **changes: Any) -> None:
+        self._axes[path] = replace(self._axes[path], **changes)
+
+    def _block(self) -> dict[str, Any] | None:
+        """The study that is asked for; None for the one that stands in the case."""
+        return None if self._kind == "own" else block_of(self._kind, tuple(self._axes.values()), self._samples)
+
+    def _text(self) -> str:
+        block = self._block()
+        return self.document.text if block is None else asked_text(self.document.given, block)
+
+    def _asked(self) -> Question | None:
+        return studied, (self._text(),)
+
+    def _keep(self) -> None:
+        """Put the study into the case, so that `babbitt study` computes it."""
+        self.document.write(self._text())
+        self._kind = "own"
+        self._changed()
+
+    def _show(self, found: Studied) -> None:
+        show_faults(found.faults)
+        if found.study is None:
+            return
+        self._study = found.study
+        ui.label(found.overview)
+        with ui.row():
+            for ending, says in FILES.items():
+                ui.button(word(says), on_click=lambda _, e=ending: self._download(e)).props("flat dense no-caps")
+        for table in found.tables:
+            show_table(table)
+        show_figures(found.figures)
+
+    async def _download(self, ending: str) -> None:
+        ui.notify(word("working"))
+        try:
+            content = await self._solver.ask(study_file, self._study, ending)
+        except (Ended, InputError) as error:
+            ui.notify(tell_ended(error), type="warning")
+            return
+        ui.download.content(content, f"study{ending}")

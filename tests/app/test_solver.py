@@ -1,0 +1,70 @@
+"""Worker processes: bounded, replaced when they die, and the latest question is answered."""
+
+import asyncio
+import os
+import signal
+import threading
+
+import pytest
+
+from babbitt.app.solver import Ended, Latest, Solver
+
+pytestmark = pytest.mark.slow
+FOREVER = 600.0
+
+
+@pytest.fixture(scope="module")
+def solver():
+    made = Solver(workers=1)
+    yield made
+    made.close()
+
+
+def doubled(number):
+    return 2 * number
+
+
+def asleep():
+    threading.Event().wait(FOREVER)
+
+
+def test_an_answer_comes_from_another_process(solver):
+    assert asyncio.run(solver.ask(os.getpid)) != os.getpid()
+
+
+def test_the_latest_question_is_answered_though_its_process_was_killed(solver):
+    killed = asyncio.run(solver.ask(os.getpid))
+    os.kill(killed, signal.SIGKILL)
+    assert asyncio.run(Latest(solver).ask(doubled, 21)) == 42
+    assert asyncio.run(solver.ask(os.getpid)) != killed
+
+
+def test_a_busy_process_that_is_killed_ends_its_question_alone(solver):
+    async def asked():
+        process = await solver.ask(os.getpid)
+        waiting = asyncio.create_task(solver.ask(asleep, longest=FOREVER))
+        while not any(future.running() for future in solver._open):
+            await asyncio.sleep(0.05)
+        os.kill(process, signal.SIGKILL)
+        with pytest.raises(Ended) as ended:
+            await waiting
+        return ended.value.why, await solver.ask(doubled, 21)
+
+    assert asyncio.run(asked()) == ("died", 42)
+
+
+def test_what_takes_too_long_is_ended(solver):
+    with pytest.raises(Ended) as ended:
+        asyncio.run(solver.ask(asleep, longest=0.2))
+    assert ended.value.why == "too_long"
+
+
+def test_of_questions_that_wait_the_latest_is_answered(solver):
+    async def asked():
+        latest = Latest(solver)
+        return await asyncio.gather(*(latest.ask(doubled, number) for number in range(5)))
+
+    first, *between, last = asyncio.run(asked())
+    assert last == 8
+    assert first in (0, None)
+    assert between == [None] * 3

@@ -1,0 +1,147 @@
+"""Studies of the page are those of the command, and what hinders one is said."""
+
+import pytest
+
+from babbitt.app.answer import read
+from babbitt.app.document import CaseDocument
+from babbitt.app.progress import FileWatch, Progress, followed, progress_in
+from babbitt.app.studies import Axis, asked_text, axes_of, block_of, first_axis, kinds_of, studied, study_file
+from babbitt.case import parse_case
+from babbitt.core.kind import kinds
+from babbitt.core.units import KINDS
+from babbitt.report.study_content import study_tables
+from babbitt.study.fields import annotations_of, numeric_field
+from babbitt.study.size import size_of
+from babbitt.study.study import plan, run_study
+
+TEMPLATES = {name: kind.read_template() for name, kind in kinds().items()}
+LOADS = Axis("load", "8 kN", "16 kN", 3)
+
+
+def asked(block, kind="journal"):
+    return asked_text(CaseDocument(TEMPLATES[kind]).given, block)
+
+
+@pytest.fixture(scope="module")
+def sweep(tmp_path_factory):
+    """A sweep of the load, and where its progress stands."""
+    file = str(tmp_path_factory.mktemp("sweep") / "progress")
+    return studied(asked(block_of("sweep", [LOADS])), file), file
+
+
+def test_a_sweep_is_that_of_the_command(sweep):
+    text, (found, file) = asked(block_of("sweep", [LOADS])), sweep
+    case = parse_case(text)
+    study = run_study(plan(case, case.study_block))
+    assert found.faults == ()
+    assert [table.rows for table in found.tables] == [one.rows for one in study_tables(study)]
+    assert len(found.tables[0].heads) == len(found.tables[0].rows[0])
+    assert [figure.name for figure in found.figures] == ["sweep"]
+    assert progress_in(file) == Progress(3, 3)
+    film = found.study.columns["minimum_film_thickness"]
+    assert (film[1:] < film[:-1]).all()  # more load, thinner film
+
+
+def test_a_clearance_is_sought_where_the_case_has_a_fit(tmp_path):
+    """What a designer asks first: at the smallest clearance a limit is met, and below it no longer."""
+    axis = axes_of(CaseDocument(TEMPLATES["journal"]), "size")["clearance.mean"]
+    text = asked(block_of("size", [Axis(axis.path, "0.6 permille", "3 permille", 5)]))
+    assert read(text).clearance.mean == pytest.approx(0.6e-3)
+    found = studied(text, str(tmp_path / "progress"))
+    assert found.faults == ()
+    (interval,) = size_of(found.study).intervals
+    assert 0.6e-3 < interval.lower.value < interval.upper.value
+    assert interval.lower.permitted
+    assert interval.lower.margin == pytest.approx(0.0, abs=2e-3)
+    assert not interval.below.permitted
+
+
+@pytest.mark.parametrize("kind", TEMPLATES)
+def test_fields_on_offer_are_those_that_studies_take(kind):
+    """Every number on offer has a unit of its field, and every kind of study has fields enough."""
+    document = CaseDocument(TEMPLATES[kind])
+    case = read(TEMPLATES[kind])
+    assert {"sweep", "size", "tolerance", "map", "corners"} <= set(kinds_of(document.given))
+    known = axes_of(document, "sweep")
+    assert len(known) >= 2
+    for axis in known.values():
+        if axis.choices or axis.path == "clearance.mean":
+            continue
+        form, quantity = numeric_field(annotations_of(case, axis.path))
+        assert form == "quantity", axis.path
+        if quantity.kind is not KINDS["1"]:
+            low, high = (one.partition(" ")[::2] for one in (axis.first, axis.last))
+            assert float(low[0]) < float(high[0])
+            assert low[1] in quantity.kind.everyday, axis
+
+
+def test_a_study_begins_with_the_load():
+    document = CaseDocument(TEMPLATES["journal"])
+    assert first_axis(document.given, axes_of(document, "sweep")) == "load"
+
+
+def test_a_study_of_the_case_comes_first():
+    document = CaseDocument(asked(block_of("corners", [])))
+    assert kinds_of(document.given)[0] == "own"
+    assert kinds_of(CaseDocument("").given) == ("sweep", "size", "tolerance", "map", "corners")
+
+
+def test_tolerances_take_the_fit_and_the_grade():
+    axes = axes_of(CaseDocument(TEMPLATES["journal"]), "tolerance")
+    load = Axis("load", "1 kN", "3 kN", law="triangular")
+    block = block_of("tolerance", [axes["clearance"], axes["lubricant"], load], 20)
+    assert block["vary"] == {
+        "clearance": {"fit": "H7/e7"},
+        "lubricant": {"scatter": "vg"},
+        "load": {"triangular": ["1 kN", "2 kN", "3 kN"]},
+    }
+    assert read(asked(block)).study_block.samples == 20
+
+
+@pytest.mark.parametrize(
+    ("axis", "says"),
+    [
+        (Axis("load", "8 kg", "16 kN"), "study.vary.load"),
+        (Axis("load", "", "16 kN"), "study.vary.load"),
+        (Axis("colour", "1", "2"), "'colour' is no field"),
+        (Axis("load", "8 kN", "16 kN", 10**6), "study.vary.load"),
+    ],
+)
+def test_what_hinders_a_study_is_said(axis, says, tmp_path):
+    found = studied(asked(block_of("sweep", [axis])), str(tmp_path / "progress"))
+    assert found.study is None
+    assert any(says in f"{fault.field}: {fault.message}" for fault in found.faults), found.faults
+
+
+def test_a_study_names_no_files(tmp_path):
+    """Neither a table of rows nor samples of a field are read from the machine of the server."""
+    (tmp_path / "rows.csv").write_text("load [kN]\n1\n2\n")
+    for block in (
+        {"kind": "table", "rows": str(tmp_path / "rows.csv")},
+        {"kind": "tolerance", "samples": 10, "vary": {"load": {"table": str(tmp_path / "rows.csv")}}},
+    ):
+        found = studied(asked(block), str(tmp_path / "progress"))
+        assert found.study is None
+        assert any("no files" in fault.message for fault in found.faults), found.faults
+
+
+def test_files_of_a_study(sweep):
+    study = sweep[0].study
+    csv = study_file(study, ".csv").decode().splitlines()
+    assert len(csv) == 4
+    assert study_file(study, ".xlsx").startswith(b"PK")
+
+
+def test_progress_is_read_while_it_is_written(tmp_path):
+    file = str(tmp_path / "progress")
+    assert progress_in(file) == Progress()
+    watch = FileWatch(file)
+    watch.begins(10)
+    watch.advances(4, 1)
+    assert progress_in(file) == Progress(4, 10, 1)
+    assert progress_in(file).share == pytest.approx(0.4)
+    seen = []
+    for item in followed("ab", file):
+        seen.append((item, progress_in(file).done))
+    assert seen == [("a", 0), ("b", 1)]
+    assert progress_in(file).share == 1.0
