@@ -104,8 +104,8 @@ def _plan(canvas: Canvas, case: HydrostaticCase, found: Answer | None) -> None:
         _drains(plan, shape)
     if case.duty.angular_speed:
         sense = math.copysign(1.0, case.duty.angular_speed)
-        within = 1.12 * size if hole is None else 0.5 * float(np.hypot(hole[0], hole[1]).max())
-        plan.turning(0.0, 0.0, within, -0.25 * math.pi, sense, "rotation")
+        radius = 1.12 * size if hole is None else 0.5 * float(np.hypot(hole[0], hole[1]).max())
+        plan.turning(0.0, 0.0, radius, -0.25 * math.pi, sense, "rotation")
     canvas.notes(-0.98 * canvas.reach, _half_height(case) - 0.08, _sizes(case))
 
 
