@@ -8,8 +8,8 @@ import pytest
 from drawn import changed, drawn
 
 from babbitt.kinds.hydrostatic.geometry import ThrustRing
-from babbitt.kinds.hydrostatic.report.picture import gap_at
 from babbitt.kinds.hydrostatic.report.picture_journal import PLAY
+from babbitt.kinds.hydrostatic.report.picture_section import gap_at
 from babbitt.kinds.shaft.report.picture import ARROW
 from babbitt.kinds.thrust.report.picture import LENGTH
 
@@ -123,7 +123,7 @@ def test_recesses_of_a_ring_stand_where_they_are():
 
 
 @pytest.mark.parametrize("method", ["film", "quick"])
-def test_gaps_of_a_ring_at_rest_are_in_the_order_of_pressures(method):
+def test_gaps_of_a_ring_that_does_not_turn_are_in_the_order_of_pressures(method):
     """Of like restrictors the thinnest film holds back most: gaps over recesses are in the order of pressures."""
     text = changed("hydrostatic_thrust_ring", method=method, speed="0 rpm", moments=["200 N m", "100 N m"])
     solution, _ = one(text)
@@ -301,7 +301,7 @@ def test_a_heel_without_steady_state_is_drawn_without_flows():
 
 
 @pytest.mark.parametrize("method", ["iso7902", "film"])
-def test_the_clearance_of_a_journal_bearing_is_drawn_by_the_factor_that_it_tells(method):
+def test_the_clearance_of_a_journal_bearing_is_drawn_by_the_factor_shown(method):
     """Bore less journal over the radius is the relative clearance at work times the factor."""
     changes = {} if method == "iso7902" else {"method": {"kind": "film"}, "supply_element": None}
     solution, picture = one(changed("journal", **changes))
@@ -310,7 +310,7 @@ def test_the_clearance_of_a_journal_bearing_is_drawn_by_the_factor_that_it_tells
     assert clearance == pytest.approx(solution.result.values["operating_relative_clearance"], rel=5e-3)
 
 
-def test_films_of_tilting_pads_are_drawn_by_the_factor_that_they_tell():
+def test_films_of_tilting_pads_are_drawn_by_the_factor_shown():
     """The journal stands off the middle by its eccentricity times the factor."""
     solution, picture = one(changed("tilting_pad_journal"))
     moved = math.hypot(*picture.of("journal", "circle")[0].points[0]) / picture.factor("film")
