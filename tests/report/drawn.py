@@ -51,7 +51,7 @@ class Drawn:
         return [one.words for one in self.shapes if one.tag == "text"]
 
     def factor(self, what):
-        """Of enlargement, from the words that tell it."""
+        """Of enlargement, as the words have it."""
         return float(next(re.search(rf"{what} × (\S+)", one) for one in self.words() if f"{what} ×" in one)[1])
 
 

@@ -8,8 +8,8 @@ import pytest
 from drawn import changed, drawn
 
 from babbitt.kinds.hydrostatic.geometry import ThrustRing
-from babbitt.kinds.hydrostatic.report.picture import gap_at
 from babbitt.kinds.hydrostatic.report.picture_journal import PLAY
+from babbitt.kinds.hydrostatic.report.picture_section import gap_at
 from babbitt.kinds.shaft.report.picture import ARROW
 from babbitt.kinds.thrust.report.picture import LENGTH
 
@@ -123,6 +123,16 @@ def test_recesses_of_a_ring_stand_where_they_are():
 
 
 @pytest.mark.parametrize("method", ["film", "quick"])
+def test_gaps_of_a_ring_that_does_not_turn_are_in_the_order_of_pressures(method):
+    """Of like restrictors the thinnest film holds back most: gaps over recesses are in the order of pressures."""
+    text = changed("hydrostatic_thrust_ring", method=method, speed="0 rpm", moments=["200 N m", "100 N m"])
+    solution, _ = one(text)
+    middles = 0.075 * np.exp(1j * np.radians([45.0, 135.0, 225.0, 315.0]))
+    thick = gap_at(solution.state.found, middles.real, middles.imag)
+    assert thick.argsort().tolist() == (-solution.state.found.network.pressures).argsort().tolist()
+
+
+@pytest.mark.parametrize("method", ["film", "quick"])
 def test_the_gap_of_a_tilted_ring_is_that_of_its_result(method):
     """Smallest over the outer edge; in the section the tilt shows as a wave of its amplitude at the recesses."""
     solution, picture = one(changed("hydrostatic_thrust_ring", method=method))
@@ -132,10 +142,6 @@ def test_the_gap_of_a_tilted_ring_is_that_of_its_result(method):
     outer = shape.radii.outer_radius
     gap = gap_at(found, outer * np.cos(around), outer * np.sin(around))
     assert gap.min() == pytest.approx(solution.result.values["minimum_film_thickness"], rel=2e-3)
-    middles = shape.radii.outer_radius * np.exp(1j * np.array(shape.recess_angles))
-    thick, pressures = gap_at(found, middles.real, middles.imag), found.network.pressures
-    assert thick.argmin() == pressures.argmax()  # of like restrictors the thinnest film holds back most
-    assert thick.argmax() == pressures.argmin()
     film = max(picture.of("film"), key=lambda one: one.points.shape[0])
     runner = film.points[:-2, 1] - film.points[-1, 1]
     scale = picture.factor("film") / (math.pi * 0.075)
@@ -292,3 +298,21 @@ def test_a_heel_without_steady_state_is_drawn_without_flows():
     assert not solution.result.outcome.solved
     assert picture.of("groove")
     assert not picture.of("flow line")
+
+
+@pytest.mark.parametrize("method", ["iso7902", "film"])
+def test_the_clearance_of_a_journal_bearing_is_drawn_by_the_factor_shown(method):
+    """Bore less journal over the radius is the relative clearance at work times the factor."""
+    changes = {} if method == "iso7902" else {"method": {"kind": "film"}, "supply_element": None}
+    solution, picture = one(changed("journal", **changes))
+    bore = np.hypot(*picture.of("bore")[0].points.T).max()
+    clearance = (bore - picture.of("journal", "circle")[0].size) / picture.factor("film")
+    assert clearance == pytest.approx(solution.result.values["operating_relative_clearance"], rel=5e-3)
+
+
+def test_films_of_tilting_pads_are_drawn_by_the_factor_shown():
+    """The journal stands off the middle by its eccentricity times the factor."""
+    solution, picture = one(changed("tilting_pad_journal"))
+    moved = math.hypot(*picture.of("journal", "circle")[0].points[0]) / picture.factor("film")
+    off = float(np.hypot(*solution.state.films.solution.position))
+    assert moved * solution.state.films.solution.bearing.radius == pytest.approx(off, rel=5e-3)

@@ -115,9 +115,9 @@ class Canvas:
         self._arrow(x + radius * np.cos(angles), y + radius * np.sin(angles), style, None)
 
     def load(self, angle: float, load: float, sense: float, handle: Handle | None = None) -> None:
-        """A load in N on a journal of radius 1 in its direction, its size beside it, the rotation ahead of it.
+        """A load in N on a journal of radius 1 in its direction, with its size, the rotation ahead of it.
 
-        `sense` is 1 for counter-clockwise, -1 for clockwise, 0 for a journal at rest.
+        `sense` is 1 for counter-clockwise, -1 for clockwise, 0 for a journal that does not turn.
         """
         c, s = math.cos(angle), math.sin(angle)
         self.arrow((-0.75 * c, -0.75 * s), (-0.08 * c, -0.08 * s), "load", handle)
@@ -125,13 +125,6 @@ class Canvas:
             self.turning(0.0, 0.0, 0.62, angle, sense, "rotation")
         if math.isfinite(load):
             self.text(-0.45 * c - 0.3 * s, -0.45 * s + 0.3 * c, sized("load", load))
-
-    def dimension(self, first: Place, second: Place, words: str, apart: Place = (0.0, 0.0)) -> None:
-        """A length between two places, its words so far from the middle of the line."""
-        middle = 0.5 * (first[0] + second[0]), 0.5 * (first[1] + second[1])
-        for end in (first, second):
-            self.arrow(middle, end, "dimension")
-        self.text(middle[0] + apart[0], middle[1] + apart[1], words)
 
     def text(self, x: float, y: float, words: str, style: str = "label", anchor: str = "middle") -> None:
         """Words about a place, or from it on (`start`), or up to it (`end`)."""

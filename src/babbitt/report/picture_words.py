@@ -35,7 +35,7 @@ def millimetres(symbol: str, length: float) -> str:
 
 
 def enlarged(what: str, factor: float) -> str:
-    """By how much something is drawn larger than the lengths beside it.
+    """By how much something is drawn larger than the other lengths.
 
     >>> enlarged("film", 146.7)
     'film × 147'

@@ -159,9 +159,9 @@ class _Views:
     def _bodies(self, part: Canvas) -> None:
         for start, piece in zip(self.shaft.ends, self.shaft.pieces, strict=False):
             ends = self.place(start), self.place(start + piece.length)
-            radius, hollow = 0.5 * self.scale * piece.diameter, 0.5 * self.scale * piece.inner_diameter
+            radius, inner = 0.5 * self.scale * piece.diameter, 0.5 * self.scale * piece.inner_diameter
             part.box((ends[0], -radius), (ends[1], radius), "journal")
-            for y in (hollow, -hollow) if hollow > 0.0 else ():
+            for y in (inner, -inner) if inner > 0.0 else ():
                 part.outline((ends, (y, y)), "dashed")
         if not self.shaft.pieces:
             part.outline(((-1.0, 1.0), (0.0, 0.0)), "bore")
