@@ -1,4 +1,4 @@
-"""Every benchmark finds what it imports: `make bench` runs too long for a test, and a moved name would break it."""
+"""Every benchmark finds what it imports: `make bench` runs too long for a test, and a moved name breaks it."""
 
 import importlib.util
 import sys
