@@ -24,7 +24,7 @@ from babbitt.kinds.hydrostatic.impedance import Compressibility, impedance
 from babbitt.kinds.hydrostatic.lines import DRAFT, ENGINEERING, REFERENCE, Grid
 from babbitt.kinds.hydrostatic.lumped import lumped_at, lumped_under
 from babbitt.kinds.hydrostatic.lumps import journal_lumps
-from babbitt.kinds.hydrostatic.model import Duty, HydrostaticCase, Oil, Recesses
+from babbitt.kinds.hydrostatic.model import HydrostaticCase, Oil, OperatingConditions, Recesses
 from babbitt.kinds.hydrostatic.network import Feeding
 from babbitt.kinds.hydrostatic.restrictors import Capillary
 from babbitt.kinds.hydrostatic.single_recess import gap_under, pad_at
@@ -44,7 +44,7 @@ RING_FEEDING = Feeding((Capillary(0.8e-3, 0.06, 0.02),) * 4, FixedPressure(3e6))
 OIL = Compressibility(3.7e-6, 1e9)
 QUICK_RING = HydrostaticCase(
     "Ring", "hydrostatic_thrust_ring", "quick", RING, RING_FEEDING, Oil(0.02, 870.0, 2000.0),
-    Duty(25e3, moments=(200.0, 0.0), angular_speed=1000.0 * math.pi / 30.0), Recesses(1e-3), OIL,
+    OperatingConditions(25e3, moments=(200.0, 0.0), angular_speed=1000.0 * math.pi / 30.0), Recesses(1e-3), OIL,
 )  # fmt: skip
 
 

@@ -163,7 +163,10 @@ def coolest_temperature(case: CheckedProblem) -> float:
 
 
 def find_equilibrium(
-    case: CheckedProblem, film_at: Callable[[float], FilmAtTemperatureT], policy: SearchPolicy = FINE_SEARCH
+    case: CheckedProblem,
+    film_at: Callable[[float], FilmAtTemperatureT],
+    policy: SearchPolicy = FINE_SEARCH,
+    above: float = 0.0,
 ) -> Equilibrium[FilmAtTemperatureT]:
     """Find the coolest temperature at which oil and housing of a case carry the friction heat away.
 
@@ -173,12 +176,14 @@ def find_equilibrium(
         Supply and cooling.
     film_at, policy
         As of `coolest_equilibrium`.
+    above : float
+        Temperature in K below which there is none, where more is known than the temperatures around.
     """
 
     def surplus(_: float, film: FilmAtTemperatureT) -> float:
         return heat_surplus(film, case)
 
-    return coolest_equilibrium(film_at, surplus, coolest_temperature(case), policy)
+    return coolest_equilibrium(film_at, surplus, larger(coolest_temperature(case), above), policy)
 
 
 def coolest_equilibrium(
@@ -281,6 +286,7 @@ class _Search(Generic[FilmT]):
         self._film_at, self._surplus_of, self._coolest, self._policy = film_at, surplus, coolest, policy
         self._evaluations = 0
         self._last: tuple[float, FilmT | NoFilmError] | None = None
+        self._before = self._last
 
     def surplus(self, temperature: float) -> float:
         """Heat made less heat carried away."""
@@ -344,8 +350,11 @@ class _Search(Generic[FilmT]):
         return Equilibrium(Outcome.NOT_CONVERGED, film, self._evaluations, temperature)
 
     def _film(self, temperature: float) -> FilmT:
-        """Film at a temperature; that of the last one is kept, for most searches end where they looked last."""
+        """Film at a temperature; the last two are kept, for a search closes in between them and ends at one."""
+        if self._before is not None and self._before[0] == temperature:
+            self._before, self._last = self._last, self._before
         if self._last is None or self._last[0] != temperature:
+            self._before = self._last
             try:
                 self._last = temperature, self._film_at(temperature)
             except NoFilmError as failure:

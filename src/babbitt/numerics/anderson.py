@@ -108,7 +108,8 @@ class AndersonAccelerator:
         self._states, self._residuals = [*self._states, state][kept:], [*self._residuals, residual][kept:]
         if len(self._states) == 1:
             return state, self.damping * residual
-        moves, gains = np.diff(np.array(self._states), axis=0), np.diff(np.array(self._residuals), axis=0)
+        states, residuals = np.array(self._states), np.array(self._residuals)
+        moves, gains = states[1:] - states[:-1], residuals[1:] - residuals[:-1]
         shares = self._shares(gains, residual, size)
         return state, self.damping * residual - np.einsum("ik,i->k", moves + self.damping * gains, shares)
 
@@ -127,6 +128,9 @@ class AndersonAccelerator:
         weighted = gains * np.square(self._weights)
         normal, right = np.einsum("ik,jk->ij", weighted, gains), np.einsum("ik,k->i", weighted, residual)
         lengths = np.sqrt(normal.diagonal())
+        if lengths.size == 1:  # a quotient: the general way takes longer than many a map
+            shares = right / normal[0] if lengths[0] > SAME * size else np.zeros(1)
+            return np.asarray(np.clip(shares, -self.options.largest_share, self.options.largest_share))
         scale = np.divide(1.0, lengths, out=np.zeros_like(lengths), where=lengths > SAME * size)
         cosines = normal * np.outer(scale, scale)
         shares = scale * np.linalg.lstsq(cosines, scale * right, rcond=SAME**2)[0]

@@ -217,14 +217,13 @@ def _film(temperature: float, case: DesignCase, shape: BearingCurves, limited: b
         if so > shape.largest_sommerfeld_number:
             raise NoFilmError(Outcome.OVERLOADED, scale * shape.largest_sommerfeld_number)
         eccentricity = shape.eccentricity_ratio(so)
+    attitude = shape.attitude_angle(eccentricity)
     lever = case.friction_factor * psi * load * bearing.diameter / 2.0
-    torque, power = friction_between(
-        case, *(lever * number for number in friction_numbers(case.friction, shape, eccentricity, so))
-    )
+    shear, pressure = friction_numbers(case.friction, shape, eccentricity, so, attitude)
+    torque, power = friction_between(case, lever * shear, lever * pressure)
     flow_scale = bearing.diameter**3 * psi * hydrodynamic_speed(case)
     side_flow_number = shape.side_flow_number(eccentricity)
     side_flow = bearing.parts * side_flow_number * flow_scale
-    attitude = shape.attitude_angle(eccentricity)
     sheared = sheared_flow(case, eccentricity, attitude, psi, side_flow)
     if limited and sheared is not None:
         side_flow = smaller(side_flow, sheared)

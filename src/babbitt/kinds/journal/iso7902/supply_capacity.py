@@ -22,7 +22,7 @@ from functools import partial
 from babbitt.core.notices import Notice
 from babbitt.core.result import Bound, Check
 from babbitt.design.failure import failure_of
-from babbitt.design.heat_balance import Equilibrium, find_equilibrium
+from babbitt.design.heat_balance import Equilibrium, coolest_temperature, find_equilibrium
 from babbitt.kinds.journal.iso7902.film import Film, curves_of, starved_film_at
 from babbitt.kinds.journal.iso7902.model import DesignCase
 from babbitt.kinds.journal.iso7902.supply import CircumferentialGroove, HalfCircumferentialGroove, Holes, Pockets
@@ -89,7 +89,11 @@ def starved_equilibrium(case: DesignCase, film: Film) -> Equilibrium[Film] | Non
     """
     if case.effective_temperature is not None or not gets_less(film):
         return None
-    return find_equilibrium(case, partial(starved_film_at, case=case, shape=curves_of(case)))
+    # less oil carries less heat off, down to the inlet temperature: no equilibrium lies below that of all the oil
+    supply = case.oil_supply
+    cooled = supply is not None and coolest_temperature(case) < supply.temperature
+    above = 0.0 if cooled else film.temperature
+    return find_equilibrium(case, partial(starved_film_at, case=case, shape=curves_of(case)), above=above)
 
 
 def assumptions_about_capacity(case: DesignCase, film: Film) -> Iterator[str]:

@@ -9,7 +9,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from babbitt.numerics.piecewise_cubic import PiecewiseCubic
-from babbitt.numerics.scalar_or_array import Array, Value, functions_for, outside
+from babbitt.numerics.scalar_or_array import Array, Value, outside
 from babbitt.numerics.spline_cuts import SplineCuts
 
 _ROUND_OFF = 1e-13
@@ -142,11 +142,13 @@ class CharacteristicCurves:
 
     def _place(self, eccentricity_ratio: Value) -> tuple[Value, Value]:
         """Eccentricity within the nodes, and its t = ln(eps/(1 - eps))."""
-        check_eccentricity(eccentricity_ratio, self)
         first = self.smallest_eccentricity_ratio
         if isinstance(eccentricity_ratio, np.ndarray):
+            check_eccentricity(eccentricity_ratio, self)
             inside = np.maximum(eccentricity_ratio, first)
             return inside, np.log(inside / (1.0 - inside))
+        if not 0.0 <= eccentricity_ratio <= self.largest_eccentricity_ratio:
+            check_eccentricity(eccentricity_ratio, self)
         within = max(float(eccentricity_ratio), first)
         return within, math.log(within / (1.0 - within))
 
@@ -158,7 +160,7 @@ def _at(function: PiecewiseCubic | SplineCuts, place: float | Array) -> Any:
 def _power(function: PiecewiseCubic | SplineCuts, place: float | Array) -> Any:
     """What a function gives whose logarithm is known."""
     level = _at(function, place)
-    return functions_for(level).exp(level)
+    return np.exp(level) if isinstance(level, np.ndarray) else math.exp(level)
 
 
 def check_eccentricity(eccentricity_ratio: float | Array, curves: BearingCurves) -> None:
