@@ -11,8 +11,9 @@ from babbitt.core.kind import kinds
 from babbitt.core.units import KINDS
 from babbitt.report.study_content import study_tables
 from babbitt.study.fields import annotations_of, numeric_field
+from babbitt.study.plan import plan
 from babbitt.study.size import size_of
-from babbitt.study.study import plan, run_study
+from babbitt.study.study import run_study
 
 TEMPLATES = {name: kind.read_template() for name, kind in kinds().items()}
 LOADS = Axis("load", "8 kN", "16 kN", 3)

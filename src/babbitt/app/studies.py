@@ -187,7 +187,8 @@ def studied(text: str, progress: str) -> Studied:
     """
     from babbitt.report.study_content import overview, study_tables
     from babbitt.report.study_figures import study_drawings
-    from babbitt.study.study import plan, run_study
+    from babbitt.study.plan import plan
+    from babbitt.study.study import run_study
 
     try:
         case = read(text)
