@@ -131,7 +131,7 @@ def slider_of(elements: dict[str, Any]) -> tuple[int, str] | None:
         is_slider = isinstance(element, dict) and "slider" in str(element.get("tag", ""))
         if is_slider and element.get("props", {}).get("aria-label") == "load":
             events = [one for one in element["events"] if one["type"] == "update:modelValue"]
-            return int(number), events[0]["listener_id"]
+            return int(number), events[-1]["listener_id"]  # the first one is the library's own
     return None
 
 

@@ -36,10 +36,10 @@ class CatalogueView:
         found = oils()
         ui.select(
             [row[0] for row in found.rows], value=list(FIRST), multiple=True, label=word("oils_of_chart"),
-            on_change=lambda event: self._chart.update_figure(viscosity_chart(event.value)),
+            on_change=lambda event: chart.update_figure(viscosity_chart(event.value)),
         ).props("dense use-chips").classes("w-full")  # fmt: skip
-        self._chart = ui.plotly(viscosity_chart(FIRST)).classes("w-full chart")
-        self._chart.props(f'role="figure" aria-label="{word("viscosity_chart")}"')
+        chart = ui.plotly(viscosity_chart(FIRST)).classes("w-full chart")
+        chart.props(f'role="figure" aria-label="{word("viscosity_chart")}"')
         ui.label(word("viscosity_axes")).classes("small")
         self._table(found, "oil")
         self._table(metals(), "metal")
