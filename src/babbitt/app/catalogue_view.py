@@ -34,12 +34,12 @@ class CatalogueView:
     def __init__(self, document: CaseDocument, changed: Callable[[], None]) -> None:
         self.document, self._changed = document, changed
         found = oils()
-        ui.select(
-            [row[0] for row in found.rows], value=list(FIRST), multiple=True, label=word("oils_of_chart"),
-            on_change=lambda event: self._chart.update_figure(viscosity_chart(event.value)),
-        ).props("dense use-chips").classes("w-full")  # fmt: skip
-        self._chart = ui.plotly(viscosity_chart(FIRST)).classes("w-full chart")
-        self._chart.props(f'role="figure" aria-label="{word("viscosity_chart")}"')
+        names = [row[0] for row in found.rows]
+        chosen = ui.select(names, value=list(FIRST), multiple=True, label=word("oils_of_chart"))
+        chosen.props("dense use-chips").classes("w-full")
+        chart = ui.plotly(viscosity_chart(FIRST)).classes("w-full chart")
+        chart.props(f'role="figure" aria-label="{word("viscosity_chart")}"')
+        chosen.on_value_change(lambda event: chart.update_figure(viscosity_chart(event.value)))
         ui.label(word("viscosity_axes")).classes("small")
         self._table(found, "oil")
         self._table(metals(), "metal")

@@ -21,7 +21,7 @@ from babbitt.core.kind import kinds
 from babbitt.core.notices import InputError
 
 if TYPE_CHECKING:
-    from babbitt.report.document import ReportFormat
+    from babbitt.report.document import Format
 
 __all__ = ["Head"]
 
@@ -107,7 +107,7 @@ class Head:
         dialog.on("hide", dialog.delete)
         dialog.open()
 
-    async def _report(self, report_format: ReportFormat) -> None:
+    async def _report(self, report_format: Format) -> None:
         await self._download(report_of, f"report.{report_format}", self.document.text, report_format)
 
     async def _json(self) -> None:

@@ -38,7 +38,7 @@ def kernels_compiled(progress: str) -> None:
     watch = FileWatch(progress)
     watch.begins(ABOUT)
 
-    class Count(event.Listener):  # type: ignore[misc]  # numba has no published types
+    class Count(event.Listener):
         """Counts kernels that are compiled."""
 
         def on_start(self, event: Any) -> None:

@@ -20,7 +20,7 @@ __all__ = ["LongWork", "icon_button", "on_request", "show_faults", "show_figures
 LOOK = 0.5
 """Seconds between two looks at how far long work is."""
 
-WORDS = {"align": "left", "style": "white-space: normal; min-width: 5em"}
+WORDS = {"align": "left", "style": "white-space: normal; min-width: 7em"}
 NUMBERS = {"align": "right"}
 """Columns of tables: words may break over lines, numbers do not."""
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
 from nicegui import ui
@@ -14,6 +14,11 @@ from babbitt.app.units import split
 from babbitt.app.words import word
 
 __all__ = ["Slider", "quantities"]
+
+USUAL: tuple[Path, ...] = (("load",), ("speed",), ("clearance", "mean"), ("supply", "temperature"))
+"""Ends of the paths of fields that a designer moves first."""
+
+MOST_PICKED = 4
 
 SPAN = 2.0
 """Ends of a slider: the value over this, and times this."""
@@ -41,7 +46,7 @@ class Slider:
         entries = {one.path: one for one in quantities(self.document.items)}
         if not entries:
             return
-        self._picked = [path for path in self._picked if path in entries] or list(entries)[:3]
+        self._picked = [path for path in self._picked if path in entries] or first_picked(entries)
         with self._box:
             ui.select(
                 {path: " ".join(map(str, path)).replace("_", " ") for path in entries},
@@ -77,6 +82,17 @@ class Slider:
 
         found.on("update:model-value", moved, throttle=0.05, leading_events=False)
         found.on("change", stopped)
+
+
+def first_picked(paths: Iterable[Path]) -> list[Path]:
+    """Values that a designer moves first, else the first ones.
+
+    >>> first_picked([("diameter",), ("supply", "temperature"), ("load",)])
+    [('load',), ('supply', 'temperature')]
+    """
+    known = list(paths)
+    usual = [path for names in USUAL for path in known if path[-len(names) :] == names]
+    return (usual or known)[:MOST_PICKED]
 
 
 def quantities(items: tuple[Item, ...]) -> Iterator[Entry]:
