@@ -286,7 +286,7 @@ class _Search(Generic[FilmT]):
         self._film_at, self._surplus_of, self._coolest, self._policy = film_at, surplus, coolest, policy
         self._evaluations = 0
         self._last: tuple[float, FilmT | NoFilmError] | None = None
-        self._before = self._last
+        self._before: tuple[float, FilmT | NoFilmError] | None = None
 
     def surplus(self, temperature: float) -> float:
         """Heat made less heat carried away."""
@@ -354,7 +354,7 @@ class _Search(Generic[FilmT]):
         if self._before is not None and self._before[0] == temperature:
             self._before, self._last = self._last, self._before
         if self._last is None or self._last[0] != temperature:
-            self._before = self._last
+            self._before: tuple[float, FilmT | NoFilmError] | None = None
             try:
                 self._last = temperature, self._film_at(temperature)
             except NoFilmError as failure:
