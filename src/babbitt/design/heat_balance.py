@@ -354,7 +354,7 @@ class _Search(Generic[FilmT]):
         if self._before is not None and self._before[0] == temperature:
             self._before, self._last = self._last, self._before
         if self._last is None or self._last[0] != temperature:
-            self._before: tuple[float, FilmT | NoFilmError] | None = None
+            self._before = self._last
             try:
                 self._last = temperature, self._film_at(temperature)
             except NoFilmError as failure:
