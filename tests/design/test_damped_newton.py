@@ -60,6 +60,7 @@ def test_a_step_is_halved_as_often_as_allowed():
     def room(at):
         return 1.0 - float(at[0])
 
-    step = halved_for_room(room, np.zeros(1), np.array([8.0]), 0.4, 4)
+    step, left = halved_for_room(room, np.zeros(1), np.array([8.0]), 0.4, 4)
     assert step == pytest.approx([0.5])
+    assert left == pytest.approx(0.5)
     assert halved_for_room(room, np.zeros(1), np.array([8.0]), 0.4, 3) is None

@@ -286,7 +286,7 @@ class _Search(Generic[FilmT]):
         self._film_at, self._surplus_of, self._coolest, self._policy = film_at, surplus, coolest, policy
         self._evaluations = 0
         self._last: tuple[float, FilmT | NoFilmError] | None = None
-        self._before = self._last
+        self._before: tuple[float, FilmT | NoFilmError] | None = None
 
     def surplus(self, temperature: float) -> float:
         """Heat made less heat carried away."""

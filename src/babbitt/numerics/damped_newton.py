@@ -80,20 +80,22 @@ def damped_newton(
         if status is not None:
             return NewtonEnd(at, status, step, room)
         move = problem.move(at, room)
+        taken = None
         if move is not None:
-            move = halved_for_room(problem.room, at, move, problem.kept_room(at, room), most_halvings)
-        if move is None or not (left := problem.room(at + move)) > least_room:
+            taken = halved_for_room(problem.room, at, move, problem.kept_room(at, room), most_halvings)
+        if taken is None or not taken[1] > least_room:
             return NewtonEnd(at, problem.no_room, step, room)
-        at, room = at + move, left
+        at, room = at + taken[0], taken[1]
     return NewtonEnd(at, problem.too_many_steps, most_steps, room)
 
 
 def halved_for_room(
     room: Callable[[Array], float], at: Array, move: Array, kept: float, most_halvings: int = 60
-) -> Array | None:
-    """A step halved until it leaves room; None where it never does."""
+) -> tuple[Array, float] | None:
+    """A step halved until it leaves room, and that room; None where it never does."""
     for _ in range(most_halvings + 1):
-        if room(at + move) > kept:
-            return move
+        left = room(at + move)
+        if left > kept:
+            return move, left
         move = 0.5 * move
     return None

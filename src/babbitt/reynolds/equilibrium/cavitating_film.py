@@ -77,13 +77,14 @@ def equilibrium_from(
     bearing, axial = kernel_bearing(film, scales), kernel_operator(resolution.axial_unknowns)
     if film.film_start is FilmStart.WIDEST_GAP:
         return widest_gap_equilibrium(film, scales, bearing, axial, wanted, resolution, max_steps, begun)
-    result, pushed = np.zeros(RESULT_SIZE), wanted + groove_force(bearing)
+    result, standing = np.zeros(RESULT_SIZE), groove_force(bearing)
+    pushed = wanted + standing
     find, (x, y) = (find_equilibrium, (0.0, 0.0)) if at is None else (find_near, at)
     x, y, status, steps, gap, grid = find(
         axial, bearing, resolution.coarse_intervals, resolution.intervals, pushed[0], pushed[1], x, y,
         resolution.tolerance, max_steps, result,
     )  # fmt: skip
-    result[:2] += groove_force(bearing)
+    result[:2] += standing
     at = np.array([x, y])
     return assemble(film, scales, bearing, axial, grid, at, np.zeros(2), result, status, steps, gap, 0.0, begun)
 
@@ -209,8 +210,8 @@ def groove_force(bearing: Bearing) -> Array:
     """Force of the oil standing in the grooves, between the end of one land and the start of the next."""
     total = np.zeros(2)
     turn = 2.0 * math.pi
-    lands = bearing.lands[np.argsort(bearing.lands[:, 0] % turn)]
-    for land, following in zip(lands, np.roll(lands, -1, axis=0), strict=True):
+    lands = sorted(bearing.lands.tolist(), key=lambda land: land[0] % turn)
+    for land, following in zip(lands, (*lands[1:], lands[0]), strict=True):
         gauge = 0.5 * (land[6] + following[5]) - bearing.side_pressure
         extent = (following[0] - land[1]) % turn
         if gauge > 0.0 and extent < turn - 1e-9:

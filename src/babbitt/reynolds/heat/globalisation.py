@@ -172,7 +172,8 @@ class _Passes:
             return self.thermal.sample.gap(place[-2:])
 
         move = move * min(1.0, MOST_RISE / max(float(np.abs(move[:-2]).max()), 1e-300))
-        return halved_for_room(gap, state, move, max(SHRINK * gap(state), CONTACT))
+        taken = halved_for_room(gap, state, move, max(SHRINK * gap(state), CONTACT))
+        return None if taken is None else taken[0]
 
 
 def _packed(thermal: ThermalFilmState) -> Array:
