@@ -86,6 +86,39 @@ surface_speed: {speed:.2f} m/s
 """
 
 
+def thick_bearing(rng: Random, number: int) -> str:
+    """A bearing with any oil and any supply element of a standard metal, slow to fast."""
+    diameter = float(rng.choice([60, 80, 100, 160, 200, 250, 315, 400]))
+    speed = math.exp(rng.uniform(math.log(2.0), math.log(60.0)))
+    clearance = rng.uniform(1.0, 2.0) * 0.8 * speed**0.25
+    width = rng.uniform(0.3, 1.0) * diameter
+    share = rng.uniform(0.1, 0.8)
+    pocket = f"{{kind: pocket, width: {share * width:.1f} mm, place: "
+    elements = (
+        (f"{{kind: groove_360, width: {min(share, 0.4) * width:.1f} mm}}", 360),
+        (f"{{kind: groove_180, width: {share * width:.1f} mm}}", 180),
+        (f"{pocket}opposite}}", 360),
+        (f"{pocket}side}}", 150),
+        (f"{pocket}both_sides}}", rng.choice([360, 180, 150, 120])),
+        (f"{{kind: hole, diameter: {min(share * width, 0.2 * diameter):.1f} mm, place: both_sides}}", 360),
+    )
+    element, span = elements[int(rng.integers(len(elements)))]
+    return f"""
+kind: journal
+name: bearing {number}
+diameter: {diameter:g} mm
+width: {width:.1f} mm
+clearance: {{kind: relative, mean: {clearance:.3f} permille}}
+span: {span} deg
+supply_element: {element}
+lubricant: ISO VG {rng.choice([22, 46, 68, 100, 150, 220, 320, 460])}
+supply: {{temperature: {rng.uniform(30, 55):.0f} degC, pressure: {rng.choice([0.1, 0.2, 0.4, 0.6])} MPa}}
+materials: {{bearing_metal: {rng.choice(["SnSb8Cu4", "CuPb10Sn10", "PbSb15SnAs"])}, bearing: C10, journal: C45}}
+specific_load: {math.exp(rng.uniform(math.log(0.8), math.log(5.0))):.3f} MPa
+surface_speed: {speed:.2f} m/s
+"""
+
+
 def worse(result: Result, name: str, better: float) -> float:
     """A value, or that with the flow which the supply delivers; `better` is 1 where more is better, else -1."""
     known = [result.values[one] for one in (name, f"starved_{name}") if one in result.values]
