@@ -23,7 +23,7 @@ THINNER, HOTTER = 0.45, 15.0
 
 Assumptions by measurement (docs/theory/procedure.md, ``benchmarks/one_temperature.py``): nineteen of twenty films
 with temperatures of their own and walls that conduct differ by less with oils up to ISO VG 68, from ISO 7902 and
-from films of one temperature alike. What fast bearings and thick oils add: ``HOTTER_BY_SHEAR``, ``LOADED_BY_SHEAR``."""
+from films of one temperature alike. Fast bearings and thick oils add ``HOTTER_BY_SHEAR``, ``LOADED_BY_SHEAR``."""
 
 THINNER_OIL = 0.55
 """Viscosity over that of one temperature with which the film of a tilted journal must keep its limit.

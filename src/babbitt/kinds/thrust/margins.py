@@ -14,8 +14,8 @@ from babbitt.kinds.thrust.temperature_limits import hottest_of_pads
 __all__ = ["warnings_about_margins"]
 
 SLOWER, HOTTER_AT_LEAST = 32.0, 23.0
-"""K over m/s times the root of Pa s, and K up to which that holds: how much hotter the hottest oil of resolved films
-may be than pads without them show, of slow pads. See `hotter_by_shear`."""
+"""K over m/s times the root of Pa s, and K up to which that holds: how much hotter the hottest oil of resolved
+films may be, of slow pads. See `hotter_by_shear`."""
 
 HOTTER, HOTTER_THAN_MEANS = 9.7, 2.8
 """K over m/s times the root of Pa s: by how much the hottest oil of resolved films may lie above the trailing edge
@@ -26,8 +26,8 @@ That is the root of the heat of shear over conduction across the gap, η U²/λ.
 hotter by more. Adiabatic means of 416 others stay below 5.4 above the trailing edge."""
 
 THINNER, MOST_THINNER = 1.0, 0.55
-"""Margin of the film thickness by which resolved films may be thinner than those of one temperature, over U sqrt(η)
-and at most: of none of the same pads by more. That slow pads come near those of one temperature is an assumption."""
+"""Margin of the film thickness by which resolved films may be thinner than those of one temperature, over
+U sqrt(η) and at most: of none of the same pads by more. Of slower pads than those it is an assumption."""
 
 THINNER_THAN_MEANS = 0.25
 """The same above adiabatic means over the radius, at most: of none of 148 by more."""
