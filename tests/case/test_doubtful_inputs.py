@@ -41,7 +41,7 @@ def test_a_rotor_heavier_than_the_load_is_not_screened(mass, questioned):
 
 
 @pytest.mark.parametrize(("limits", "code", "effect"), [
-    ("minimum: 1.2 permille, maximum: 1.4 permille", "W183", Effect.INFORMATION),
+    ("minimum: 1.2 permille, maximum: 1.4 permille", "W174", Effect.QUESTIONS_RESULT),
     ("minimum: 0.1 permille, maximum: 1.4 permille", "W174", Effect.QUESTIONS_RESULT),
     ("minimum: 1.2 permille, maximum: 13 permille", "W174", Effect.QUESTIONS_RESULT),
 ])  # fmt: skip
@@ -52,7 +52,15 @@ def test_limits_of_the_clearance_that_nothing_solves_are_named(limits, code, eff
     assert found.verdict is (Verdict.PASS if effect is Effect.INFORMATION else Verdict.REMARKS)
 
 
-def test_limits_that_are_solved_and_ordinary_fits_are_not_named():
+def test_near_limits_are_an_information_where_the_mean_is_asked_for():
+    limits = "mean: 1.3 permille, minimum: 1.2 permille, maximum: 1.4 permille"
+    found = answer("mean: 1.3 permille", limits, "clearance_cases: mean\n")
+    assert [one.effect for one in notices(found, "W183")] == [Effect.INFORMATION]
+    assert not notices(found, "W174")
+    assert found.verdict is Verdict.PASS
+
+
+def test_limits_that_are_solved_or_not_asked_for_are_not_questioned():
     text = BEARING.replace(
         "mean: 1.3 permille", "mean: 1.3 permille, minimum: 0.8 permille, maximum: 2.7 permille"
     )
@@ -60,6 +68,10 @@ def test_limits_that_are_solved_and_ordinary_fits_are_not_named():
     assert len(found) == 3
     assert not any(notices(one, code) for one in found for code in ("W174", "W183"))
     fit = answer("{kind: relative, mean: 1.3 permille}", "{kind: fit, bore: H7, journal: e7}")
+    assert notices(fit, "W174")
+    fit = answer(
+        "{kind: relative, mean: 1.3 permille}", "{kind: fit, bore: H7, journal: e7}", "clearance_cases: mean\n"
+    )
     assert not notices(fit, "W174")
     assert not notices(fit, "W183")
 

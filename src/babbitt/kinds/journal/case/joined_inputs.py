@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from babbitt.case.grouped_digits import about_grouped_digits
+from babbitt.case.part import is_given
 from babbitt.case.parts.cooling import Cooling
 from babbitt.case.parts.load_and_speed import LOADS, SPEEDS
 from babbitt.case.parts.materials import Materials
@@ -85,13 +86,20 @@ def inputs(bearing: JournalBearing, shared: SingleBearing | SeveralBearings) -> 
         if isinstance(shared, SeveralBearings)
         else (),
         tuple(warnings_about_turned_supply(bearing, width)),
-        () if every_clearance(bearing, shared) else tuple(warnings_about_mean_clearance(bearing)),
+        ()
+        if every_clearance(bearing, shared)
+        else tuple(warnings_about_mean_clearance(bearing, asks_for_clearances(bearing, shared))),
     )
 
 
 def every_clearance(bearing: JournalBearing, shared: SingleBearing | SeveralBearings) -> bool:
     """Whether a bearing is solved at the limits of its clearance, too."""
     return (bearing.clearance_cases or shared.clearance_cases) == "all"
+
+
+def asks_for_clearances(bearing: JournalBearing, shared: SingleBearing | SeveralBearings) -> bool:
+    """Whether the case itself says at which clearances a bearing is solved."""
+    return bearing.clearance_cases is not None or is_given(shared, "clearance_cases")
 
 
 def expansions(inputs: Inputs) -> tuple[float, float]:

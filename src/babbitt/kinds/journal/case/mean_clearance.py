@@ -16,11 +16,16 @@ Assumption: at small eccentricities the load number goes with the square of the 
 of the mean."""
 
 
-def warnings_about_mean_clearance(bearing: JournalBearing) -> Iterator[Notice]:
-    """Report limits of the clearance at which nothing is solved; question those far from the mean."""
+def warnings_about_mean_clearance(bearing: JournalBearing, asked_for: bool) -> Iterator[Notice]:
+    """Question limits of the clearance at which nothing is solved.
+
+    Near limits are an information where the case asks for the mean alone.
+    """
     clearance = bearing.clearance.at_20_degrees(bearing.diameter).relative(bearing.diameter)
     least, mean, most = clearance.minimum, clearance.mean, clearance.maximum
     if mean > FAR_FROM_THE_MEAN * least or most > FAR_FROM_THE_MEAN * mean:
-        yield Notice("W174", values={"least": least, "mean": mean, "most": most})
+        yield Notice("W174", "far", {"least": least, "mean": mean, "most": most})
+    elif least < most and not asked_for:
+        yield Notice("W174", "unsolved", {"least": least, "mean": mean, "most": most})
     elif getattr(bearing.clearance, "minimum", None) is not None:
         yield Notice("W183", "limits_of_clearance", {"fields": ("clearance.minimum", "clearance.maximum")})

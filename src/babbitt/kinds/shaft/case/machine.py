@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
+from babbitt.case.part import is_given
 from babbitt.core.solution import Calculation
 from babbitt.core.units import written
 from babbitt.kinds.journal.case.files import Machine
@@ -37,6 +38,7 @@ def machine_of(case: ShaftCase, answer: ShaftAnswer) -> Machine | None:
     shared: dict[str, Any] = {
         name: getattr(case, name)
         for name in ("lubricant", "supply", "cooling", "materials", "clearance_cases", "assumptions")
+        if name != "clearance_cases" or is_given(case, name)
     }
     return Machine.model_construct(kind="machine", name=case.name, bearings=bearings, **shared)
 

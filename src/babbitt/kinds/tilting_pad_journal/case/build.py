@@ -189,7 +189,8 @@ def warnings_of(case: TiltingPadJournalCase, speed: float) -> Iterator[Notice]:
 def fields_not_read(case: TiltingPadJournalCase, point: PadOperatingPoint | None) -> Iterator[Notice]:
     """Fields that make no difference to this bearing."""
     if case.clearance_cases == "mean" and (unread := tuple(limits_not_used(case))):
-        yield Notice("W183", "mean_clearances", {"fields": unread})
+        code, variant = ("W183", "mean_clearances") if is_given(case, "clearance_cases") else ("W174", "pads")
+        yield Notice(code, variant, {"fields": unread})
     if unread := tuple(masses_not_felt(case)):
         yield Notice("W183", "pad_mass", {"fields": unread})
     if isinstance(duty_of(case, point), PrescribedPosition):

@@ -1,0 +1,53 @@
+"""Fast bearings in thick oils: what one temperature hides of metal and film."""
+
+import pytest
+
+from babbitt.case import case_from_dict
+from babbitt.core.result import Verdict
+from babbitt.kinds.journal.one_temperature import HOTTER_BY_SHEAR, loaded_temperature, shear_heat
+from babbitt.solving import solve
+
+FAST = {
+    "kind": "journal", "name": "Fast", "diameter": "160 mm", "width": "56 mm", "span": "360 deg",
+    "clearance": {"kind": "relative", "mean": "2.5 permille"}, "lubricant": "ISO VG 100",
+    "supply_element": {"kind": "pocket", "width": "34 mm", "place": "opposite"},
+    "supply": {"temperature": "40 degC", "pressure": "0.2 MPa"},
+    "materials": {"bearing_metal": "SnSb8Cu4", "bearing": "C10", "journal": "C45"},
+    "speed": "5450 rpm", "load": "27 kN",
+}  # fmt: skip
+GROOVED = FAST | {
+    "width": "64 mm", "clearance": {"kind": "relative", "mean": "2.1 permille"}, "lubricant": "ISO VG 150",
+    "supply_element": {"kind": "groove_360", "width": "6 mm"}, "speed": "1530 rpm", "load": "51 kN",
+    "supply": {"temperature": "35 degC", "pressure": "0.4 MPa"},
+    "materials": {"bearing_metal": "CuPb10Sn10", "bearing": "C10", "journal": "C45"},
+}  # fmt: skip
+OWN = {"method": "film", "thermal": "full", "accuracy": "draft"}
+
+
+def solved(case, **fields):
+    return solve(case_from_dict(case | fields)).results[0]
+
+
+@pytest.mark.parametrize("method", [{}, {"method": "film", "accuracy": "draft"}])
+def test_a_fast_bush_that_its_film_overheats_is_no_clean_pass(method):
+    """45 K lie between the outlet and the hottest bush, 4.7 K times U sqrt(η)."""
+    quick, film = solved(FAST, **method), solved(FAST, **OWN)
+    assert [check.ok for check in film.checks if check.code == "C108"] == [False]
+    assert quick.verdict is Verdict.REMARKS
+    assert any("(C108)" in one.message for one in quick.warnings if one.code == "W191")
+    hottest = film.values["maximum_bush_temperature"]
+    assert hottest < quick.values["outlet_temperature"] + HOTTER_BY_SHEAR * shear_heat(quick.values)
+
+
+@pytest.mark.parametrize("method", [{}, {"method": "film", "accuracy": "draft"}])
+def test_a_loaded_film_beside_a_groove_all_round_is_no_clean_pass(method):
+    """Oil that the groove presses out cools none of the loaded film, which has half the thickness."""
+    quick, film = solved(GROOVED, **method), solved(GROOVED, **OWN)
+    assert [check.ok for check in film.checks if check.code == "C101"] == [False]
+    assert quick.verdict is Verdict.REMARKS
+    (check,) = (one for one in quick.checks if one.code == "C101")
+    assert any("(C101)" in one.message for one in quick.warnings if one.code == "W191")
+    oil = case_from_dict(GROOVED).lubricant.lubricant()
+    one, loaded = quick.values["effective_temperature"], loaded_temperature(check, quick.values)
+    thinner = oil.dynamic_viscosity(loaded) / oil.dynamic_viscosity(one)
+    assert film.values["minimum_film_thickness"] > check.value * thinner
