@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Container, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -56,6 +56,9 @@ ASSUMED = {
     "corners": f"{corners.COLDER:g} K below and {corners.HOTTER:g} K above what the case has (assumption)",
 }
 """Reasons of what varies where nothing is named."""
+
+SHORT_OF_OIL = "starved_"
+"""How the quantity of a film begins that has no more oil than the supply delivers."""
 
 SHORT = 3.0
 """Seconds of work for which no process is started: starting takes as long."""
@@ -267,9 +270,16 @@ def _outputs(block: StudyBlock, results: Sequence[Result]) -> tuple[str, ...]:
             where = "minimise" if name in block.minimise else "maximise" if name in block.maximise else "outputs"
             raise InputError("E005", f"study.{where}: {unknown_name(name, there, 'a quantity of these results')}")
     if block.outputs:
-        return asked
+        return _with_judged(asked, there)
     wanted = corners.CORNER_RESULTS if block.kind == "corners" else KEY_RESULTS
     key = [name for name in wanted if name in there]
     if len(key) < FEWEST_KEY_RESULTS:
         key = [name for name in there if name not in ("wall_time", "iterations")][:MOST_OUTPUTS]
-    return tuple(dict.fromkeys((*key, *asked)))
+    return _with_judged((*key, *asked), there)
+
+
+def _with_judged(names: Sequence[str], there: Container[str]) -> tuple[str, ...]:
+    """Quantities, each with that of the film short of oil, against which limits are held, where results have it."""
+    short = {name: f"{SHORT_OF_OIL}{name}" for name in names}
+    both = ((name, short[name]) if short[name] in there else (name,) for name in names)
+    return tuple(dict.fromkeys(one for pair in both for one in pair))
