@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Container, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -27,7 +27,7 @@ from babbitt.study.examples import Example, first_solved, nominal_example
 from babbitt.study.inputs import Input, inputs_of
 from babbitt.study.laws import Choices, Listed
 from babbitt.study.maps import FROM, TO, default_axes
-from babbitt.study.rows import RowTask
+from babbitt.study.rows import SHORT_OF_OIL, RowTask
 from babbitt.study.sampling import batch_sizes
 from babbitt.study.store import FORMAT
 from babbitt.study.table_cells import BearingTable
@@ -56,9 +56,6 @@ ASSUMED = {
     "corners": f"{corners.COLDER:g} K below and {corners.HOTTER:g} K above what the case has (assumption)",
 }
 """Reasons of what varies where nothing is named."""
-
-SHORT_OF_OIL = "starved_"
-"""How the quantity of a film begins that has no more oil than the supply delivers."""
 
 SHORT = 3.0
 """Seconds of work for which no process is started: starting takes as long."""
@@ -270,16 +267,17 @@ def _outputs(block: StudyBlock, results: Sequence[Result]) -> tuple[str, ...]:
             where = "minimise" if name in block.minimise else "maximise" if name in block.maximise else "outputs"
             raise InputError("E005", f"study.{where}: {unknown_name(name, there, 'a quantity of these results')}")
     if block.outputs:
-        return _with_judged(asked, there)
+        return _with_judged(asked, results)
     wanted = corners.CORNER_RESULTS if block.kind == "corners" else KEY_RESULTS
     key = [name for name in wanted if name in there]
     if len(key) < FEWEST_KEY_RESULTS:
         key = [name for name in there if name not in ("wall_time", "iterations")][:MOST_OUTPUTS]
-    return _with_judged((*key, *asked), there)
+    return _with_judged((*key, *asked), results)
 
 
-def _with_judged(names: Sequence[str], there: Container[str]) -> tuple[str, ...]:
-    """Quantities, each with that of the film short of oil, against which limits are held, where results have it."""
+def _with_judged(names: Sequence[str], results: Sequence[Result]) -> tuple[str, ...]:
+    """Quantities, each with that of the film short of oil where limits are held against it."""
+    judged = {check.quantity for result in results for check in result.checks}
     short = {name: f"{SHORT_OF_OIL}{name}" for name in names}
-    both = ((name, short[name]) if short[name] in there else (name,) for name in names)
+    both = ((name, short[name]) if short[name] in judged else (name,) for name in names)
     return tuple(dict.fromkeys(one for pair in both for one in pair))
