@@ -190,6 +190,24 @@ def test_choices_are_held_against_the_same_limits(bearing):
     assert {one.permitted for one in found.choices.values()} == {True, False}
 
 
+@pytest.mark.parametrize("within", [None, (3e-4, 5e-3)])
+def test_a_number_without_unit_is_scanned(bearing, within):
+    relative = bearing.replace(clearance={"kind": "relative", "mean": "1.6 permille"})
+    (found,) = relative.size("clearance.mean", within=within, points=9).intervals
+    assert found.lower.value < 1.6e-3 < found.upper.value
+
+
+@pytest.mark.parametrize("clearance", ["H7/d8", {"kind": "fit", "bore": "H7", "journal": "d8"}])
+def test_classes_of_a_fit_are_choices(bearing, clearance):
+    fitted = bearing.replace(clearance=clearance)
+    found = fitted.size("clearance.journal")
+    assert tuple(found.choices) == standard_choices("clearance.journal")
+    for journal in ("e6", "d8"):
+        assert (
+            fitted.solve({"clearance": f"H7/{journal}"}).result.within_limits == found.choices[journal].permitted
+        )
+
+
 def test_preferred_numbers_lie_within(by_load):
     numbers = preferred_numbers(by_load.intervals, "N")
     assert {1000.0, 1120.0, 35500.0} <= set(numbers)

@@ -245,3 +245,18 @@ def test_an_optimum_is_the_same_for_the_same_seed(sliders):
     first, again = (run_study(plan(slider(), study)).columns for _ in range(2))
     assert np.array_equal(first["inlet_film"], again["inlet_film"])
     assert set(first["speed"]) <= {4.0, 5.0}
+
+
+def test_a_study_keeps_the_value_that_is_judged(tmp_path):
+    """The margin of the temperature follows from the film with the oil that the supply delivers, in every row."""
+    case = journal(supply={"temperature": "45 degC", "pressure": "0.01 MPa"}, lubricant="ISO VG 32")
+    asked = block(kind="sweep", vary={"supply.pressure": ["0.01 MPa", "0.02 MPa", "2 MPa"]})
+    made = plan(case, asked)
+    assert "starved_outlet_temperature" in made.task.outputs
+    found = run_study(made).columns
+    (limit,) = {one["limit"] for one in made.checks if one["code"] == "C104"}
+    judged, wanted = found["starved_outlet_temperature"], found["outlet_temperature"]
+    assert judged[0] > wanted[0] + 0.1
+    assert judged[-1] == wanted[-1]
+    # Margins of temperatures are shares of the limit in degrees Celsius.
+    assert found["margin_C104"] == pytest.approx((limit - judged) / (limit - 273.15), abs=1e-9)

@@ -233,3 +233,17 @@ def test_other_programs_read_the_chunks(run, tmp_path):
     assert theirs["margin"].to_list() == ours["margin"].to_list()
     ((rows,),) = duckdb.sql("select count(*) from 'a.study/chunks/*.parquet' where verdict = 'pass'").fetchall()
     assert rows == (ours["verdict"] == "pass").sum()
+
+
+def test_a_table_of_values_is_replaced_by_the_next_run_alone(run, tmp_path):
+    run("new", "journal", "-o", "pump.yaml")
+    (tmp_path / "rows.csv").write_text("load [kN]\n20\n30\n")
+    table = ("solve", "pump.yaml", "--table", "rows.csv", "--csv")
+    sweep = ("sweep", "pump.yaml", "load", "20 kN, 30 kN", "speed", "1500 rpm, 1600 rpm", "--csv")
+    for command, name in ((table, "table.csv"), (sweep, "sweep.csv")):
+        assert [run(*command, name)[0] for _ in range(2)] == [0, 0]
+        own = (tmp_path / name).read_text()
+        (tmp_path / name).write_text(own.replace("bearing", "my bearing", 1))
+        status, _, err = run(*command, name)
+        assert status == 2
+        assert "no output of Babbitt" in err

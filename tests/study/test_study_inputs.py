@@ -43,6 +43,17 @@ def test_a_field_that_cannot_vary_so_is_told(given, says):
     assert "\n" not in refused.value.message
 
 
+@pytest.mark.parametrize("kind", ["radial", "diametral"])
+def test_a_clearance_is_read_as_the_kind_that_the_case_has(kind):
+    case = journal(clearance={"kind": kind, "mean": "70 um"})
+    (one,) = inputs_of(case, block(kind="tolerance", vary={"clearance.mean": {"uniform": ["60 um", "80 um"]}}))
+    assert one.unit == "m"
+    assert one.law.support == pytest.approx((60e-6, 80e-6))
+    assert one.meaning == f"Mean {kind} clearance"
+    with pytest.raises(InputError, match="a length"):
+        inputs_of(case, block(kind="tolerance", vary={"clearance.mean": ["1.2 permille"]}))
+
+
 def test_a_million_million_samples_are_refused_with_their_size():
     with pytest.raises(InputError, match=r"1e\+12 rows, about .* GB"):
         require_bearable(1e12, 20)

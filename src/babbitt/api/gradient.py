@@ -13,12 +13,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.api.given import as_given
-from babbitt.case.field_types import field_annotations, quantity_in
+from babbitt.case.field_types import quantity_in
 from babbitt.case.part import Part
 from babbitt.case.problems import CaseError, Problem
 from babbitt.core.nearest_name import unknown_name
 from babbitt.core.notices import InputError
 from babbitt.core.units import SiField, read
+from babbitt.study.fields import types_at
 
 if TYPE_CHECKING:
     from babbitt.api.case import Case
@@ -208,9 +209,7 @@ def _present(case: Case, path: str) -> float:
 
 
 def _step(case: Case, path: str, value: float, given: Mapping[str, Any]) -> float:
-    units = (
-        one.unit for one in map(quantity_in, field_annotations(case.model, path.split("."))) if one is not None
-    )
+    units = (one.unit for one in map(quantity_in, types_at(case, path)) if one is not None)
     unit = next(units)
     if path in given:
         difference = "K difference" if unit == "K" else unit

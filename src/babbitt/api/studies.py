@@ -12,7 +12,7 @@ from pydantic import ValidationError
 from babbitt.api.given import as_given
 from babbitt.api.tables import attributes_of
 from babbitt.case.case_file import CaseFile
-from babbitt.case.field_types import field_annotations, quantity_in
+from babbitt.case.field_types import quantity_in
 from babbitt.case.loading import problems_of
 from babbitt.case.parts.study import StudyBlock
 from babbitt.case.problems import CaseError, Problem
@@ -24,7 +24,7 @@ from babbitt.study import study as engine
 from babbitt.study.best_designs import write_designs
 from babbitt.study.design import Designs, designs_of
 from babbitt.study.engine import InterruptedStudyError
-from babbitt.study.fields import path_in
+from babbitt.study.fields import types_at
 from babbitt.study.indices import Indices, indices_of
 from babbitt.study.optimum import Optimum, optimum_of
 from babbitt.study.plan import Plan, plan, plan_table
@@ -276,7 +276,7 @@ def scalar(case: Case, path: str, value: Any, deviation: bool = False) -> Any:
     """A number of a program, which is in SI, with the unit of its field; anything else as it is."""
     if isinstance(value, bool) or not isinstance(value, int | float):
         return value
-    found = map(quantity_in, field_annotations(case.model, path_in(case, path).split(".")))
+    found = map(quantity_in, types_at(case, path))
     quantity = next((one for one in found if isinstance(one, SiField)), None)
     if quantity is None:
         return value

@@ -9,12 +9,13 @@ from typing import TYPE_CHECKING, Any
 
 from babbitt.api.answers import first_answer, solutions_of
 from babbitt.api.given import as_given
-from babbitt.case.field_types import attributes_of_field, field_annotations, quantity_in, takes_list
+from babbitt.case.field_types import attributes_of_field, quantity_in, takes_list
 from babbitt.case.problems import CaseError, Problem
 from babbitt.core.notices import InputError
 from babbitt.core.units import read
 from babbitt.core.units.foreign import as_python
 from babbitt.solving import MachineResult
+from babbitt.study.fields import given_in, types_at
 
 if TYPE_CHECKING:
     import numpy as np
@@ -89,7 +90,7 @@ def _solved(
 ) -> ResultSet:
     from babbitt.api.result_set import ResultSet
 
-    about = {path: attributes_of_field(case.model, path.split(".")) for path in parameters}
+    about = {path: attributes_of_field(case.model, path.split("."), given_in(case)) for path in parameters}
     return ResultSet(parameters, over_points(case, points, workers, keep), shape, keep, about)
 
 
@@ -136,7 +137,7 @@ def _mapped(function: Any, cases: Sequence[Case], workers: int) -> Iterable[Mach
 
 def _is_array(case: Case, path: str, value: Any) -> bool:
     """Whether a list stands for several values of a field rather than for one."""
-    found = field_annotations(case.model, path.split("."))
+    found = types_at(case, path)
     return isinstance(value, list | tuple) and bool(found) and not any(takes_list(one) for one in found)
 
 
@@ -144,7 +145,7 @@ def _in_si(case: Case, path: str, values: np.ndarray[Any, Any]) -> np.ndarray[An
     """Values of a field as coordinates: quantities in SI, anything else as given."""
     import numpy as np
 
-    found = [quantity_in(one) for one in field_annotations(case.model, path.split("."))]
+    found = [quantity_in(one) for one in types_at(case, path)]
     quantity = next((one for one in found if one is not None), None)
     if quantity is None:
         return values

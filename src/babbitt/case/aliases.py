@@ -37,6 +37,7 @@ __all__ = [
     "in_former_words",
     "in_method_mappings",
     "in_todays_words",
+    "may_be",
     "moves",
     "read_former",
     "read_given",
@@ -195,7 +196,7 @@ def moves(cls: type[Part], given: Any, base: Path = ()) -> Iterator[Move]:
     for name, value in given.items():
         several = enumerate(value) if isinstance(value, list | tuple) else ()
         for at, one in (((name,), value), *(((name, index), piece) for index, piece in several)):
-            parts = (part for part in _parts_of(cls, name) if isinstance(one, Mapping) and _may_be(part, one))
+            parts = (part for part in _parts_of(cls, name) if isinstance(one, Mapping) and may_be(part, one))
             yield from dict.fromkeys(move for part in parts for move in moves(part, one, (*base, *at)))
 
 
@@ -280,12 +281,13 @@ def _within(parts: Sequence[type[Part]], value: Any, change: Callable[[type[Part
     if isinstance(value, list | tuple):
         return [_within(parts, one, change) for one in value]
     for part in parts:
-        if isinstance(value, Mapping) and _may_be(part, value):
+        if isinstance(value, Mapping) and may_be(part, value):
             value = change(part, value)
     return value
 
 
-def _may_be(part: type[Part], value: Mapping[str, Any]) -> bool:
+def may_be(part: type[Part], value: Mapping[str, Any]) -> bool:
+    """Whether a mapping may be a part, by its ``kind`` where the part has one."""
     kinds = typing.get_args(part.model_fields["kind"].annotation) if "kind" in part.model_fields else ()
     return not kinds or value.get("kind", kinds[0]) in kinds
 

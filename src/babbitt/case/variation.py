@@ -10,6 +10,7 @@ from typing import Any
 from babbitt.case.aliases import in_method_mappings, in_todays_words, part_at, scaled, todays_field
 from babbitt.case.case_file import CaseFile, Origin
 from babbitt.case.case_hash import case_hash
+from babbitt.case.field_types import expanded, field_annotations
 from babbitt.case.kinds import KINDS
 from babbitt.case.load_components import DIRECTION, LOAD
 from babbitt.case.loading import build_case, load_case, read_file
@@ -86,7 +87,7 @@ class CaseVariation:
     def present(self) -> Any:
         """What stands in the field now; None where nothing does."""
         try:
-            value = self._container(self.given)
+            value = self._container(copy.deepcopy(self.given))
             return scaled(value[_key(value, self._steps[-1])], 1.0 / self._scale)
         except (LookupError, TypeError, InputError):
             return None
@@ -193,6 +194,13 @@ class CaseVariation:
                 also += ", or give it in the file in place of one"
                 raise InputError("E005", f"{self.file}: {says}; vary {also}")
 
+    def _expanded(self, count: int, value: Any) -> Any:
+        """The mapping for which a word stands in short after so many steps, where it has the next one."""
+        short = isinstance(value, str)
+        types = field_annotations(self._model, self._steps[:count], self.given) if short else ()
+        found = (expanded(one, value) for one in types)
+        return next((one for one in found if isinstance(one, dict) and self._steps[count] in one), value)
+
     def _container(self, given: Any) -> Any:
         place = given
         for count, step in enumerate(self._steps[:-1], 1):
@@ -200,6 +208,7 @@ class CaseVariation:
             try:
                 if isinstance(place, dict) and step not in place:
                     place[step] = {}
+                place[_key(place, step)] = self._expanded(count, place[_key(place, step)])
                 place = place[_key(place, step)]
             except (LookupError, ValueError):
                 raise InputError(

@@ -6,9 +6,9 @@ import typing
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
-from babbitt.case.aliases import parts_in
+from babbitt.case.aliases import in_todays_words
 from babbitt.case.case_file import CaseFile
-from babbitt.case.field_types import attributes_of_field, field_annotations, quantity_in
+from babbitt.case.field_types import attributes_of_field, field_annotations, names_within, quantity_in
 from babbitt.case.part import Part
 from babbitt.case.parts.fields import WholeNumber
 from babbitt.case.suggestions import near_typo
@@ -21,6 +21,7 @@ __all__ = [
     "NUMERIC_FORMS",
     "FieldReader",
     "annotations_of",
+    "given_in",
     "meaning_of",
     "metadata_in",
     "model_of",
@@ -30,6 +31,7 @@ __all__ = [
     "path_in",
     "present_quantity",
     "refused",
+    "types_at",
     "unknown_field",
 ]
 
@@ -81,11 +83,21 @@ def present_quantity(case: CaseFile, path: str) -> float | None:
 
 def annotations_of(case: CaseFile, path: str) -> tuple[Any, ...]:
     """Types of a field; raises InputError for a path that leads to none."""
-    field = path_in(case, path)
-    found = field_annotations(model_of(case), field.split("."))
+    found = types_at(case, path)
     if not found:
-        raise refused(path, unknown_field(case, field))
+        raise refused(path, unknown_field(case, path_in(case, path)))
     return found
+
+
+def types_at(case: CaseFile, path: str) -> tuple[Any, ...]:
+    """Types of a field, of a part of several kinds those of the kind that the case has; empty for no field."""
+    return field_annotations(model_of(case), path_in(case, path).split("."), given_in(case))
+
+
+def given_in(case: CaseFile) -> Any:
+    """What stands in a case, in words of today."""
+    given = getattr(case, "given", None) if case.origin is None else case.origin.given
+    return in_todays_words(model_of(case), given)
 
 
 def numeric_field(annotations: Sequence[Any]) -> tuple[str, SiField | None]:
@@ -97,7 +109,7 @@ def numeric_field(annotations: Sequence[Any]) -> tuple[str, SiField | None]:
 
 def meaning_of(case: CaseFile, path: str, field: str) -> str:
     """What a field means, in words."""
-    return attributes_of_field(model_of(case), field.split(".")).get("long_name", path)
+    return attributes_of_field(model_of(case), field.split("."), given_in(case)).get("long_name", path)
 
 
 def unknown_field(case: CaseFile, field: str) -> str:
@@ -105,8 +117,8 @@ def unknown_field(case: CaseFile, field: str) -> str:
     steps = field.split(".")
     if not all(steps):
         return "names no field; write it as load, or clearance.mean"
-    known = 0
-    while known < len(steps) and field_annotations(model_of(case), steps[: known + 1]):
+    known, given = 0, given_in(case)
+    while known < len(steps) and field_annotations(model_of(case), steps[: known + 1], given):
         known += 1
     name = steps[known]
     names = _names_at(case, steps[:known])
@@ -125,8 +137,7 @@ def unknown_field(case: CaseFile, field: str) -> str:
 def _names_at(case: CaseFile, steps: Sequence[str]) -> list[str]:
     if not steps:
         return list(model_of(case).model_fields)
-    parts = [part for one in field_annotations(model_of(case), steps) for part in parts_in(one)]
-    return list(dict.fromkeys(name for part in parts for name in part.model_fields))
+    return names_within(model_of(case), steps, given_in(case))
 
 
 def metadata_in(annotation: Any) -> Iterable[Any]:

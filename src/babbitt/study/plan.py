@@ -27,7 +27,7 @@ from babbitt.study.examples import Example, first_solved, nominal_example
 from babbitt.study.inputs import Input, inputs_of
 from babbitt.study.laws import Choices, Listed
 from babbitt.study.maps import FROM, TO, default_axes
-from babbitt.study.rows import RowTask
+from babbitt.study.rows import SHORT_OF_OIL, RowTask
 from babbitt.study.sampling import batch_sizes
 from babbitt.study.store import FORMAT
 from babbitt.study.table_cells import BearingTable
@@ -267,9 +267,17 @@ def _outputs(block: StudyBlock, results: Sequence[Result]) -> tuple[str, ...]:
             where = "minimise" if name in block.minimise else "maximise" if name in block.maximise else "outputs"
             raise InputError("E005", f"study.{where}: {unknown_name(name, there, 'a quantity of these results')}")
     if block.outputs:
-        return asked
+        return _with_judged(asked, results)
     wanted = corners.CORNER_RESULTS if block.kind == "corners" else KEY_RESULTS
     key = [name for name in wanted if name in there]
     if len(key) < FEWEST_KEY_RESULTS:
         key = [name for name in there if name not in ("wall_time", "iterations")][:MOST_OUTPUTS]
-    return tuple(dict.fromkeys((*key, *asked)))
+    return _with_judged((*key, *asked), results)
+
+
+def _with_judged(names: Sequence[str], results: Sequence[Result]) -> tuple[str, ...]:
+    """Quantities, each with that of the film short of oil where limits are held against it."""
+    judged = {check.quantity for result in results for check in result.checks}
+    short = {name: f"{SHORT_OF_OIL}{name}" for name in names}
+    both = ((name, short[name]) if short[name] in judged else (name,) for name in names)
+    return tuple(dict.fromkeys(one for pair in both for one in pair))

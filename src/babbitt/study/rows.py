@@ -25,6 +25,7 @@ from babbitt.study.inputs import Input
 from babbitt.study.shares import given_with
 
 __all__ = [
+    "SHORT_OF_OIL",
     "Columns",
     "RowTask",
     "SolvesMany",
@@ -41,6 +42,9 @@ __all__ = [
 
 Columns: TypeAlias = "dict[str, NDArray[Any]]"
 """Arrays of one length by the names of their columns: float64, int64, or words (object)."""
+
+SHORT_OF_OIL = "starved_"
+"""How the quantity of a film begins that has no more oil than the supply delivers."""
 
 REFUSED, ERROR = "refused", "error"
 """Status of a row that the case does not take, and of one whose computation broke off."""
@@ -213,6 +217,13 @@ def _lines(task: RowTask, row: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
             yield {**row, "bearing": name, **_without_answer(ERROR, f"{type(error).__name__}: {error}")}
 
 
+def _films_short_of_oil(task: RowTask) -> list[tuple[str, str]]:
+    """Kept quantities of the film with no more oil than the supply delivers, each with that of the film that it is
+    where the supply delivers enough."""
+    pairs = ((name, name.removeprefix(SHORT_OF_OIL)) for name in task.outputs if name.startswith(SHORT_OF_OIL))
+    return [(short, name) for short, name in pairs if name in task.outputs]
+
+
 def _without_answer(status: str, why: str) -> dict[str, Any]:
     message = " ".join(why.split())[:LONGEST_MESSAGE]
     return {"status": status, "verdict": Verdict.NO_SOLUTION.key, "message": message}
@@ -222,6 +233,9 @@ def _answer(task: RowTask, result: Result) -> dict[str, Any]:
     found = appraised(result, task.limits or (ALL_LIMITS,))
     governing, solved = found.governing, result.outcome.solved
     values = {name: result.values.get(name, math.nan) for name in task.outputs} if solved else {}
+    values |= {
+        short: values[name] for short, name in _films_short_of_oil(task) if solved and short not in result.values
+    }
     margins: dict[str, float] = {}
     advisories = [one for one in result.checks if solved and one.advisory and one not in found.checks]
     for check in (*found.checks, *advisories):
@@ -301,6 +315,9 @@ def answers_of_arrays(
     found["failed_checks"] = failed
     found["message"] = np.full(count, "", object)
     nothing = np.full(count, np.nan)
+    for short, name in _films_short_of_oil(task):
+        limited = np.asarray(found.get(short, nothing), float)
+        found[short] = np.where(np.isnan(limited), found.get(name, nothing), limited)
     return {name: found.get(name, nothing) for name in task.names}
 
 

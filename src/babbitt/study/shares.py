@@ -41,9 +41,9 @@ def places_of(case: CaseFile, name: str) -> dict[str, Any]:
     """
     origin = case.origin
     model = getattr(case, "model", type(case))
-    found = {}
-    for path, value in _given(origin.given if origin is not None else {}, name, ()):
-        fields = map(quantity_in, field_annotations(model, path))
+    given, found = origin.given if origin is not None else {}, {}
+    for path, value in _given(given, name, ()):
+        fields = map(quantity_in, field_annotations(model, path, given))
         quantity = next((one for one in fields if isinstance(one, SiField)), None)
         if quantity is not None and (number := _in_si(value, quantity.unit)) is not None:
             found[".".join(path)] = number

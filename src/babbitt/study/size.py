@@ -137,7 +137,8 @@ def scan_of(case: CaseFile, path: str, first: Any = None, last: Any = None, poin
     if not low < high:
         raise InputError("E003", f"'{path}': the range begins at {low:g} and ends at {high:g}; give a larger end")
     name = "log_range" if low > 0.0 and high >= LOGARITHMIC_FROM * low else "range"
-    return Vary.model_validate({name: (f"{low!r} {kind.unit}".strip(), f"{high!r} {kind.unit}".strip(), points)})
+    unit = "" if kind.one_unit else f" {kind.unit}"
+    return Vary.model_validate({name: (f"{low!r}{unit}", f"{high!r}{unit}", points)})
 
 
 def size_block(

@@ -11,12 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.case.case_file import CaseFile
-from babbitt.case.field_types import field_annotations
 from babbitt.case.named_files import NamedFiles, TableError
 from babbitt.case.with_units import quantity_text
 from babbitt.core.notices import InputError
 from babbitt.core.units import KINDS, QuantityError, SiField, SiNumber, read
-from babbitt.study.fields import meaning_of, model_of, numeric_field, path_in, unknown_field
+from babbitt.study.fields import meaning_of, numeric_field, path_in, types_at, unknown_field
 from babbitt.study.inputs import Input
 from babbitt.study.laws import Choices, Listed
 from babbitt.study.table_cells import LARGEST_TABLE, BearingTable, Cell, table_of_content
@@ -77,7 +76,7 @@ def _field(case: CaseFile, table: BearingTable, heading: str) -> tuple[str, str,
     found = _HEADING.fullmatch(heading)
     assert found is not None, "headings are not empty"
     path, unit = found.group(1), (found.group(2) or "").strip()
-    annotations = field_annotations(model_of(case), path_in(case, path).split("."))
+    annotations = types_at(case, path)
     if not annotations:
         raise table.refused(f"column '{heading}': {unknown_field(case, path_in(case, path))}")
     form, quantity = numeric_field(annotations)
