@@ -15,7 +15,8 @@ IN_PINT = {
     "mil": "thou", "lbf ft": "lbf*ft", "hp": "hp", "gpm": "gallon/min", "cSt": "cSt_", "in³/s": "in**3/s",
     "lb/ft³": "lb/ft**3", "Btu/(ft³ °F)": "Btu_it/ft**3/delta_degF", "1e-6/°F": "1e-6/delta_degF",
     "lbf s/in": "lbf*s/in", "psi ft/s": "psi*ft/s", "lbf ft/rad": "lbf*ft", "lbf ft/mrad": "1e3*lbf*ft",
-    "lbf ft s/rad": "lbf*ft*s", "in²": "in**2", "mil/in": "1e-3", "Mpsi": "1e6*psi", "in": "inch", "°F": "delta_degF",
+    "lbf ft s/rad": "lbf*ft*s", "in²": "in**2", "mil/in": "1e-3", "Mpsi": "1e6*psi",
+    "in": "inch", "°F": "delta_degF",
 }  # fmt: skip
 COHERENT = {
     "mm": "m", "um": "m", "um2": "m", "MPa": "Pa", "MPa3": "Pa", "kPa": "Pa", "GPa": "Pa", "degC": "kelvin",
@@ -55,7 +56,7 @@ def test_what_is_written_is_the_same_value(name):
     with displayed_in("us"):
         text, shown = quantity.suited(value).format(value), quantity.suited(value).display
     digit = (
-        0.5 * 10.0 ** -len(re.sub(r"e.*", "", text).partition(".")[2]) * 10.0 ** int((text.split("e") + ["0"])[1])
+        0.5 * 10.0 ** -len(re.sub(r"e.*", "", text).partition(".")[2]) * 10.0 ** int([*text.split("e"), "0"][1])
     )
     assert float(text) == pytest.approx(value * shown.scale + shown.offset, abs=1.001 * digit)
     assert math.isfinite(value)

@@ -55,8 +55,8 @@ def write_report(
     Raises
     ------
     InputError
-        E005 for an unknown level or system of units; E007 for an unknown suffix, a path that cannot be written, or a package that is
-        not installed. Nothing is left behind then.
+        E005 for an unknown level or system of units; E007 for an unknown suffix, a path that cannot be written, or
+        a package that is not installed. Nothing is left behind then.
     """
     path = Path(path)
     if level not in (known := [one.value for one in Level]):

@@ -212,7 +212,7 @@ def in_system(unit: DisplayUnit) -> DisplayUnit:
 
 
 def ladder_of(unit: DisplayUnit) -> tuple[str, ...]:
-    """The ladder of `LADDERS` on which a unit of the SI stands; empty for none, and in US units, which need none."""
+    """The ladder of `LADDERS` on which a unit of the SI stands; empty for none, and for US units."""
     if _SYSTEM.get() == "us":
         return ()
     return next((units for units in LADDERS if unit in (SI[name] for name in units)), ())
