@@ -71,3 +71,24 @@ def test_the_system_ends_with_its_block_even_by_an_error():
 def test_an_unknown_system_is_refused():
     with pytest.raises(ValueError, match="si, us"), displayed_in("imperial"):
         pass
+
+
+def test_the_option_leaves_json_alone_and_ends_with_the_command(tmp_path):
+    from typer.testing import CliRunner
+
+    import babbitt.cli.solve  # noqa: F401  # registers its commands
+    from babbitt.case import template
+    from babbitt.cli.app import app
+
+    case, out = tmp_path / "case.yaml", tmp_path / "out.json"
+    case.write_text(template("journal"), encoding="utf-8")
+    found = {}
+    for units in ("si", "us"):
+        run = CliRunner().invoke(app, ["solve", str(case), "--units", units, "--json", str(out)])
+        assert run.exit_code == 0, run.output
+        found[units] = run.output, re.sub(r'"wall_time": .*', "", out.read_text(encoding="utf-8"))
+        out.unlink()
+    assert found["si"][1] == found["us"][1]
+    assert "psi" in found["us"][0]
+    assert not re.search(r"µm|MPa|kN|kW|L/min", found["us"][0])
+    assert QUANTITIES["load"].display.label == "kN"

@@ -49,22 +49,16 @@ def compare(
     cases = [load_case(file, reach(allow_outside)) for file in files]
     for file, case in zip(files, cases, strict=True):
         report_former_places(file, case)
-    solved = (
-        _designs(files, cases, json, csv, report, units)
-        if several
-        else _methods(files[0], cases[0], plots, report, units)
-    )
+    if several:
+        solved = _designs(files, cases, (json, csv, report), units)
+    else:
+        solved = _methods(files[0], cases[0], plots, report, units)
     if not solved:
         raise typer.Exit(NO_SOLUTION)
 
 
 def _designs(
-    files: list[Path],
-    cases: list[CaseFile],
-    json: Path | None,
-    csv: Path | None,
-    report: Path | None,
-    units: System,
+    files: list[Path], cases: list[CaseFile], targets: tuple[Path | None, Path | None, Path | None], units: System
 ) -> bool:
     """Several designs side by side; whether all have a solution."""
     from babbitt.report.designs_output import require_designs_outputs, write_designs_outputs
@@ -72,6 +66,7 @@ def _designs(
     from babbitt.report.outputs import inputs_of
     from babbitt.study.designs import compare_designs
 
+    json, csv, report = targets
     inputs = inputs_of(files, [path for case in cases for path in case.files])
     require_designs_outputs(inputs, json, csv, report)
     found = compare_designs(cases, [file.stem for file in files])
