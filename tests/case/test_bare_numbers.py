@@ -39,7 +39,7 @@ JOURNAL = {
         ("span", 180, "span: 180 has no unit; allowed: 360 deg, .* write '180 deg'"),
         ("load_angle", -1.57, "load_angle: -1.57 has no unit"),
         ("effective_temperature", 0, "effective_temperature: 0 has no unit"),
-        ("effective_temperature", 333, "effective_temperature: 333 has no unit; .* write '333 K'"),
+        ("effective_temperature", 333, "effective_temperature: 333 has no unit; .* write '333 degF' or '333 K'"),
         ("rotor_mass", 2, "rotor_mass: 2 has no unit"),
         ("supply", {"temperature": 50, "pressure": "0.2 MPa"}, "supply.temperature: 50 has no unit"),
         ("supply", {"temperature": "50 degC", "pressure": 2e5}, "supply.pressure: 200000 .* write '200000 Pa'"),

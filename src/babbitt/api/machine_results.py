@@ -174,8 +174,10 @@ class MachineResults:
         data = ResultSet(names, self.results, (len(self),)).to_xarray()
         return data.rename({"point": "result"}).rename({f"{part}_name": part for part in PARTS})
 
-    def write_report(self, path: str | Path, level: str = "standard") -> None:
+    def write_report(self, path: str | Path, level: str = "standard", units: str = "si") -> None:
         """Write the report of the machine, as PDF or HTML by the suffix (`babbitt.report.document.write_report`).
+
+        `units` are those of tables and figures, "si" or "us".
 
         Raises
         ------
@@ -184,7 +186,7 @@ class MachineResults:
         """
         from babbitt.report.document import write_report
 
-        write_report(self.machine, Path(path), level)
+        write_report(self.machine, Path(path), level, units)
 
     def __repr__(self) -> str:
         rows = self._rows()

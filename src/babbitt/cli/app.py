@@ -6,6 +6,7 @@ command that needs them, so that ``babbitt --help`` answers at once.
 
 from __future__ import annotations
 
+from enum import StrEnum
 from pathlib import Path
 from typing import Annotated
 
@@ -32,6 +33,16 @@ Files = Annotated[list[Path], typer.Argument(metavar="FILE...", help="Case files
 AllowOutside = Annotated[
     bool, typer.Option("--allow-outside", help="Let a case read files outside its own folder, if you trust it.")
 ]
+
+
+class System(StrEnum):
+    """Units that tables, reports and plots speak."""
+
+    SI = "si"
+    US = "us"
+
+
+Units = Annotated[System, typer.Option("--units", help="Of tables, reports and plots; JSON and NetCDF stay SI.")]
 
 
 def reach(allow_outside: bool) -> Reach:

@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from babbitt.cli.app import NO_SOLUTION, AllowOutside, app, reach
+from babbitt.cli.app import NO_SOLUTION, AllowOutside, System, Units, app, reach
 from babbitt.cli.upgrading import report_former_places
 from babbitt.core.notices import InputError
+from babbitt.core.quantities import displayed_in
 
 if TYPE_CHECKING:
     from babbitt.case.case_file import CaseFile
@@ -33,6 +34,7 @@ def compare(
     csv: Annotated[
         Path | None, typer.Option(metavar="OUT", help="Of several designs: write a table, OUT.csv or OUT.xlsx.")
     ] = None,
+    units: Units = System.SI,
     allow_outside: AllowOutside = False,
 ) -> None:
     """One file: the same bearings by every method that applies. Several files: designs side by side."""
@@ -47,13 +49,16 @@ def compare(
     cases = [load_case(file, reach(allow_outside)) for file in files]
     for file, case in zip(files, cases, strict=True):
         report_former_places(file, case)
-    solved = _designs(files, cases, json, csv, report) if several else _methods(files[0], cases[0], plots, report)
+    if several:
+        solved = _designs(files, cases, (json, csv, report), units)
+    else:
+        solved = _methods(files[0], cases[0], plots, report, units)
     if not solved:
         raise typer.Exit(NO_SOLUTION)
 
 
 def _designs(
-    files: list[Path], cases: list[CaseFile], json: Path | None, csv: Path | None, report: Path | None
+    files: list[Path], cases: list[CaseFile], targets: tuple[Path | None, Path | None, Path | None], units: System
 ) -> bool:
     """Several designs side by side; whether all have a solution."""
     from babbitt.report.designs_output import require_designs_outputs, write_designs_outputs
@@ -61,15 +66,18 @@ def _designs(
     from babbitt.report.outputs import inputs_of
     from babbitt.study.designs import compare_designs
 
+    json, csv, report = targets
     inputs = inputs_of(files, [path for case in cases for path in case.files])
     require_designs_outputs(inputs, json, csv, report)
     found = compare_designs(cases, [file.stem for file in files])
-    write_designs_outputs(found, json, csv, report)
-    print_designs(found)
+    write_designs_outputs(found, json, None, None)  # in SI always
+    with displayed_in(units):
+        write_designs_outputs(found, None, csv, report)
+        print_designs(found)
     return found.solved
 
 
-def _methods(file: Path, case: CaseFile, plots: Path | None, report: Path | None) -> bool:
+def _methods(file: Path, case: CaseFile, plots: Path | None, report: Path | None, units: System) -> bool:
     """One case by every method; whether it has a solution as given."""
     from babbitt.core.files.writing import require_distinct
     from babbitt.report.comparison_table import print_comparison
@@ -89,9 +97,12 @@ def _methods(file: Path, case: CaseFile, plots: Path | None, report: Path | None
     if plots is not None:
         from babbitt.report.comparison_plots import write_comparison_plots
 
-        write_comparison_plots(found, plots)
+        with displayed_in(units):
+            write_comparison_plots(found, plots)
     if report is not None:
         from babbitt.report.comparison_page import write_comparison_page
 
-        write_comparison_page(found, report)
-    return print_comparison(found)
+        with displayed_in(units):
+            write_comparison_page(found, report)
+    with displayed_in(units):
+        return print_comparison(found)

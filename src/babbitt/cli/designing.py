@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from babbitt.cli.app import NO_SOLUTION, app
+from babbitt.cli.app import NO_SOLUTION, System, Units, app
 from babbitt.cli.studying import Kept, PlotFolder, Processes, Report, Workbook, computed
 from babbitt.core.notices import InputError
 
@@ -47,8 +47,10 @@ def design(
     xlsx: Workbook = None,
     report: Report = None,
     plots: PlotFolder = None,
+    units: Units = System.SI,
 ) -> None:
     """Propose bearings for a diameter, a load and a speed: width, fit, oil and feed, ranked, with reasons."""
+    from babbitt.core.quantities import displayed_in
     from babbitt.core.units import QuantityError, read
     from babbitt.report.study_output import require_study_outputs, write_study
     from babbitt.report.study_table import print_study
@@ -73,8 +75,9 @@ def design(
     oils = [one for one in lubricant or () if one != "any"]
     case, block = duty_study(kind, given, oils, fit or (), reserve=least, proposals=proposals)
     found = computed(case.name, case, block, out, workers)
-    write_study(found, xlsx, report, plots)
-    print_study(found)
+    with displayed_in(units):
+        write_study(found, xlsx, report, plots)
+        print_study(found)
     if out_dir is not None:
         for path in write_designs(found, out_dir):
             print(f"wrote {path}")

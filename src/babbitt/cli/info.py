@@ -77,7 +77,7 @@ def validate(
 
 @app.command(name="list")
 def list_(
-    what: Annotated[str, typer.Argument(metavar="WHAT", help="lubricants, materials, kinds or cases.")],
+    what: Annotated[str, typer.Argument(metavar="WHAT", help="lubricants, materials, units, kinds or cases.")],
 ) -> None:
     """Show what is included, with sources."""
     from babbitt.cli import listings
@@ -85,6 +85,7 @@ def list_(
     show: dict[str, Callable[[], None]] = {
         "lubricants": listings.print_lubricants,
         "materials": listings.print_materials,
+        "units": listings.print_units,
         "kinds": listings.print_kinds,
         "cases": listings.print_cases,
     }

@@ -1,4 +1,4 @@
-"""What `babbitt list` prints: lubricants, materials, kinds of case, published cases."""
+"""What `babbitt list` prints: lubricants, materials, units, kinds of case, published cases."""
 
 from __future__ import annotations
 
@@ -38,6 +38,16 @@ def print_kinds() -> None:
     table = _table("kind", "describes")
     for name, meaning in kinds().items():
         table.add_row(name, meaning)
+    console().print(table)
+
+
+def print_units() -> None:
+    """Kinds of quantities with the units that a case file may use."""
+    from babbitt.core.units import KINDS
+
+    table = _table("kind", "example", "units")
+    for kind in KINDS.values():
+        table.add_row(kind.phrase, kind.example, ", ".join(unit for unit in kind.everyday if unit))
     console().print(table)
 
 

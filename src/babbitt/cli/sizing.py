@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from babbitt.cli.app import NO_SOLUTION, AllowOutside, app, reach
+from babbitt.cli.app import NO_SOLUTION, AllowOutside, System, Units, app, reach
 from babbitt.cli.studying import Kept, PlotFolder, Processes, Report, Workbook, computed
 
 __all__ = ["size"]
@@ -54,10 +54,12 @@ def size(
     xlsx: Workbook = None,
     report: Report = None,
     plots: PlotFolder = None,
+    units: Units = System.SI,
     allow_outside: AllowOutside = False,
 ) -> None:
     """Find the values of a field that keep all limits: every interval, and the check that ends it."""
     from babbitt.case.variation import case_variation
+    from babbitt.core.quantities import displayed_in
     from babbitt.report.size_output import write_size
     from babbitt.report.study_output import require_study_outputs, write_study
     from babbitt.report.study_table import print_study
@@ -71,8 +73,9 @@ def size(
     block = size_block(case, field, first, last, points, _parts(among), _parts(limits), over_tolerance, preferred)
     found = computed(file, case, block, out, workers)
     write_size(found, json)
-    write_study(found, xlsx, report, plots)
-    print_study(found)
+    with displayed_in(units):
+        write_study(found, xlsx, report, plots)
+        print_study(found)
     if not size_of(found).permitted:
         raise typer.Exit(NO_SOLUTION)
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from babbitt.cli.app import NO_SOLUTION, NOT_PASSED, AllowOutside, Files, app, reach
+from babbitt.cli.app import NO_SOLUTION, NOT_PASSED, AllowOutside, Files, System, Units, app, reach
 from babbitt.cli.interruption import INTERRUPTED, raised_interrupts
 from babbitt.cli.upgrading import report_former_places
 from babbitt.core.files.printing import printable
@@ -69,6 +69,7 @@ def solve(
         typer.Option(metavar="N", help="With --table: processes. By default one a core.", min=1),
     ] = None,
     strict: Annotated[bool, typer.Option("--strict", help="Exit with 1 on fail or no verdict.")] = False,
+    units: Units = System.SI,
     allow_outside: AllowOutside = False,
 ) -> None:
     """Solve the bearings of case files, or those in the rows of a table, and print a table."""
@@ -81,6 +82,7 @@ def solve(
         return
     from babbitt.case import CaseError, Problem, load_cases, located
     from babbitt.core.notices import InputError
+    from babbitt.core.quantities import displayed_in
     from babbitt.report import outputs, print_machine
     from babbitt.report.progress import shown
     from babbitt.solving import solve as solve_case
@@ -88,7 +90,7 @@ def solve(
     cases = load_cases(files, reach(allow_outside))  # every problem of every file first; nothing is written before
     cases = _with_title_blocks(cases, document, report)
     plan = outputs(
-        files, json, report, plots, fields, [table for case in cases for table in case.files], report_level
+        files, json, report, plots, fields, [table for case in cases for table in case.files], report_level, units
     )
     if fields is not None:
         from babbitt.report.fields import require_films
@@ -108,8 +110,9 @@ def solve(
     for machine, target in zip(machines, targets, strict=True):
         target.write(machine)  # before anything is printed: whoever reads the table may stop reading
     if not plan.silent:
-        for machine in machines:
-            print_machine(machine)
+        with displayed_in(units):
+            for machine in machines:
+                print_machine(machine)
     if problems:
         raise CaseError(problems)
     if not all(machine.solved for machine in machines):
@@ -212,11 +215,13 @@ def sweep(
         Path | None, typer.Option(metavar="OUT", help="Draw the key results: OUT.png, OUT.svg or OUT.pdf.")
     ] = None,
     workers: Annotated[int, typer.Option(metavar="N", help="Processes of this machine.", min=1)] = 1,
+    units: Units = System.SI,
     allow_outside: AllowOutside = False,
 ) -> None:
     """Solve a case for several values of some fields and print the key results."""
     from babbitt.case.variation import case_variation
     from babbitt.core.notices import InputError
+    from babbitt.core.quantities import displayed_in
     from babbitt.report.outputs import STANDARD_OUTPUT
     from babbitt.report.study_progress import StudyProgress
     from babbitt.report.sweep_output import require_outputs, write_outputs
@@ -238,9 +243,10 @@ def sweep(
     except KeyboardInterrupt:
         print("interrupted", file=sys.stderr)
         raise typer.Exit(INTERRUPTED) from None
-    write_outputs(found, csv, plot, in_engineers_units if engineering else in_si, chosen)
-    if str(csv) != STANDARD_OUTPUT:
-        print_sweep(found, chosen=chosen)
+    with displayed_in(units):
+        write_outputs(found, csv, plot, in_engineers_units if engineering else in_si, chosen)
+        if str(csv) != STANDARD_OUTPUT:
+            print_sweep(found, chosen=chosen)
     if found.interrupted:
         done = len(found.answers) + len(found.refused)
         print(f"interrupted; {done} of {found.count} values are kept", file=sys.stderr)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from babbitt.cli.app import NO_SOLUTION, AllowOutside, app, reach
+from babbitt.cli.app import NO_SOLUTION, AllowOutside, System, Units, app, reach
 from babbitt.cli.interruption import INTERRUPTED, raised_interrupts
 from babbitt.core.files.printing import printable
 from babbitt.core.notices import InputError
@@ -73,9 +73,11 @@ def study(
     xlsx: Workbook = None,
     report: Report = None,
     plots: PlotFolder = None,
+    units: Units = System.SI,
     allow_outside: AllowOutside = False,
 ) -> None:
     """Study many variants of a case: sweep, size, tolerance, map, corners, sensitivity, optimise, spectrum."""
+    from babbitt.core.quantities import displayed_in
     from babbitt.report.study_output import require_study_outputs, write_study
     from babbitt.report.study_table import print_study
 
@@ -92,8 +94,9 @@ def study(
         assert read.study is not None, "a file without a study is refused"
         require_study_outputs(dict.fromkeys(read.files, "an input of the run"), xlsx, report, plots)
         found = computed(words[0], read.case, read.study, out, workers, scheduler)
-    write_study(found, xlsx, report, plots)
-    print_study(found)
+    with displayed_in(units):
+        write_study(found, xlsx, report, plots)
+        print_study(found)
     if not (found.columns["status"] == "converged").any():
         raise typer.Exit(NO_SOLUTION)
 

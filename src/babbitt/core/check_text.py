@@ -82,5 +82,6 @@ def margin(check: Check) -> str:
         return "–"
     if known is not None and known.unit == "K":
         gap = check.limit - check.value if check.bound is Bound.AT_MOST else check.value - check.limit
-        return f"{gap:+.1f} K"
+        scale = known.display.scale
+        return f"{gap * scale:+.1f} {'K' if scale == 1.0 else '°F'}"
     return f"{check.margin:+.0%}" if check.margin <= LARGEST_MARGIN else f"over {LARGEST_MARGIN:+.0%}"

@@ -147,7 +147,7 @@ class Check:
         """
         gap = self.limit - self.value if self.bound is Bound.AT_MOST else self.value - self.limit
         known = QUANTITIES.get(self.quantity)
-        size = abs(self.limit + known.display.offset) if known is not None else abs(self.limit)
+        size = abs(self.limit + known.metric.offset) if known is not None else abs(self.limit)
         return gap / size if size else gap
 
 

@@ -13,7 +13,7 @@ from rich.table import Table
 from rich.text import Text
 
 from babbitt.core.check_text import margin
-from babbitt.core.quantities import QUANTITIES
+from babbitt.core.quantities import QUANTITIES, Quantity
 from babbitt.core.result import Result
 from babbitt.report.comparison_table import WIDEST_HEAD
 from babbitt.report.meanings import meaning
@@ -56,6 +56,13 @@ def bearing_rows(bearing: ComparedBearing) -> Iterator[DesignRow]:
             yield DesignRow(said, "", tuple(cell or ABSENT for cell in cells), ("",) * (len(cells) - 1))
 
 
+def _degree(quantity: Quantity) -> str:
+    """Unit of a difference of temperatures or angles."""
+    if not quantity.display.offset:
+        return "°"
+    return "K" if quantity.display.scale == 1.0 else quantity.display.label
+
+
 def difference(name: str, first: float | None, other: float | None) -> str:
     """How a result differs from that of the first design: in per cent, of temperatures and angles in their unit.
 
@@ -69,7 +76,7 @@ def difference(name: str, first: float | None, other: float | None) -> str:
     quantity = QUANTITIES[name]
     if quantity.display.offset or quantity.unit in TURNS:
         change = (other - first) * quantity.display.scale
-        return f"{change:+.{max(quantity.display.decimals, 1)}f} {'K' if quantity.display.offset else '°'}"
+        return f"{change:+.{max(quantity.display.decimals, 1)}f} {_degree(quantity)}"
     if other == first or max(abs(first), abs(other)) * quantity.display.scale <= quantity.display.nothing:
         return "0 %"
     if first == 0.0:

@@ -13,6 +13,7 @@ from babbitt.core.files.marks import CREATOR
 from babbitt.core.files.writing import require_writable, write_file
 from babbitt.core.nearest_name import unknown_name
 from babbitt.core.notices import InputError
+from babbitt.core.quantities import SYSTEMS, displayed_in
 from babbitt.core.report_level import Level
 from babbitt.report.content import content
 from babbitt.report.drawing import missing_extra
@@ -36,7 +37,9 @@ FORMATS: dict[str, Format] = {".pdf": "pdf", ".html": "html"}
 """Suffix of the file and format of the report."""
 
 
-def write_report(machine: MachineResult, path: Path, level: Level | str = Level.STANDARD) -> None:
+def write_report(
+    machine: MachineResult, path: Path, level: Level | str = Level.STANDARD, units: str = "si"
+) -> None:
     """Write the report of a machine.
 
     Parameters
@@ -46,21 +49,27 @@ def write_report(machine: MachineResult, path: Path, level: Level | str = Level.
         The suffix says what is written: ``.pdf``, or ``.html`` as one file that needs nothing else.
     level : Level or {"standard", "summary", "full"}
         Inputs, results, checks and figures of every bearing; a page a machine; calculation and case file, too.
+    units : {"si", "us"}
+        Of tables and figures; lines of the calculation stay in SI.
 
     Raises
     ------
     InputError
-        E005 for an unknown level; E007 for an unknown suffix, a path that cannot be written, or a package that is
-        not installed. Nothing is left behind then.
+        E005 for an unknown level or system of units; E007 for an unknown suffix, a path that cannot be written, or
+        a package that is not installed. Nothing is left behind then.
     """
     path = Path(path)
     if level not in (known := [one.value for one in Level]):
         raise InputError("E005", unknown_name(level, known, "a level of reports"))
+    if units not in SYSTEMS:
+        raise InputError("E005", unknown_name(units, SYSTEMS, "a system of units"))
     if path.suffix.lower() not in FORMATS:
         given = f"not {path.suffix}" if path.suffix else "and the name given has no suffix"
         raise InputError("E007", f"cannot write {path}: a report ends in .pdf or .html, {given}")
     require_writable(path)
-    write_file(path, report(machine, FORMATS[path.suffix.lower()], Level(level)))
+    with displayed_in(units):
+        made = report(machine, FORMATS[path.suffix.lower()], Level(level))
+    write_file(path, made)
 
 
 def report(machine: MachineResult, report_format: Format, level: Level = Level.STANDARD) -> bytes:

@@ -78,10 +78,10 @@ class Line:
             return ((number_node(self.value, SUBSTITUTED_DIGITS), "°C"),)
         unit = PRINTED_UNITS.get(quantity.unit, quantity.unit).removesuffix(" (abs)")
         si = (number_node(self.value, max(SUBSTITUTED_DIGITS, quantity.digits)), unit)
-        shown = quantity.display
+        shown = quantity.metric
         if (shown.scale, shown.offset) == (1.0, 0.0):
             return (si,)
-        return (si, (number_node(quantity.shown(self.value), max(quantity.digits, 4)), shown.label))
+        return (si, (number_node(self.value * shown.scale + shown.offset, max(quantity.digits, 4)), shown.label))
 
     def _number(self, name: str) -> Node:
         return number_node(self.numbers[name], max(self.digits, VOCABULARY[name].digits))

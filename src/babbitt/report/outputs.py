@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from babbitt.core.files.printing import printable, takes_all_letters
 from babbitt.core.files.writing import require_distinct, require_writable, write_file
 from babbitt.core.notices import InputError
+from babbitt.core.quantities import displayed_in
 from babbitt.core.report_level import Level
 
 if TYPE_CHECKING:
@@ -28,6 +29,7 @@ class Target:
     plots: Path | None
     fields: Path | None = None
     level: Level = Level.STANDARD
+    units: str = "si"
 
     def files(self) -> tuple[Path, ...]:
         """The files that will be written, without the plots."""
@@ -53,11 +55,12 @@ class Target:
         if self.report is not None:
             from babbitt.report.document import write_report
 
-            write_report(machine, self.report, self.level)
+            write_report(machine, self.report, self.level, self.units)
         if self.plots is not None:
             from babbitt.report.figures import write_plots
 
-            write_plots(machine, self.plots)
+            with displayed_in(self.units):
+                write_plots(machine, self.plots)
         if self.fields is not None:
             from babbitt.report.fields import write_machine_fields
 
@@ -81,6 +84,7 @@ def outputs(
     fields: Path | None = None,
     tables: Sequence[Path] = (),
     level: Level = Level.STANDARD,
+    units: str = "si",
 ) -> Outputs:
     """Plan the outputs of a run, and make sure that each can be written.
 
@@ -96,7 +100,7 @@ def outputs(
     """
     alone = len(files) == 1
     targets = [Target(json, report, plots, fields)] if alone else _one_each(files, json, report, plots, fields)
-    targets = [replace(target, level=level) for target in targets]
+    targets = [replace(target, level=level, units=units) for target in targets]
     _refuse_collisions(inputs_of(files, tables), targets)
     for target in targets:
         _require_suffix(target.report)

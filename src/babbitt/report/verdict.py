@@ -63,7 +63,7 @@ def is_temperature(quantity: str) -> bool:
     (True, False, False)
     """
     known = QUANTITIES.get(quantity)
-    return known is not None and known.display == SI["degC"]
+    return known is not None and known.metric == SI["degC"]
 
 
 def strictest(checks: Iterable[Check]) -> Check | None:

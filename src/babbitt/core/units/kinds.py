@@ -14,9 +14,16 @@ ZERO_CELSIUS = 273.15
 """K."""
 
 INCH, POUND_FORCE, KILOGRAM_FORCE, FAHRENHEIT = 0.0254, 4.4482216152605, 9.80665, 5.0 / 9.0
+GALLON = 231.0 * INCH**3
+"""m3, of the US."""
+
+HORSEPOWER = 550.0 * 12.0 * INCH * POUND_FORCE
+"""W, the mechanical one."""
+
 TURN = 2.0 * math.pi
 
 RADIANS_OR_TURNS = "standards write angular speed so, others turns; write 'rad/s', or 'rev/s' or 'rpm'"
+GAUGE = "write 'psi'; pressures of films and supplies stand above that of the surroundings"
 AMBIGUOUS_TON = "'t' is the tonne, 1000 kg; a US ton is '2000 lb', an imperial one '2240 lb'"
 
 
@@ -46,6 +53,8 @@ class Kind:
     one_unit : bool
         Whether all write it in one unit, so that a case file may leave the unit out. Not where people vary it:
         3000 is rpm to one and rad/s to another.
+    guesses : tuple of str
+        Units that a number without one may be in, where these are not the first of `everyday`.
     """
 
     unit: str
@@ -57,6 +66,7 @@ class Kind:
     name: str = ""
     ambiguous: Mapping[str, str] = field(default_factory=dict)
     one_unit: bool = False
+    guesses: tuple[str, ...] = ()
 
     @property
     def key(self) -> str:
@@ -86,7 +96,7 @@ _ALL = (
         "a length",
         "120 mm",
         {"mm": 1e-3, "m": 1.0, "um": 1e-6, "cm": 1e-2, "micron": 1e-6, "nm": 1e-9, "in": INCH, "inch": INCH}
-        | {"mil": INCH / 1000.0, "thou": INCH / 1000.0, "ft": 12.0 * INCH},
+        | {"mil": INCH / 1000.0, "mils": INCH / 1000.0, "thou": INCH / 1000.0, "ft": 12.0 * INCH},
     ),
     Kind("m2", "an area", "0.3 m2", {"m2": 1.0, "mm2": 1e-6, "cm2": 1e-4, "dm2": 1e-2}),
     Kind(
@@ -109,7 +119,7 @@ _ALL = (
         "a force",
         "36 kN",
         {"kN": 1e3, "N": 1.0, "MN": 1e6, "mN": 1e-3, "kgf": KILOGRAM_FORCE, "kp": KILOGRAM_FORCE}
-        | {"kilopond": KILOGRAM_FORCE, "lbf": POUND_FORCE},
+        | {"kilopond": KILOGRAM_FORCE, "lbf": POUND_FORCE, "klbf": 1e3 * POUND_FORCE},
     ),
     Kind(
         "Pa",
@@ -117,6 +127,7 @@ _ALL = (
         "0.2 MPa",
         {"MPa": 1e6, "bar": 1e5, "kPa": 1e3, "Pa": 1.0, "GPa": 1e9, "mbar": 1e2, "N/mm2": 1e6, "N/m2": 1.0}
         | {"psi": POUND_FORCE / INCH**2, "atm": 101325.0, "kgf/cm2": KILOGRAM_FORCE * 1e4},
+        ambiguous={"psig": GAUGE, "psia": GAUGE},
     ),
     Kind(
         "K",
@@ -126,6 +137,7 @@ _ALL = (
         | {"degF": FAHRENHEIT, "°F": FAHRENHEIT, "F": FAHRENHEIT},
         {"degC": ZERO_CELSIUS, "°C": ZERO_CELSIUS, "C": ZERO_CELSIUS, "celsius": ZERO_CELSIUS}
         | dict.fromkeys(("degF", "°F", "F"), ZERO_CELSIUS - 32.0 * FAHRENHEIT),
+        guesses=("degC", "degF", "K"),
     ),
     Kind(
         "rad/s",
@@ -157,7 +169,8 @@ _ALL = (
         "N/m",
         "a stiffness",
         "200 MN/m",
-        {"N/m": 1.0, "kN/m": 1e3, "MN/m": 1e6, "GN/m": 1e9, "N/mm": 1e3, "kN/mm": 1e6, "N/um": 1e6},
+        {"N/m": 1.0, "kN/m": 1e3, "MN/m": 1e6, "GN/m": 1e9, "N/mm": 1e3, "kN/mm": 1e6, "N/um": 1e6}
+        | {"lbf/in": POUND_FORCE / INCH, "klbf/in": 1e3 * POUND_FORCE / INCH},
     ),
     Kind(
         "Pa s",
@@ -183,7 +196,8 @@ _ALL = (
         "a flow rate",
         "26 L/min",
         {"L/min": 1e-3 / 60.0, "l/min": 1e-3 / 60.0, "m3/s": 1.0, "m3/h": 1.0 / 3600.0, "L/s": 1e-3}
-        | {"l/s": 1e-3, "cm3/s": 1e-6, "L/h": 1e-3 / 3600.0, "l/h": 1e-3 / 3600.0},
+        | {"l/s": 1e-3, "cm3/s": 1e-6, "L/h": 1e-3 / 3600.0, "l/h": 1e-3 / 3600.0}
+        | {"gpm": GALLON / 60.0},
     ),
     Kind(
         "W/(m2 K)",
@@ -259,16 +273,26 @@ _ALL = (
         "K",
         "a temperature difference",
         "900 K",
-        {"K": 1.0},
+        {"K": 1.0, "delta_degC": 1.0, "delta_degF": FAHRENHEIT, "degR": FAHRENHEIT},
         open_to_pint=False,
         name="K difference",
         one_unit=True,
     ),
-    Kind("N s/m", "a damping", "80 kN s/m", {"kN s/m": 1e3, "N s/m": 1.0, "MN s/m": 1e6}),
+    Kind(
+        "N s/m",
+        "a damping",
+        "80 kN s/m",
+        {"kN s/m": 1e3, "N s/m": 1.0, "MN s/m": 1e6, "lbf s/in": POUND_FORCE / INCH},
+    ),
     Kind(
         "kg m2", "a moment of inertia", "0.06 kg m2", {"kg m2": 1.0, "g m2": 1e-3, "kg cm2": 1e-4, "kg mm2": 1e-6}
     ),
-    Kind("N m", "a moment", "200 N m", {"N m": 1.0, "kN m": 1e3}),
+    Kind(
+        "N m",
+        "a moment",
+        "200 N m",
+        {"N m": 1.0, "kN m": 1e3} | {"lbf ft": 12.0 * INCH * POUND_FORCE, "lbf in": INCH * POUND_FORCE},
+    ),
     Kind("N m/rad", "a stiffness against tilt", "40 kN m/rad", {"N m/rad": 1.0, "kN m/rad": 1e3, "MN m/rad": 1e6}),
     Kind("N m s/rad", "a damping of tilt", "5 N m s/rad", {"N m s/rad": 1.0, "kN m s/rad": 1e3}),
     Kind(
@@ -277,7 +301,7 @@ _ALL = (
         "0.06 L/(min MPa)",
         {"L/(min MPa)": 1e-9 / 60.0, "L/(min bar)": 1e-8 / 60.0, "m3/(s Pa)": 1.0, "cm3/(s MPa)": 1e-12},
     ),
-    Kind("W", "a power", "31 kW", {"kW": 1e3, "W": 1.0, "MW": 1e6}),
+    Kind("W", "a power", "31 kW", {"kW": 1e3, "W": 1.0, "MW": 1e6, "hp": HORSEPOWER}),
     Kind(
         "1",
         "a number without unit",

@@ -28,6 +28,10 @@ _THOUSANDS = re.compile(r"([-+]?\d{1,3}(?:[ '_\u00a0\u202f]\d{3})+(?:\.\d+)?)(.*
 _SPELLING = str.maketrans("µμ²³⁻¹·*", "uu23-1  ", "^")
 
 
+INCH_MARKS = ('"', "''", "\N{DOUBLE PRIME}", "\N{RIGHT DOUBLE QUOTATION MARK}")
+DIFFERENCES = "write a difference in 'K', 'delta_degC', 'delta_degF' or 'degR'"
+
+
 class QuantityError(PicklableError, ValueError):
     """What was given is no quantity of the kind asked for.
 
@@ -126,10 +130,10 @@ def plausible_units(number: float, kind: Kind, bounds: tuple[float, float] | Non
     >>> plausible_units(250.0, KINDS["m"], (0.001, 3.0)), plausible_units(36.0, KINDS["N"], (1.0, 1e9))
     (['mm'], ['kN', 'N'])
     >>> plausible_units(12000.0, KINDS["N"], (1.0, 1e9)), plausible_units(333.0, KINDS["K"], (243.15, 473.15))
-    (['N', 'kN'], ['K'])
+    (['N', 'kN'], ['degF', 'K'])
     """
     fits: dict[float, str] = {}
-    usual = list(kind.everyday)[:3]
+    usual = list(kind.guesses or kind.everyday)[:3]
     for unit in _unprefixed_first(usual, number, kind):
         value = kind.to_si(number, unit)
         if bounds is None or bounds[0] <= value <= bounds[1]:
@@ -192,7 +196,10 @@ def _normal(unit: str) -> str:
 def _with_pint(number: float, unit: str, kind: Kind, text: str) -> float:
     other = kind_of(unit)
     if other is not None:
-        raise QuantityError(f"{_quoted(text)} is {other.phrase}", _wanted(kind), given=other)
+        hint = DIFFERENCES if kind is KINDS["K difference"] and other is KINDS["K"] else ""
+        raise QuantityError(f"{_quoted(text)} is {other.phrase}", _wanted(kind), hint, given=other)
+    if unit in INCH_MARKS:
+        raise QuantityError(f"{_quoted(text)} has a mark for a unit", _wanted(kind), f"write '{number:.12g} in'")
     if not _UNIT.fullmatch(unit):
         raise QuantityError(f"{_quoted(text)} is not a quantity", _wanted(kind))
     registry = pint_registry()

@@ -13,7 +13,7 @@ FOOTSTEP_WORDS = (
     local("heel_radius", "r_1", "m", "Radius of the heel", 4, MILLI),
     local("recess_radius", "r_3", "m", "Radius of the recess", 4, MILLI),
     local("bore_radius", "r_2", "m", "Radius of the bore", 4, MILLI),
-    local("groove_angle", "φ", "rad", "Angle of the groove", 6, QUANTITIES["attitude_angle"].display),
+    local("groove_angle", "φ", "rad", "Angle of the groove", 6, QUANTITIES["attitude_angle"].metric),
     local("groove_depth", "h_k", "m", "Depth of the groove", 4, MILLI),
     local("screw_groove_width", "a", "m", "Width of a groove", 4, MILLI),
     local("screw_land_width", "b", "m", "Width of a land", 4, MILLI),

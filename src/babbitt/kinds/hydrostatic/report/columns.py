@@ -10,7 +10,12 @@ COLUMNS = (
     column_of("gap", 1),
     column_of("eccentricity_ratio", 2),
     Column(
-        "h_min / h_lim", "µm", (reading_of("minimum_film_thickness"), limit_of("minimum_film_thickness")), 0, " / "
+        "h_min / h_lim",
+        "",
+        (reading_of("minimum_film_thickness"), limit_of("minimum_film_thickness")),
+        0,
+        " / ",
+        "minimum_film_thickness",
     ),
     column_of("mean_pressure_ratio", 1),
     column_of("pocket_pressure", 1),

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Result
 from babbitt.report.columns import ABSENT, Column, column_of, is_fed, limit_of, reading_held, reading_of
 
@@ -18,19 +17,27 @@ COLUMNS = (
     column_of("specific_load", 2),
     column_of("surface_speed", 7),
     column_of("operating_relative_clearance", 8),
-    Column("T_en → T_ex", "°C", (reading_of("supply_temperature"), reading_held("outlet_temperature")), 1, " → "),
+    Column(
+        "T_en → T_ex",
+        "",
+        (reading_of("supply_temperature"), reading_held("outlet_temperature")),
+        1,
+        " → ",
+        "outlet_temperature",
+    ),
     column_of("bearing_temperature", 1),
     column_of("eccentricity_ratio", 3),
     Column(
         "h_min / h_lim",
-        "µm",
+        "",
         (reading_held("minimum_film_thickness"), limit_of("minimum_film_thickness")),
         0,
         " / ",
+        "minimum_film_thickness",
     ),
     column_of("friction_power", 4),
     column_of("side_flow", 5),
-    Column(QUANTITIES["supply_flow"].symbol, QUANTITIES["supply_flow"].display.label, (_supply_flow,), 6),
+    Column("{symbol}", "", (_supply_flow,), 6, quantity="supply_flow"),
     column_of("surplus_flow", 5),
     Column(
         "Re / Re_cr", "", (reading_of("film_reynolds_number"), reading_of("critical_reynolds_number")), 9, " / "

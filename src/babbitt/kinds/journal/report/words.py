@@ -8,7 +8,7 @@ from babbitt.report.local_quantity import KILO, MICRO, MILLI, local
 
 __all__ = ["JOURNAL_WORDS"]
 
-ANGLE = QUANTITIES["attitude_angle"].display
+ANGLE = QUANTITIES["attitude_angle"].metric
 
 JOURNAL_WORDS = (
     local("absolute_temperature", "T", "K (abs)", "Absolute temperature", 6),
@@ -65,7 +65,7 @@ JOURNAL_WORDS = (
     local("transition_eccentricity", "ε_tr", "1", "Eccentricity at transition"),
     local("transition_sommerfeld_number", "So_tr", "1", "Sommerfeld number at transition"),
     local("regime_number", "λ", "1", "Orlov's regime number"),
-    local("duct_flow", "Q", "m3/s", "Oil flow in the supply", 4, QUANTITIES["total_flow"].display),
+    local("duct_flow", "Q", "m3/s", "Oil flow in the supply", 4, QUANTITIES["total_flow"].metric),
     local("duct_number", "n", "1", "Equal ducts in parallel"),
     local("duct_diameter", "d", "m", "Diameter", 4, MILLI),
     local("duct_length", "l", "m", "Length", 4, MILLI),
@@ -81,7 +81,7 @@ JOURNAL_WORDS = (
         "m2/s",
         "Kinematic viscosity at the inlet",
         4,
-        QUANTITIES["effective_kinematic_viscosity"].display,
+        QUANTITIES["effective_kinematic_viscosity"].metric,
     ),
 )
 """Symbols as in ISO 7902 where it has one."""
