@@ -76,7 +76,8 @@ def solve(
     if table is not None or csv is not None or xlsx is not None or workers is not None:
         from babbitt.cli.solving_table import require_table, solve_rows
 
-        unread = {"--json": json, "--plots": plots, "--fields": fields, "--document": document}
+        unread: dict[str, object] = {"--json": json, "--plots": plots, "--fields": fields, "--document": document}
+        unread["--units"] = None if units is System.SI else units
         rows = require_table(table, files, unread)
         solve_rows(files[0], rows, (csv, xlsx, report), workers, strict, reach(allow_outside))
         return

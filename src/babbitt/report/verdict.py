@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from enum import Enum
 
 from babbitt.core.quantities import QUANTITIES
-from babbitt.core.quantities.quantity import SI
+from babbitt.core.quantities.display import SI
 from babbitt.core.result import Check, Result, Verdict
 from babbitt.report.text import counted
 

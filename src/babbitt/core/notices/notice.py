@@ -10,7 +10,7 @@ from typing import Any
 from babbitt.core.notices.explanation import Effect
 from babbitt.core.notices.words import ENGLISH, PLACEHOLDER, explanations, words
 from babbitt.core.quantities import QUANTITIES, Quantity
-from babbitt.core.quantities.quantity import SI
+from babbitt.core.quantities.display import SI
 
 __all__ = ["Notice", "quantity_shown"]
 

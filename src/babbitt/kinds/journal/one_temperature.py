@@ -198,7 +198,8 @@ def loaded_temperature(check: Check, values: Mapping[str, float]) -> float:
     """
     shear = shear_heat(values)
     sheared = one_temperature(check, values) + LOADED_BY_SHEAR * functions_for(shear).sqrt(shear)
-    return larger(above_inlet(values, RISE_OF_LOADED_FILM), sheared)
+    loaded: float = larger(above_inlet(values, RISE_OF_LOADED_FILM), sheared)
+    return loaded
 
 
 def shear_heat(values: Mapping[str, float]) -> float:

@@ -46,7 +46,7 @@ def _said(label: str, plain: Result, fullest: str, full: Result) -> str:
     words = (
         f"Against {whom} the {fullest} is {abs(thin):.0%} {'thinner' if thin < 0.0 else 'thicker'} at its "
         f"thinnest ({film.format(full.minimum_film_thickness)} instead of "
-        f"{film.format(plain.minimum_film_thickness)} µm) and takes {abs(less):.0%} "
+        f"{film.format(plain.minimum_film_thickness)} {film.display.label}) and takes {abs(less):.0%} "
         f"{'less' if less < 0.0 else 'more'} power"
     )
     known = "outlet_temperature" if "outlet_temperature" in plain.values else "effective_temperature"

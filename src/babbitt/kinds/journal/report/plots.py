@@ -119,7 +119,7 @@ def _film_limit(panel: Axes, result: Result, *, at: float = 0.99) -> None:
     check = governing(result, "minimum_film_thickness")
     if check is not None:
         shown = QUANTITIES["minimum_film_thickness"]
-        label = f"{mathematics('h_lim')} = {shown.format(check.limit)} µm"
+        label = f"{mathematics('h_lim')} = {shown.format(check.limit)} {shown.display.label}"
         limit_line(panel, shown.shown(check.limit), label, at=at)
 
 
