@@ -25,7 +25,7 @@ from babbitt.reynolds.tilting_pads.solve import solve_with_light_pads, tilting_p
 __all__ = ["film_at_temperature", "operating_films"]
 
 LIGHT = 0.02
-"""Share of the load that a pad may carry at its fold and still be left without: then only it flutters (assumption)."""
+"""Share of the load that a pad may carry at its fold and still be left without (assumption)."""
 
 
 def operating_films(case: PadCase) -> Equilibrium[PadFilms]:
