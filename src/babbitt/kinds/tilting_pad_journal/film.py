@@ -20,9 +20,12 @@ from babbitt.design.turbulence import film_turbulence
 from babbitt.kinds.tilting_pad_journal.model import PadCase, Thermal
 from babbitt.kinds.tilting_pad_journal.state import PadFilms
 from babbitt.kinds.tilting_pad_journal.thermal_film import thermal_films
-from babbitt.reynolds.tilting_pads.solve import solve_tilting_pads, tilting_pads_at
+from babbitt.reynolds.tilting_pads.solve import solve_with_light_pads, tilting_pads_at
 
 __all__ = ["film_at_temperature", "operating_films"]
+
+LIGHT = 0.02
+"""Share of the load that a pad may carry at its fold and still be left without (assumption)."""
 
 
 def operating_films(case: PadCase) -> Equilibrium[PadFilms]:
@@ -66,7 +69,7 @@ def film_at_temperature(temperature: float, case: PadCase) -> PadFilms:
     resolution = case.accuracy.resolution
     if isinstance(case.duty, PrescribedLoad):
         load = case.duty.load * math.cos(case.load_angle), case.duty.load * math.sin(case.load_angle)
-        solution = solve_tilting_pads(pads, load, resolution)
+        solution = solve_with_light_pads(pads, load, resolution, LIGHT)
     else:
         solution = tilting_pads_at(pads, (case.duty.x, case.duty.y), resolution)
     if not solution.outcome.solved and solution.outcome is not Outcome.PAD_AT_LIMIT:

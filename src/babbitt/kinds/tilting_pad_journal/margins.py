@@ -7,10 +7,11 @@ from dataclasses import dataclass, replace
 
 from babbitt.kinds.tilting_pad_journal.model import PadCase
 from babbitt.reynolds.tilting_pads.model import TiltingPad
+from babbitt.reynolds.tilting_pads.pivots import displacement_of
 from babbitt.reynolds.tilting_pads.solution import PadStatus, TiltingPadSolution
-from babbitt.reynolds.tilting_pads.solve import fold_of
+from babbitt.reynolds.tilting_pads.solve import fold_of, tilting_pads_at
 
-__all__ = ["NEAR_FLUTTER", "PadMargin", "loading_preload", "pad_margins"]
+__all__ = ["NEAR_FLUTTER", "PadMargin", "loaded_at_fold", "loading_preload", "pad_margins"]
 
 NEAR_FLUTTER = 0.05
 """Eccentricity ratio at the pivot above that at which the pad unloads, below which it is reported."""
@@ -63,3 +64,19 @@ def fold_ratio(case: PadCase, solution: TiltingPadSolution, number: int) -> floa
 def loading_preload(pad: TiltingPad, solution: TiltingPadSolution) -> float:
     """Preload from which on a pad on a centred pivot would carry where the journal stands: -(x, y).n/c_p."""
     return -float(solution.position @ pad.normal()) / pad.clearance
+
+
+BEHIND_FOLD = 1e-5
+"""Of the clearance: how far from its fold a pad is shown that just carries."""
+
+
+def loaded_at_fold(case: PadCase, solution: TiltingPadSolution, margin: PadMargin) -> TiltingPadSolution:
+    """The films with the journal moved away from a pad until that pad stands at its fold and carries."""
+    number = margin.number - 1
+    pad, state = solution.bearing.pads[number], solution.pads[number]
+    least = next(one.least for one in solution.light if one.number == number)
+    gap = (margin.fold + BEHIND_FOLD - state.eccentricity_ratio) * pad.clearance + displacement_of(
+        pad.pivot, least
+    )
+    x, y = solution.position + gap * pad.normal()
+    return tilting_pads_at(solution.bearing, (float(x), float(y)), case.accuracy.resolution)

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
+import numpy as np
+from numpy.typing import NDArray
+
 from babbitt.core.notices import Notice
 from babbitt.core.result import Check
 from babbitt.design.bounds import FILM_CHECKS, NO_BOUNDS, TEMPERATURE_CHECKS, Bounds
@@ -13,10 +16,11 @@ from babbitt.design.warnings import (
     warnings_about_heating,
     warnings_about_pressure,
 )
-from babbitt.kinds.tilting_pad_journal.dynamics import LARGEST_FIT_ERROR, PadDynamics
-from babbitt.kinds.tilting_pad_journal.margins import NEAR_FLUTTER, PadMargin, loading_preload
+from babbitt.kinds.tilting_pad_journal.dynamics import LARGEST_FIT_ERROR, PadDynamics, with_pedestal
+from babbitt.kinds.tilting_pad_journal.margins import NEAR_FLUTTER, PadMargin, loaded_at_fold, loading_preload
 from babbitt.kinds.tilting_pad_journal.model import PadCase
 from babbitt.kinds.tilting_pad_journal.state import PadFilms
+from babbitt.reynolds.tilting_pads.dynamics import condensed_at, full_coefficients
 from babbitt.reynolds.tilting_pads.pivots import LineContact
 
 __all__ = ["starved_bounds", "warnings_about_kept_limits", "warnings_of_solution"]
@@ -46,6 +50,7 @@ def warnings_of_solution(
 ) -> Iterator[Notice]:  # fmt: skip
     """Warnings about a solved bearing."""
     yield from about_unloaded_pads(case, films, margins)
+    yield from about_light_pads(case, films, dynamics, margins)
     if dynamics.fit is not None and dynamics.fit.error > LARGEST_FIT_ERROR:
         ratios = dynamics.fit.whirl_ratios
         yield Notice("W403", values={
@@ -80,7 +85,10 @@ def about_heat_balance(films: PadFilms, values: Mapping[str, float]) -> Iterator
 
 def about_unloaded_pads(case: PadCase, films: PadFilms, margins: tuple[PadMargin, ...]) -> Iterator[Notice]:
     """Pads that carry nothing, and pads that nearly do so."""
+    light = {one.number + 1 for one in films.solution.light}
     for one in margins:
+        if one.number in light:
+            continue
         pad = case.bearing.pads[one.number - 1]  # preload is given of pads that have not grown
         if not one.loaded:
             if one.fold == 0.0:
@@ -95,6 +103,31 @@ def about_unloaded_pads(case: PadCase, films: PadFilms, margins: tuple[PadMargin
             yield Notice("W402", values={
                 "pad": one.number, "ratio": ratio, "margin": one.margin, "fold": one.fold,
             })  # fmt: skip
+
+
+def about_light_pads(
+    case: PadCase, films: PadFilms, dynamics: PadDynamics, margins: tuple[PadMargin, ...]
+) -> Iterator[Notice]:
+    """Pads that flutter about their folds, with what differs when they carry."""
+    solution = films.solution
+    for one in solution.light:
+        values = {"pad": one.number + 1, "need": one.need, "share": one.need / films.load, "least": one.least}
+        other = loaded_at_fold(case, solution, margins[one.number])
+        if not other.outcome.solved:
+            yield Notice("W417", "alone", values)
+            continue
+        carrying = condensed_at(with_pedestal(case, full_coefficients(other), other), 1.0)
+        thinner = other.minimum_film_thickness / solution.minimum_film_thickness - 1.0
+        yield Notice("W417", "compared", values | {
+            "stiffness": largest_difference(carrying.stiffness, dynamics.synchronous.stiffness),
+            "damping": largest_difference(carrying.damping, dynamics.synchronous.damping),
+            "film": abs(thinner),
+        })  # fmt: skip
+
+
+def largest_difference(one: NDArray[np.float64], other: NDArray[np.float64]) -> float:
+    """Largest difference of entries over the largest entry of the other matrix."""
+    return float(np.abs(one - other).max() / np.abs(other).max())
 
 
 def warnings_about_kept_limits(films: PadFilms, checks: Sequence[Check]) -> Iterator[Notice]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import Enum
 
 import numpy as np
@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from babbitt.core.result import Outcome
 from babbitt.reynolds.tilting_pads.model import TiltingPadBearing
 
-__all__ = ["PadBend", "PadPosition", "PadState", "PadStatus", "TiltingPadSolution"]
+__all__ = ["LightPad", "PadBend", "PadPosition", "PadState", "PadStatus", "TiltingPadSolution"]
 
 Array = NDArray[np.float64]
 
@@ -125,6 +125,23 @@ class PadState:
     bend: PadBend | None = None
 
 
+@dataclass(frozen=True)
+class LightPad:
+    """A pad left without load that would have to carry more than nothing and less than it can.
+
+    Attributes
+    ----------
+    number : int
+        From 0.
+    need, least : float
+        What it would have to carry, and the least that it can, N.
+    """
+
+    number: int
+    need: float
+    least: float
+
+
 @dataclass(frozen=True, eq=False)
 class TiltingPadSolution:
     """A journal among its pads, in equilibrium or at a prescribed position.
@@ -155,6 +172,8 @@ class TiltingPadSolution:
         Solutions of the film of a pad.
     wall_time : float
         s.
+    light : tuple of LightPad
+        Pads that go to and fro about their folds, here left without load.
     """
 
     bearing: TiltingPadBearing
@@ -169,6 +188,7 @@ class TiltingPadSolution:
     iterations: int
     films: int
     wall_time: float
+    light: tuple[LightPad, ...] = field(default=(), kw_only=True)
 
     @property
     def loaded(self) -> tuple[int, ...]:

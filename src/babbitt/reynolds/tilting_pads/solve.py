@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,9 +32,9 @@ from babbitt.reynolds.tilting_pads.flexible_pads import with_bending
 from babbitt.reynolds.tilting_pads.kernel_pads import PadScales, kernel_pads, pad_widths
 from babbitt.reynolds.tilting_pads.model import TiltingPadBearing
 from babbitt.reynolds.tilting_pads.pivots import stiffness_of
-from babbitt.reynolds.tilting_pads.solution import PadPosition, PadState, PadStatus, TiltingPadSolution
+from babbitt.reynolds.tilting_pads.solution import LightPad, PadPosition, PadState, PadStatus, TiltingPadSolution
 
-__all__ = ["Fold", "fold_of", "solve_tilting_pads", "tilting_pads_at"]
+__all__ = ["Fold", "fold_of", "solve_tilting_pads", "solve_with_light_pads", "tilting_pads_at"]
 
 Array = NDArray[np.float64]
 
@@ -63,6 +63,7 @@ def solve_tilting_pads(
     *,
     start: tuple[float, float] = (0.0, 0.0),
     max_steps: int = 100,
+    without: tuple[int, ...] = (),
 ) -> TiltingPadSolution:
     """Find where pads carry a load.
 
@@ -76,6 +77,8 @@ def solve_tilting_pads(
     start : tuple of float
         Where the search begins, m. The answer of rigid pads does not depend on it.
     max_steps : int
+    without : tuple of int
+        Pads that are taken not to carry, wherever the journal stands; pads on flexures carry all the same.
 
     Returns
     -------
@@ -92,9 +95,34 @@ def solve_tilting_pads(
         raise InputError("E101", f"load is {load}; both components must be finite, in N.")
 
     def stiff(bent: TiltingPadBearing, near: tuple[float, float]) -> TiltingPadSolution:
-        return stiff_pads_under(bent, load, resolution, near, max_steps)
+        return stiff_pads_under(bent, load, resolution, near, max_steps, without)
 
     return with_bending(bearing, start, stiff)
+
+
+def solve_with_light_pads(
+    bearing: TiltingPadBearing, load: tuple[float, float], resolution: Resolution, share: float
+) -> TiltingPadSolution:
+    """`solve_tilting_pads`, with pads that flutter about a fold of little load left without any.
+
+    Where a pad would have to carry less than it can, it carries in turn nothing and the load of its fold. If that
+    is no more than ``share`` of the load, the answer is that with the pad unloaded (``light`` names it); otherwise
+    there is none.
+    """
+    first = found = solve_tilting_pads(bearing, load, resolution)
+    light: dict[int, LightPad] = {}
+    while found.outcome is Outcome.PAD_AT_LIMIT and found.limit_pad is not None:
+        number, (need, least) = found.limit_pad, found.limit_loads
+        if number in light or not least <= share * math.hypot(*load):
+            return first
+        light[number] = LightPad(number, need, least)
+        found = solve_tilting_pads(bearing, load, resolution, start=flat(found), without=tuple(light))
+    return replace(found, light=tuple(light.values())) if found.outcome.solved else first
+
+
+def flat(found: TiltingPadSolution) -> tuple[float, float]:
+    """Place of the journal, m."""
+    return float(found.position[0]), float(found.position[1])
 
 
 def stiff_pads_under(
@@ -103,6 +131,7 @@ def stiff_pads_under(
     resolution: Resolution,
     start: tuple[float, float],
     max_steps: int,
+    without: tuple[int, ...] = (),
 ) -> TiltingPadSolution:
     """Pads whose bores stay as they are under a load."""
     begun = time.perf_counter()
@@ -111,6 +140,7 @@ def stiff_pads_under(
     wanted = (np.asarray(load) + groove_force(bearing)) * scales.sense / scales.force
     at = np.asarray(start) * scales.sense / scales.length
     places, total = new_places(pads), no_total()
+    places.unloaded_below[list(without)] = math.inf
     x, y, status, steps, indifferent, grid = find_pads(
         axial, pads, resolution.intervals, wanted[0], wanted[1], at[0], at[1], resolution.tolerance, max_steps,
         places, total,
