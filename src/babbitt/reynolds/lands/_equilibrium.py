@@ -39,7 +39,7 @@ CROWD = 16  # one node in so many may change sides in a step; with more the jour
 CYCLING = 30  # steps after which a node that changes sides for ever is let be, if the load is carried within 1e-4
 
 
-@inlined
+@spliced
 def evaluate_land(axial, bearing, grid, k, film, lines, x, y, x_rate, y_rate, smooth, result):
     """Add force, stiffness and damping of land k to ``result``; returns how many nodes changed (`evaluate`)."""
     film_coefficients(bearing, grid, k, x, y, x_rate, y_rate, film)
