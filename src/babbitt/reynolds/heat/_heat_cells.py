@@ -170,7 +170,7 @@ def sweep_energy(surface, columns, flows, cells, walls, temperature, groove, mos
     change, trusted = 0.0, np.inf
     for turn in range(most):
         change = 0.0
-        before[:] = temperature
+        copy_layers(temperature, before)
         for i in range(lines):
             for c in range(count):
                 s = columns.supply[i, c]
@@ -185,11 +185,23 @@ def sweep_energy(surface, columns, flows, cells, walls, temperature, groove, mos
         if change < tolerance:
             break
         if turn % 3 == 0:
-            last[:] = temperature - before
+            for i in range(lines):
+                for c in range(count):
+                    for k in range(layers):
+                        last[i, c, k] = temperature[i, c, k] - before[i, c, k]
         elif turn % 3 == 1 and turn < most - 1 and change < trusted:
             trusted = change
             extrapolate(temperature, before, last, columns, groove)
     return change
+
+
+@inner
+def copy_layers(temperature, before):
+    """Keep temperatures in ``before``. (An assignment of whole arrays takes seconds to compile.)"""
+    for i in range(temperature.shape[0]):
+        for c in range(temperature.shape[1]):
+            for k in range(temperature.shape[2]):
+                before[i, c, k] = temperature[i, c, k]
 
 
 @inlined

@@ -8,7 +8,7 @@ import numpy as np
 from numpy import bool_, float64, int64
 from numpy.typing import NDArray
 
-from babbitt.reynolds._compiling import compiled, inlined
+from babbitt.reynolds._compiling import compiled, inlined, inner, spliced
 from babbitt.reynolds.heat._heat_cells import sweep_energy
 from babbitt.reynolds.heat._heat_flows import gather_flows, spread_viscosity
 from babbitt.reynolds.heat._heat_walls import MOST_RISE, fill_film, update_wall_temperatures
@@ -65,7 +65,9 @@ def gather_heat(surface, film, work, columns, flows, drains, at, rise):
     for edge in drains.edges:
         drain_edge(surface, film, work, edge, drains.fed)
     powers = gather_flows(surface, film, work, at, columns, flows)
-    flows.heat[:] *= rise
+    for i in range(flows.heat.shape[0]):
+        for c in range(flows.heat.shape[1]):
+            flows.heat[i, c] *= rise
     return powers
 
 
@@ -105,25 +107,33 @@ def relax_viscosity(columns, fresh, viscosity, part):
                     viscosity[i, c, k] *= (1.0 + gain) ** part
 
 
-@inlined
+@inner
+def copy_sides(wet, known):
+    """Keep which nodes are wet in ``known``. (An assignment of whole arrays takes seconds to compile.)"""
+    for i in range(wet.shape[0]):
+        for j in range(wet.shape[1]):
+            known[i, j] = wet[i, j]
+
+
+@spliced
 def settle_wet_set(surface, film, work, pace, at, answers):
     """Rounds of the wet set at the viscosity as it is; the number of nodes that still change sides."""
     changed, rate, known = 0, np.zeros(at.size), work.wet.copy()
     rough = bool(0)  # the literal False would compile the film anew
     for _ in range(pace.rounds):
-        known[:] = work.wet
+        copy_sides(work.wet, known)
         changed = evaluate_surface(
             surface, film, work, at, rate, rough, answers.force, answers.stiffness, answers.damping
         )
         if changed == 0:
             break
     if pace.flickering and changed <= FEW * known.size:
-        work.wet[:] = known
+        copy_sides(known, work.wet)
         changed = 0
     return changed
 
 
-@inlined
+@spliced
 def take_rise(columns, before, flows, warmth):
     """Largest change of temperature, and how far it goes along with the last one; ``MOST_RISE`` of it is taken.
 
@@ -140,5 +150,8 @@ def take_rise(columns, before, flows, warmth):
                 along += rise * rises[i, c, k]
                 rises[i, c, k] = rise
     if most > MOST_RISE:
-        temperature[:] = before + rises * (MOST_RISE / most)
+        for i in range(before.shape[0]):
+            for c in range(before.shape[1]):
+                for k in range(len(columns.layers)):
+                    temperature[i, c, k] = before[i, c, k] + rises[i, c, k] * (MOST_RISE / most)
     return change, along

@@ -189,8 +189,11 @@ def wall_response_matrix(surface, columns, flows, cells, walls, fluxes, heats, m
                         brought, taken = groove_balance(surface, columns, flows, 0.0, temperatures, s, enthalpy)
                         kept = walls.carry_over * brought
                         if max(kept, taken) > 0.0:
-                            groove[s] = walls.carry_over / max(kept, taken) * enthalpy
-                    temperatures[i, c] = groove[s]
+                            for m in range(heats.size):
+                                groove[s, m] = walls.carry_over / max(kept, taken) * enthalpy[m]
+                    for k in range(last + 1):
+                        for m in range(heats.size):
+                            temperatures[i, c, k, m] = groove[s, m]
                 elif flows.gap[i, c] > 0.0:
                     change += solve_cells(columns, cells, walls, mine, temperatures, i, c, right)
         if change < fluxes.size * count * tolerance**2:
@@ -203,8 +206,10 @@ def wall_response_matrix(surface, columns, flows, cells, walls, fluxes, heats, m
                 wall = walls.synthesis[i, m] if m < journal else 0.0
                 fluxes[i, m] += cells.bush[i, c] * (temperatures[i, c, 0, m] - wall)
                 heats[m] += cells.journal[i, c] * (temperatures[i, c, last, m] - mine[m])
-        fluxes[i] *= walls.flow_heat / (walls.area * walls.width[i])
-    heats *= walls.flow_heat
+        for m in range(heats.size):
+            fluxes[i, m] *= walls.flow_heat / (walls.area * walls.width[i])
+    for m in range(heats.size):
+        heats[m] *= walls.flow_heat
 
 
 @inlined

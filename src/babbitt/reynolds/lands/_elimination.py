@@ -17,7 +17,7 @@ factors.
 
 from __future__ import annotations
 
-from babbitt.reynolds._compiling import inlined
+from babbitt.reynolds._compiling import inlined, spliced
 from babbitt.reynolds._structs import END_PRESSURE, START_PRESSURE
 from babbitt.reynolds.lands._endings import apply_ends
 
@@ -39,7 +39,7 @@ def count_wet(grid, k, lines, m):
     return broken
 
 
-@inlined
+@spliced
 def solve_land(axial, bearing, grid, k, film, lines, nodal_from):
     """Solve land k for pressure (or void) and the adjoints of both force components; the wet set stands.
 

@@ -238,7 +238,9 @@ def factor_border(surface, work):
                 for b in range(nodes):
                     v[i, a, b] -= work.upper[i + 1, a] * v[i + 1, a, b]
         multiply(work.inverse[i], v[i], carried, nodes)
-        v[i] = carried
+        for a in range(nodes):
+            for b in range(nodes):
+                v[i, a, b] = carried[a, b]
     for a in range(nodes):
         for b in range(nodes):
             work.inverse[0, a, b] -= work.upper[1, a] * v[1, a, b] + work.lower[0, a] * v[last, a, b]

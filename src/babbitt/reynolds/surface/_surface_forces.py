@@ -209,8 +209,9 @@ def drain_edge(surface, film, work, edge, fed):
     more.
     """
     lines, n = surface.held.shape[0], surface.step.size
-    full = film.couette[:, edge] * work.fill[:n, edge]
-    flux = full.copy()
+    full, flux = np.empty(n), np.empty(n)
+    for i in range(n):
+        full[i] = flux[i] = film.couette[i, edge] * work.fill[i, edge]
     for turn in range(2 if surface.cyclic else 1):
         for i in range(1 if turn == 0 else 0, n):
             if not fed[i]:

@@ -10,9 +10,9 @@ import math
 
 import numpy as np
 
-from babbitt.reynolds._compiling import inlined, inner
+from babbitt.reynolds._compiling import inlined, inner, spliced
 from babbitt.reynolds.tilting_pads._pivot_curve import is_elastic
-from babbitt.reynolds.tilting_pads._place import TIGHT, all_found, longest_step, place_all, place_pad
+from babbitt.reynolds.tilting_pads._place import TIGHT, all_found, copy_status, longest_step, place_all, place_pad
 from babbitt.reynolds.tilting_pads._tilt import AT_LIMIT, LOADED, NOT_FOUND
 
 NEAR_LIMIT = 1e-8  # of the clearance: where a pad at its limit is taken to carry
@@ -37,7 +37,7 @@ def changed_status(pads, before, behind, but):
     return -1
 
 
-@inner
+@spliced
 def hold_at_limit(axial, pads, grid, film, lines, k, load_x, load_y, x, y, floor, places, total):
     """Journal that keeps pad k at its limit, in equilibrium along it: x, y, and a second pad at its limit or -1.
 
@@ -56,10 +56,10 @@ def hold_at_limit(axial, pads, grid, film, lines, k, load_x, load_y, x, y, floor
             break
         if along > 0.0:
             left = at
-            before[:] = places.status
+            copy_status(places, before)
         else:
             right = at
-            behind[:] = places.status
+            copy_status(places, behind)
         if right - left < ALONG_LIMIT:
             return x - s * at, y + c * at, changed_status(pads, before, behind, k)
         step = along / stiff if stiff > 0.0 else math.copysign(0.1, along)
@@ -90,7 +90,7 @@ def way_from_limit(need, near, limit):
     return (min((need - limit) / max(near - limit, 1e-300), 10.0) ** 2 - 1.0) * NEAR_LIMIT
 
 
-@inner
+@spliced
 def needs_at_limit(axial, pads, grid, film, lines, first, second, load_x, load_y, x, y, places, total):
     """What one or two pads at their limits would have to carry, and what they carry at least, into ``places``.
 
@@ -126,7 +126,7 @@ def needs_too_little(k, places):
     return k < 0 or 0.0 < places.need[k] < places.least[k]
 
 
-@inner
+@spliced
 def pad_near_limit(axial, pads, grid, film, lines, x, y, places):
     """First pad that gains or loses its load within ``NEAR_LIMIT`` of a place of the journal, or -1."""
     for k in range(pads.kappa.size):
@@ -140,7 +140,7 @@ def pad_near_limit(axial, pads, grid, film, lines, x, y, places):
     return -1
 
 
-@inner
+@spliced
 def settle_at_limit(axial, pads, grid, film, lines, changed, load_x, load_y, x, y, floor, places, total):
     """Journal at the limit of one pad, ``changed``, or of two: x, y, and whether no equilibrium exists there.
 

@@ -13,7 +13,7 @@ import numpy as np
 from numpy import float64, int64
 from numpy.typing import NDArray
 
-from babbitt.reynolds._compiling import inlined, inner
+from babbitt.reynolds._compiling import inlined, inner, spliced
 from babbitt.reynolds.tilting_pads._tilt import LOADED, pad_coefficients
 
 Array = NDArray[float64]
@@ -206,7 +206,7 @@ def streamer_flows(grid, k, e, first, flows, totals):
         totals[BORE_POWER] += sheared
 
 
-@inlined
+@spliced
 def finish(flows, first, n, rise, totals):
     """What crosses the edges; the half cell at the leading edge gives its heat to the next one."""
     last = first + n
@@ -219,7 +219,8 @@ def finish(flows, first, n, rise, totals):
     totals[INFLOW] = flows.shear[first, 0] + flows.pressure[first, 0]
     totals[OUTFLOW] = flows.shear[last - 1, 0] + flows.pressure[last - 1, 0]
     flows.shear[last, 0], flows.pressure[last, 0] = flows.shear[last - 1, 0], flows.pressure[last - 1, 0]
-    flows.shear_profile[last, 0] = flows.shear_profile[last - 1, 0]
-    flows.pressure_profile[last, 0] = flows.pressure_profile[last - 1, 0]
+    for k in range(flows.shear_profile.shape[2]):
+        flows.shear_profile[last, 0, k] = flows.shear_profile[last - 1, 0, k]
+        flows.pressure_profile[last, 0, k] = flows.pressure_profile[last - 1, 0, k]
     flows.stress[last, 0], flows.balance[last, 0] = flows.stress[last - 1, 0], flows.balance[last - 1, 0]
     flows.shear_viscosity[last, 0] = flows.shear_viscosity[last - 1, 0]

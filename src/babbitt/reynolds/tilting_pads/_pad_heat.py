@@ -20,7 +20,7 @@ import numpy as np
 from numpy import bool_, float64, int64
 from numpy.typing import NDArray
 
-from babbitt.reynolds._compiling import compiled, inlined, inner
+from babbitt.reynolds._compiling import compiled, inlined, inner, spliced
 from babbitt.reynolds.heat._heat_cells import fill_cells
 from babbitt.reynolds.heat._heat_flows import spread_viscosity
 from babbitt.reynolds.heat._heat_pass import relax_viscosity
@@ -179,7 +179,7 @@ def edge_flow(flows, r, k):
     )
 
 
-@inner
+@spliced
 def balance_grooves(ring, columns, flows, cells, oil, walls, rows, films):
     """Temperatures of the oil that enters every pad, of the journal and of the pads, and with them of all films.
 
@@ -313,7 +313,7 @@ def follower(oil, k):
     return 0
 
 
-@inlined
+@spliced
 def take_temperatures(cells, flows, oil, walls, rows, films, solution):
     """Temperatures of all films, of what enters them and of the journal, and its heat; the largest change, K."""
     count, layers = films.inlet.size, films.states.shape[1]
@@ -336,14 +336,16 @@ def take_temperatures(cells, flows, oil, walls, rows, films, solution):
     return change
 
 
-@inlined
+@spliced
 def temperatures_on_lines(films, first, rows):
     """Temperatures of a pad on its lines: the cells give those half an interval further, where they send oil off.
 
     The first cell begins at the leading edge, the last one ends at the trailing edge.
     """
     last = first + rows - 1
-    films.on_lines[first], films.on_lines[last] = films.temperature[first], films.temperature[last]
+    for n in range(films.temperature.shape[2]):
+        films.on_lines[first, 0, n] = films.temperature[first, 0, n]
+        films.on_lines[last, 0, n] = films.temperature[last, 0, n]
     for i in range(first + 1, last):
         share = 2.0 / 3.0 if i == first + 1 else 0.5
         for n in range(films.temperature.shape[2]):

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-
 from babbitt.reynolds._compiling import compiled
 from babbitt.reynolds.lands._grids import new_film, new_lines, uniform_lines
 from babbitt.reynolds.tilting_pads._pads import journal_step
-from babbitt.reynolds.tilting_pads._place import all_found, longest_step, place_all
+from babbitt.reynolds.tilting_pads._place import all_found, any_pad_is, longest_step, place_all
 from babbitt.reynolds.tilting_pads._tilt import AT_LIMIT, ROOT_MOMENT
 
 MOST_SHORT_STEPS = 5
@@ -30,7 +28,7 @@ def step_pads(axial, pads, grid, load_x, load_y, x, y, tolerance, places, total)
             return x, y, step, False
         rx, ry = total[0] + load_x, total[1] + load_y
         if math.hypot(rx, ry) <= floor:
-            return x, y, step, all_found(places) and not np.any(places.status == AT_LIMIT)
+            return x, y, step, all_found(places) and not any_pad_is(places, AT_LIMIT)
         dx, dy = journal_step(total, rx, ry)
         if longest_step(pads, places, dx, dy) < 1.0:
             return x, y, step, False

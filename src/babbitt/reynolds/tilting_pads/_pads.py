@@ -8,12 +8,18 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-
 from babbitt.reynolds._compiling import compiled, inlined
 from babbitt.reynolds.lands._grids import new_film, new_lines
 from babbitt.reynolds.tilting_pads._limits import changed_status, pad_near_limit, settle_at_limit
-from babbitt.reynolds.tilting_pads._place import TIGHT, all_found, drop_limits, longest_step, place_all
+from babbitt.reynolds.tilting_pads._place import (
+    TIGHT,
+    all_found,
+    any_pad_is,
+    copy_status,
+    drop_limits,
+    longest_step,
+    place_all,
+)
 from babbitt.reynolds.tilting_pads._tilt import AT_LIMIT, MOST_FILMS, pad_grid
 
 CONVERGED, TOO_MANY_STEPS, CLOSED, STUCK, LIMIT, WORK, TOUCH = 0, 1, 2, 3, 4, 5, 6
@@ -66,7 +72,7 @@ def find_pads(axial, pads, intervals, load_x, load_y, x, y, tolerance, max_steps
         dx, dy = journal_step(total, rx, ry)
         share = longest_step(pads, places, dx, dy)
         drive = rx * dx + ry * dy
-        statuses[:] = places.status
+        copy_status(places, statuses)
         changed, closed = -1, False
         while True:
             new_x, new_y = x + share * dx, y + share * dy
@@ -115,7 +121,7 @@ def settled_status(places):
     """How a search ended whose force vanishes."""
     if not all_found(places):
         return STUCK
-    return LIMIT if np.any(places.status == AT_LIMIT) else CONVERGED
+    return LIMIT if any_pad_is(places, AT_LIMIT) else CONVERGED
 
 
 @inlined

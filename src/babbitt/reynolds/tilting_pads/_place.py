@@ -232,7 +232,8 @@ def place_all(axial, pads, grid, film, lines, x, y, tolerance, places, total):
         n, t = places.force[k, 0], places.force[k, 1]
         total[0] += n * c - t * s
         total[1] += n * s + t * c
-        nn, nt, tn, tt = places.stiffness[k]
+        stiffness = places.stiffness[k]
+        nn, nt, tn, tt = stiffness[0], stiffness[1], stiffness[2], stiffness[3]
         total[2] += nn * c * c - (nt + tn) * c * s + tt * s * s
         total[3] += (nn - tt) * c * s + nt * c * c - tn * s * s
         total[4] += (nn - tt) * c * s + tn * c * c - nt * s * s
@@ -252,10 +253,26 @@ def longest_step(pads, places, dx, dy):
     return share
 
 
+@inner
+def any_pad_is(places, status):
+    """Whether one of the pads has this status."""
+    found = False
+    for k in range(places.status.size):
+        found = found or places.status[k] == status
+    return found
+
+
+@inner
+def copy_status(places, statuses):
+    """Keep the status of every pad in ``statuses``. (An assignment of whole arrays takes seconds to compile.)"""
+    for k in range(statuses.size):
+        statuses[k] = places.status[k]
+
+
 @inlined
 def all_found(places):
     """Whether every search of a tilt and a pivot has ended."""
-    return not np.any(places.status == NOT_FOUND)
+    return not any_pad_is(places, NOT_FOUND)
 
 
 @compiled

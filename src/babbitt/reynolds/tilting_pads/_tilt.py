@@ -94,7 +94,8 @@ def pad_film(axial, pads, grid, k, film, lines, e, eta, wet, smooth, places):
         if answer_land(axial, own, grid, k, film, lines, smooth, answer) == 0:
             converged = True
             break
-    answer *= pads.weight[k]
+    for c in range(answer.size):
+        answer[c] *= pads.weight[k]
     return converged
 
 
