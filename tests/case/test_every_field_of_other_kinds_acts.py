@@ -461,7 +461,7 @@ TESTED = {
     "pads alike": (ALIKE | {"materials": {"bearing_metal": "B83"}},
                    {"pads.number": 3, "materials.load_character": "shock"}),
     "pads by their clearances": (
-        ALIKE | {"pads": BY_CLEARANCES},
+        ALIKE | {"pads": BY_CLEARANCES, "clearance_cases": "mean"},
         {f"pads.{one}.{limit}": value for one in CLEARANCES for limit, value in LIMITS_OF_PADS.items()}
         | {f"pads.each.0.{one}.{limit}": value for one in CLEARANCES for limit, value in LIMITS_OF_PADS.items()}
         | {"pads.each.0.assembled_clearance": {"kind": "radial", "mean": "70 um"}},

@@ -16,6 +16,7 @@ name: A
 diameter: 120 mm
 width: 60 mm
 clearance: {kind: fit, bore: H7, journal: e7}
+clearance_cases: mean
 span: 360 deg
 supply_element: {kind: pocket, width: 42 mm, place: both_sides}
 lubricant: ISO VG 46

@@ -31,6 +31,7 @@ name: Fan shaft
 diameter: 120 mm
 width: 60 mm
 clearance: {kind: fit, bore: H7, journal: e7}
+clearance_cases: mean
 span: 360 deg
 supply_element: {kind: hole, diameter: 5 mm, place: opposite}
 lubricant: ISO VG 46

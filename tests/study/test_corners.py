@@ -27,6 +27,11 @@ def column(study, name, bearings=3):
     return study.columns[name].reshape(-1, bearings)
 
 
+def judged(result, name):
+    """A result; of a film that its supply does not limit, the limited one is itself."""
+    return result.values.get(name, result.values.get(name.removeprefix("starved_")))
+
+
 def test_each_corner_is_the_case_that_says_so():
     study = corners(journal(clearance=FIT))
     assert study.columns["supply.temperature"][::3] - 273.15 == pytest.approx(OIL)
@@ -36,7 +41,7 @@ def test_each_corner_is_the_case_that_says_so():
         assert [str(result.name) for result in results] == list(column(study, "bearing")[place])
         for name in study.outputs:
             found = column(study, name)[place]
-            assert found == pytest.approx([result.values[name] for result in results], rel=1e-12)
+            assert found == pytest.approx([judged(result, name) for result in results], rel=1e-12)
     assert len(case_of(study, 0).calculations()) == 3
 
 

@@ -111,14 +111,15 @@ def about_light_pads(
     """Pads that flutter about their folds, with what differs when they carry."""
     solution = films.solution
     for one in solution.light:
-        values = {"pad": one.number + 1, "need": one.need, "share": one.need / films.load, "least": one.least}
+        pad, share = one.number + 1, one.need / films.load
         other = loaded_at_fold(case, solution, margins[one.number])
         if not other.outcome.solved:
-            yield Notice("W417", "alone", values)
+            yield Notice("W417", "alone", {"pad": pad, "need": one.need, "share": share, "least": one.least})
             continue
         carrying = condensed_at(with_pedestal(case, full_coefficients(other), other), 1.0)
         thinner = other.minimum_film_thickness / solution.minimum_film_thickness - 1.0
-        yield Notice("W417", "compared", values | {
+        yield Notice("W417", "compared", {
+            "pad": pad, "need": one.need, "share": share, "least": one.least,
             "stiffness": largest_difference(carrying.stiffness, dynamics.synchronous.stiffness),
             "damping": largest_difference(carrying.damping, dynamics.synchronous.damping),
             "film": abs(thinner),
