@@ -6,6 +6,9 @@ import pytest
 
 from babbitt import cli
 
+collect_ignore = ["conftest.py"]
+"""It has no doctests, and those of folders have its name."""
+
 
 @pytest.fixture
 def no_images(monkeypatch):
