@@ -110,7 +110,7 @@ def test_the_command_line_completes_the_block_of_the_case(tmp_path):
     assert CliRunner().invoke(app, given).exit_code != 0  # of a report, and there is none
 
 
-@pytest.mark.parametrize("option", ["revision", "nunber=3", "date=tomorrow"])
+@pytest.mark.parametrize("option", ["revision", "nunber=3", "date=tomorrow", "logo=logo.svg"])
 def test_options_that_are_no_fields_are_refused(option):
     with pytest.raises(CaseError):
         title_block_of_options(None, [option])

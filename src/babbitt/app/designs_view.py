@@ -16,7 +16,7 @@ __all__ = ["DesignsView"]
 
 
 class DesignsView:
-    """A design that is kept, beside the one on the page.
+    """A design that is kept and compared with the one on the page.
 
     Parameters
     ----------

@@ -11,7 +11,7 @@ from nicegui import ui
 from babbitt.app.answer import Fault
 from babbitt.app.document import CaseDocument
 from babbitt.app.form import NONE, TEXT, Choice, Entry, Group, Item, Path, Rows, as_text, sections_of
-from babbitt.app.units import SYSTEMS, in_unit, shown_in, split
+from babbitt.app.units import SYSTEMS, in_unit, is_number, shown_in, split
 from babbitt.app.words import sections, word
 
 __all__ = ["FormView"]
@@ -126,11 +126,11 @@ class FormView:
 
         def taken() -> None:
             text = (field.value or "").strip()
-            self._take(entry.path, f"{text} {select.value}" if _is_number(text) else text or None)
+            self._take(entry.path, f"{text} {select.value}" if is_number(text) else text or None)
 
         def converted(event: Any) -> None:
             nonlocal chosen
-            if _is_number(field.value or ""):
+            if is_number(field.value or ""):
                 field.value = in_unit(field.value, chosen, event.value)
             chosen = event.value
             taken()
@@ -203,19 +203,11 @@ def path_of(field: str) -> Path:
     return tuple(steps)
 
 
-def _is_number(text: str) -> bool:
-    try:
-        float(text)
-    except ValueError:
-        return False
-    return True
-
-
 def _number(text: str) -> Any:
     text = text.strip()
     if not text:
         return None
-    return (int(text) if re.fullmatch(r"[+-]?\d+", text) else float(text)) if _is_number(text) else text
+    return (int(text) if re.fullmatch(r"[+-]?\d+", text) else float(text)) if is_number(text) else text
 
 
 def _word(text: str) -> Any:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from babbitt.core.units import KINDS
 
-__all__ = ["SYSTEMS", "in_unit", "shown_in", "split"]
+__all__ = ["SYSTEMS", "in_unit", "is_number", "shown_in", "split"]
 
 SYSTEMS = ("si", "inch")
 """Systems of units of the form."""
@@ -57,10 +57,11 @@ def shown_in(system: str, number: str, unit: str, units: Sequence[str]) -> tuple
     other = INCH.get(unit) if system == "inch" else None
     if other is None or other not in units:
         return number, unit
-    return in_unit(number, unit, other) if _is_number(number) else number, other
+    return in_unit(number, unit, other) if is_number(number) else number, other
 
 
-def _is_number(text: str) -> bool:
+def is_number(text: str) -> bool:
+    """Whether a text is a number alone."""
     try:
         float(text)
     except ValueError:

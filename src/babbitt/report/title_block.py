@@ -79,6 +79,9 @@ def title_block_of_options(block: TitleBlock | None, options: Iterable[str]) -> 
             allowed, hint = "FIELD=VALUE, such as revision=B", "put it in quotes where it has blanks"
             raise CaseError([Problem("--document", 0, "", f"{option!r} has no value", allowed=allowed, hint=hint)])
         given[field.strip()] = value.strip()
+    if "logo" in given:
+        says, allowed = "logo names a file, which is sought from the case", "document: {logo: ...} in the case"
+        raise CaseError([Problem("--document", 0, "logo", says, allowed=allowed)])
     own = {} if block is None else block.model_dump(exclude_unset=True)
     try:
         made = TitleBlock.model_validate(own | given)

@@ -19,7 +19,7 @@ __all__ = ["RevisionEntry", "TitleBlock"]
 LARGEST_LOGO = 500_000
 """Bytes."""
 
-EXAMPLE_LOGO = "a picture as .svg or .png beside the case"
+EXAMPLE_LOGO = "a picture as .svg or .png in the folder of the case"
 
 PNG = b"\x89PNG\r\n\x1a\n"
 """First bytes of every such file (ISO/IEC 15948)."""
@@ -58,7 +58,7 @@ class TitleBlock(Part):
     date: Date | None = Field(
         None, description="Of the calculation, such as 2026-11-27; if not given, of the run."
     )
-    logo: Name | None = Field(None, description="A picture beside the case, .svg or .png.")
+    logo: Name | None = Field(None, description="A picture in the folder of the case, .svg or .png.")
     revisions: tuple[RevisionEntry, ...] = Field((), max_length=40, description="What was changed, oldest first.")
 
     _picture: bytes = PrivateAttr(b"")
