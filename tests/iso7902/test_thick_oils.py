@@ -4,7 +4,7 @@ import pytest
 
 from babbitt.case import case_from_dict
 from babbitt.core.result import Verdict
-from babbitt.kinds.journal.one_temperature import HOTTER_BY_SHEAR, loaded_temperature, shear_heat
+from babbitt.kinds.journal.one_temperature import HOTTER_BY_SHEAR, heat_of_shear, loaded_temperature
 from babbitt.solving import solve
 
 FAST = {
@@ -36,7 +36,7 @@ def test_a_fast_bush_that_its_film_overheats_is_no_clean_pass(method):
     assert quick.verdict is Verdict.REMARKS
     assert any("(C108)" in one.message for one in quick.warnings if one.code == "W191")
     hottest = film.values["maximum_bush_temperature"]
-    assert hottest < quick.values["outlet_temperature"] + HOTTER_BY_SHEAR * shear_heat(quick.values)
+    assert hottest < quick.values["outlet_temperature"] + HOTTER_BY_SHEAR * heat_of_shear(quick.values)
 
 
 @pytest.mark.parametrize("method", [{}, {"method": "film", "accuracy": "draft"}])

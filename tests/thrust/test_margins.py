@@ -6,6 +6,7 @@ import pytest
 
 from babbitt.case import case_from_dict
 from babbitt.core.result import Bound, Check, Verdict
+from babbitt.design.uncertainty import shear_heat
 from babbitt.kinds.thrust.design import Oil
 from babbitt.kinds.thrust.margins import (
     HOTTER,
@@ -13,7 +14,6 @@ from babbitt.kinds.thrust.margins import (
     MOST_THINNER,
     THINNER_THAN_MEANS,
     hotter_by_shear,
-    shear_heat,
     warnings_about_margins,
 )
 from babbitt.properties.lubricants import lubricant
@@ -66,7 +66,9 @@ def test_resolved_films_of_thick_oil_stay_within_what_quick_ones_are_asked_for()
         (quick, "trailing_temperature", HOTTER),
         (means, "maximum_temperature", HOTTER_THAN_MEANS),
     ):
-        assert hottest < one.values[name] + hotter_by_shear(shear_heat(one.values), factor)
+        assert hottest < one.values[name] + hotter_by_shear(
+            shear_heat(one.values["surface_speed"], one.values["effective_viscosity"]), factor
+        )
     for one, thinner in ((quick, MOST_THINNER), (means, THINNER_THAN_MEANS)):
         assert one.values["minimum_film_thickness"] < (1.0 + thinner) * resolved.values["minimum_film_thickness"]
 

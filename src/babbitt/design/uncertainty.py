@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
-__all__ = ["UNCERTAIN", "UNCERTAIN_FILM", "UNCERTAIN_SHARE", "uncertain_temperature"]
+from typing import Any
+
+from babbitt.numerics.scalar_or_array import functions_for
+
+__all__ = ["UNCERTAIN", "UNCERTAIN_FILM", "UNCERTAIN_SHARE", "shear_heat", "uncertain_temperature"]
 
 UNCERTAIN, UNCERTAIN_SHARE = 6.0, 0.2
 """By how much the hottest place may be hotter than computed: K, or a share of its rise above the fresh oil where
@@ -30,3 +34,12 @@ def uncertain_temperature(hottest: float, supplied: float) -> float:
     (6.0, 10.0)
     """
     return max(UNCERTAIN, UNCERTAIN_SHARE * (hottest - supplied))
+
+
+def shear_heat(speed: Any, viscosity: Any) -> Any:
+    """U sqrt(η) in m/s and the root of Pa s, the root of the heat of shear over conduction across the gap, η U²/λ.
+
+    >>> round(shear_heat(-50.0, 0.01), 3)
+    5.0
+    """
+    return abs(speed) * functions_for(viscosity).sqrt(viscosity)

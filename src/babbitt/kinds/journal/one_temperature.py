@@ -14,6 +14,7 @@ from babbitt.core.result import Check
 from babbitt.design.bounds import FILM_CHECKS
 from babbitt.design.conditions import Limits
 from babbitt.design.kept_limits import about_kept_film, kept_by_little
+from babbitt.design.uncertainty import shear_heat
 from babbitt.numerics.scalar_or_array import functions_for, holds_anywhere, larger
 
 __all__ = ["checks_of_metal", "warnings_about_kept_limits", "warnings_about_margins"]
@@ -128,7 +129,7 @@ def _near(
             if gap is not None:
                 yield _Near(True, lambda: gap)
     if check.code in of_metal:
-        sheared = check.value + HOTTER_BY_SHEAR * shear_heat(values)
+        sheared = check.value + HOTTER_BY_SHEAR * heat_of_shear(values)
         hottest = larger(larger(check.value + HOTTER, sheared), above_inlet(values, RISE_OF_METAL))
         yield _Near(
             check.limit < hottest,
@@ -196,23 +197,18 @@ def loaded_temperature(check: Check, values: Mapping[str, float]) -> float:
     >>> loaded_temperature(of_film, thick)  # 9.5 K times the root of 4
     339.0
     """
-    shear = shear_heat(values)
+    shear = heat_of_shear(values)
     sheared = one_temperature(check, values) + LOADED_BY_SHEAR * functions_for(shear).sqrt(shear)
     loaded: float = larger(above_inlet(values, RISE_OF_LOADED_FILM), sheared)
     return loaded
 
 
-def shear_heat(values: Mapping[str, float]) -> float:
-    """U sqrt(η_eff) in m/s and the root of Pa s, for the heat of shear across the gap; 0 of unknown viscosity.
-
-    >>> round(shear_heat({"surface_speed": -50.0, "effective_viscosity": 0.01}), 3)
-    5.0
-    """
+def heat_of_shear(values: Mapping[str, float]) -> float:
+    """`shear_heat` of a film; 0 of unknown viscosity."""
     if "effective_viscosity" not in values:
         return 0.0
-    viscosity = values["effective_viscosity"]
-    root: float = functions_for(viscosity).sqrt(viscosity)
-    return abs(values["surface_speed"]) * root
+    found: float = shear_heat(values["surface_speed"], values["effective_viscosity"])
+    return found
 
 
 def warnings_about_kept_limits(

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from babbitt.core.notices import Notice
 from babbitt.core.result import Check
-from babbitt.design.uncertainty import UNCERTAIN_FILM, uncertain_temperature
+from babbitt.design.uncertainty import UNCERTAIN_FILM, shear_heat, uncertain_temperature
 from babbitt.kinds.thrust.design import Oil
 from babbitt.kinds.thrust.temperature_limits import hottest_of_pads
 
@@ -74,7 +74,7 @@ def _may_differ(oil: Oil, values: Mapping[str, float]) -> tuple[float, float]:
     """K by which resolved films may be hotter than these, and the margin by which they may be thinner."""
     if oil.resolved:
         return 0.0, UNCERTAIN_FILM
-    shear = shear_heat(values)
+    shear = shear_heat(values["surface_speed"], values["effective_viscosity"])
     if oil.own_temperatures:
         return hotter_by_shear(shear, HOTTER_THAN_MEANS), THINNER_THAN_MEANS
     return hotter_by_shear(shear, HOTTER), max(UNCERTAIN_FILM, min(THINNER * shear, MOST_THINNER))
@@ -93,12 +93,3 @@ def hottest(values: Mapping[str, float]) -> float:
     """The hottest oil known of pads whose heat balance is made, K."""
     name = hottest_of_pads(values)
     return math.inf if name is None else values[name]
-
-
-def shear_heat(values: Mapping[str, float]) -> float:
-    """U sqrt(η) of pads in m/s and the root of Pa s, for the heat of shear across the gap.
-
-    >>> round(shear_heat({"surface_speed": 50.0, "effective_viscosity": 0.01}), 3)
-    5.0
-    """
-    return values["surface_speed"] * math.sqrt(values["effective_viscosity"])

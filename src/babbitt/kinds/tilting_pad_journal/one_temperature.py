@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from babbitt.core.notices import Notice
 from babbitt.core.result import Check
 from babbitt.design.bounds import FILM_CHECKS
-from babbitt.design.uncertainty import uncertain_temperature
+from babbitt.design.uncertainty import shear_heat, uncertain_temperature
 from babbitt.kinds.tilting_pad_journal.model import PadCase
 
 __all__ = ["HOTTER", "THINNER", "warnings_about_one_temperature"]
@@ -46,7 +46,7 @@ def warnings_about_one_temperature(
         return
     of_metal = ("C108",) if case.limits.temperature is None else ("C104", "C108")
     speed = abs(values["surface_speed"])
-    sheared = HOTTER_BY_SHEAR * speed * math.sqrt(values["effective_viscosity"])
+    sheared = HOTTER_BY_SHEAR * shear_heat(speed, values["effective_viscosity"])
     hotter = max(HOTTER * math.sqrt(values["specific_load"] * speed), sheared)
     hottest = values["trailing_temperature"] + hotter
     uncertain, near = uncertain_temperature(hottest, case.oil_supply.temperature), []
