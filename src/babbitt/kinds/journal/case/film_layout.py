@@ -66,13 +66,13 @@ def film_layout(bearing: JournalBearing, point: OperatingPoint | None, width: fl
         return FilmLayout(
             (),
             ("The film starts at the widest gap, at ambient pressure: nothing feeds it elsewhere.",),
-            _not_used(bearing, point, ("supply_element",), "widest_gap"),
+            (*_not_used(bearing, point, ("supply_element",), "widest_gap"), Notice("W184", "widest_gap")),
         )
     if bearing.film_starts() is FilmStart.PERIODIC and not given:
         return FilmLayout(
             (),
             ("The film closes around the journal, and nothing feeds it.",),
-            _not_used(bearing, point, ("supply_element",), "closed"),
+            (*_not_used(bearing, point, ("supply_element",), "closed"), Notice("W184", "closed")),
         )
     if given:
         return FilmLayout(

@@ -202,8 +202,9 @@ def film_solution(case: FilmCase, watch: ProgressCallback = no_progress) -> Solu
                 failed = None if outcome.solved else orbit_failure(case, orbit)
                 values |= orbit_values(case, orbit)
                 arrays["orbit"] = orbit_rows(orbit)
-                checks = (*checks, *orbit_checks(checks, values))
-                warnings = (*warnings, *orbit_warnings(case, orbit))
+                on_orbit = tuple(orbit_checks(checks, values))
+                checks = (*checks, *on_orbit)
+                warnings = (*warnings, *orbit_warnings(case, orbit), *_about_margins_on_orbit(case, on_orbit, values))
         values |= _supply_of_ducts(asked, beyond)
         values["iterations"] = float(found.evaluations)
     values["wall_time"] = perf_counter() - start
@@ -324,6 +325,14 @@ def _warnings(
         yield from warnings_about_kept_limits(checks, checks_of_metal(case.limits), supplied)
     solved = {"W109"} if whirl is not None else set()  # the dynamics of the film are solved for
     yield from (warning for warning in warnings_about_running(case, values, checks) if warning.code not in solved)
+
+
+def _about_margins_on_orbit(
+    case: FilmCase, checks: tuple[Check, ...], values: dict[str, float]
+) -> Iterator[Notice]:
+    """Limits that the worst instants of an orbit keep by less than one temperature can show."""
+    if case.heat is None:
+        yield from warnings_about_margins(checks, values, (), usable_viscosity(case.lubricant))
 
 
 def _warnings_about_holes(case: FilmCase, state: FilmState) -> Iterator[Notice]:
