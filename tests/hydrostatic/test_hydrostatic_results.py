@@ -21,6 +21,7 @@ from hydrostatic_bearings import (
     journal,
 )
 
+import babbitt
 from babbitt import load_case
 from babbitt.case import parse_case, template
 from babbitt.core.notices import Effect, InputError
@@ -847,3 +848,18 @@ def test_the_method_that_is_asked_solves_whatever_its_problem_was_made_for():
     for name, method in METHODS.items():
         found = method.solve_one(problem)
         assert found.result.method == found.problem.method == name
+
+
+def test_a_gap_that_warm_oil_would_not_keep_is_questioned():
+    """The viscosity is given, the oil warms: with its heat balance the same pad is thinner than its limit."""
+    pad = babbitt.parse_case(template("hydrostatic_pad")).replace(load=18.3e3)
+    given = pad.solve()
+    (warm,) = [one for one in given.warnings if one.code == "W312"]
+    limit = warm.values["limit"]
+    assert warm.variant == "kept"
+    assert warm.values["minimum_film_thickness"] < limit <= given.minimum_film_thickness
+    by_heat = pad.replace(
+        {"oil": None, "lubricant": "ISO VG 32", "supply.temperature": "42 degC", "load": 18.3e3}
+    ).solve()
+    assert warm.values["minimum_film_thickness"] < by_heat.minimum_film_thickness < limit
+    assert "W312" not in [one.code for one in pad.replace(load=12e3).solve().warnings]

@@ -107,6 +107,12 @@ def test_lines_of_supply_that_stand_for_nothing_given_are_told(span):
     assert codes(by_rule(span=span)) == ["W184"]
 
 
+def test_a_film_that_starts_where_nothing_feeds_it_is_questioned():
+    started = film(film_start="widest_gap", cavitation="reynolds", grooves=None, supply_element=HOLE)
+    assert codes(started) == ["W183", "W184"]
+    assert "film_start: widest_gap" in started.warnings[1].message
+
+
 def test_what_the_film_does_not_read_beside_its_hollows_is_told():
     (warning,) = film(supply_element=HOLE, span="180 deg").warnings
     assert warning.code == "W183"

@@ -302,6 +302,23 @@ def test_limits_of_load_and_pressure_hold_for_the_worst_instant():
     assert found.verdict.value == "fail"
 
 
+def test_a_film_limit_kept_by_little_on_the_orbit_is_questioned():
+    """An unbalance takes most of the margin of the steady film; one temperature cannot show what is left."""
+    turning = {"kind": "rotating", "magnitude": "15 kN", "speed_ratio": 1}
+    orbit = answer(dynamic_load=turning, cavitation="reynolds", accuracy="draft")
+    least = orbit.orbit_minimum_film_thickness
+    near, far = (
+        answer(
+            dynamic_load=turning, cavitation="reynolds", accuracy="draft",
+            limits={"minimum_film_thickness": f"{least / margin * 1e6} um"},
+        )
+        for margin in (1.2, 2.5)
+    )  # fmt: skip
+    assert {one.values["kept"][0].values["check"] for one in near.warnings if one.code == "W191"} == {"C101"}
+    assert "W191" not in [one.code for one in far.warnings]
+    assert near.verdict.value == "pass with remarks"
+
+
 def test_the_peak_of_a_fine_table_is_read():
     """A table of 90 points that has its peak between two of the even instants of a cycle."""
     angles = np.arange(90) * math.radians(8.0)
