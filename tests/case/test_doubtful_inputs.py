@@ -67,16 +67,16 @@ def test_limits_that_are_solved_or_not_asked_for_are_not_questioned():
     found = solve(parse_case(text + "clearance_cases: all\n")).results
     assert len(found) == 3
     assert not any(notices(one, code) for one in found for code in ("W174", "W183"))
-    fit = answer("{kind: relative, mean: 1.3 permille}", "{kind: fit, bore: H7, journal: c8}")
+    fit = answer("{kind: relative, mean: 1.3 permille}", "{kind: fit, bore: H7, journal: d8}")
     assert notices(fit, "W174")
     fit = answer(
-        "{kind: relative, mean: 1.3 permille}", "{kind: fit, bore: H7, journal: c8}", "clearance_cases: mean\n"
+        "{kind: relative, mean: 1.3 permille}", "{kind: fit, bore: H7, journal: d8}", "clearance_cases: mean\n"
     )
     assert not notices(fit, "W174")
     assert not notices(fit, "W183")
 
 
-@pytest.mark.parametrize("journal", ["f7", "e7"])
+@pytest.mark.parametrize("journal", ["f7", "f8"])
 def test_a_fit_whose_least_clearance_halves_the_load_number_is_questioned_whatever_is_asked(journal):
     fit = answer(
         "{kind: relative, mean: 1.3 permille}",
