@@ -13,6 +13,7 @@ from babbitt_pages import (
     case_file,
     command_line,
     drawings,
+    equations,
     lubricants,
     materials,
     notices,
@@ -50,5 +51,6 @@ def write_pages(app: Sphinx) -> None:
 
 def setup(app: Sphinx) -> dict[str, Any]:
     """Register with Sphinx."""
+    equations.register(app)
     app.connect("builder-inited", write_pages)
     return {"parallel_read_safe": True, "parallel_write_safe": True}
