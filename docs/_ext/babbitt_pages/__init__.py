@@ -14,6 +14,7 @@ from babbitt_pages import (
     command_line,
     drawings,
     equations,
+    gallery,
     lubricants,
     materials,
     notices,
@@ -47,6 +48,7 @@ def write_pages(app: Sphinx) -> None:
     for name, drawing in drawings.DRAWINGS.items():
         write(target / "drawings" / f"{name}.svg", drawing())
     validation.write_pages(target / "validation")
+    gallery.write_pages(target / "gallery")
 
 
 def setup(app: Sphinx) -> dict[str, Any]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from babbitt.validation import Evidence, ValidationCase, cases, cases_of, page, save_figure, summary
+from babbitt.validation.figure import figure_file
 from babbitt_pages.files import write
 from babbitt_pages.markdown import text
 
@@ -34,8 +35,8 @@ def scoreboard() -> str:
 
 def _table(evidence: Evidence) -> list[str]:
     return [
-        "| case | values | judged | set aside | shown only | largest deviation / tolerance | verdict |",
-        "| --- | ---: | ---: | ---: | ---: | ---: | --- |",
+        "| | case | source | values | judged | set aside | shown only | largest deviation / tolerance | verdict |",
+        "| --- | --- | --- | ---: | ---: | ---: | ---: | ---: | --- |",
         *(_line(case) for case in cases_of(evidence)),
     ]
 
@@ -54,4 +55,6 @@ def _line(case: ValidationCase) -> str:
     link = f"[{text(case.title)}](/_generated/validation/{case.name}.md)"
     numbers = (found.values, found.judged, found.suspect, found.shown)
     counts = " | ".join(str(number) for number in numbers)
-    return f"| {link} | {counts} | {found.largest_share:.2f} | {verdict} |"
+    picture = f"![](/_generated/validation/{figure_file(case)})"
+    source = text(case.story.source.split(". ")[0].removesuffix("."))
+    return f"| {picture} | {link} | {source} | {counts} | {found.largest_share:.2f} | {verdict} |"
