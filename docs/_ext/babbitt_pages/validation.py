@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from textwrap import shorten
 
 from babbitt.validation import Evidence, ValidationCase, cases, cases_of, page, save_figure, summary
 from babbitt.validation.figure import figure_file
@@ -56,5 +57,5 @@ def _line(case: ValidationCase) -> str:
     numbers = (found.values, found.judged, found.suspect, found.shown)
     counts = " | ".join(str(number) for number in numbers)
     picture = f"![](/_generated/validation/{figure_file(case)})"
-    source = text(case.story.source.split(". ")[0].removesuffix("."))
+    source = text(shorten(case.story.source, 150, placeholder=" ..."))
     return f"| {picture} | {link} | {source} | {counts} | {found.largest_share:.2f} | {verdict} |"
