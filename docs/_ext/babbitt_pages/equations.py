@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING
 
 from docutils import nodes
@@ -10,6 +11,9 @@ from latex2mathml.converter import convert
 if TYPE_CHECKING:
     from sphinx.application import Sphinx
     from sphinx.writers.html5 import HTML5Translator
+
+_OF_A_SIZE = re.compile(r"\\[Bb]igg?([lr])")
+"""Brackets of a given size, for which MathML has those that grow with what they hold."""
 
 
 def inline(translator: HTML5Translator, node: nodes.math) -> None:
@@ -25,7 +29,8 @@ def display(translator: HTML5Translator, node: nodes.math_block) -> None:
 
 
 def _mathml(latex: str, how: str) -> str:
-    found = convert(latex.strip(), display=how)
+    growing = _OF_A_SIZE.sub(lambda found: "\\left" if found[1] == "l" else "\\right", latex.strip())
+    found = convert(growing, display=how)
     if "\\" in found:
         raise ValueError(f"{latex!r} has a command without MathML")
     return found

@@ -36,8 +36,8 @@ def scoreboard() -> str:
 
 def _table(evidence: Evidence) -> list[str]:
     return [
-        "| | case | source | values | judged | set aside | shown only | largest deviation / tolerance | verdict |",
-        "| --- | --- | --- | ---: | ---: | ---: | ---: | ---: | --- |",
+        "| | case and source | judged | set aside | shown only | largest deviation / tolerance | verdict |",
+        "| --- | --- | ---: | ---: | ---: | ---: | --- |",
         *(_line(case) for case in cases_of(evidence)),
     ]
 
@@ -54,8 +54,8 @@ def _line(case: ValidationCase) -> str:
     agrees = {Evidence.REPRODUCTION: "reproduced", Evidence.REGRESSION: "unchanged"}.get(case.evidence, "agrees")
     verdict = agrees if found.agrees else f"{found.differing} differ" if found.differing else "not judged"
     link = f"[{text(case.title)}](/_generated/validation/{case.name}.md)"
-    numbers = (found.values, found.judged, found.suspect, found.shown)
+    numbers = (found.judged, found.suspect, found.shown)
     counts = " | ".join(str(number) for number in numbers)
     picture = f"![](/_generated/validation/{figure_file(case)})"
     source = text(shorten(case.story.source, 150, placeholder=" ..."))
-    return f"| {picture} | {link} | {source} | {counts} | {found.largest_share:.2f} | {verdict} |"
+    return f"| {picture} | {link}: {source} | {counts} | {found.largest_share:.2f} | {verdict} |"
