@@ -42,7 +42,7 @@ lint: $(VENV)/.lint  ## style, types, direction of imports
 	$(BIN)/lint-imports
 
 docs: $(VENV)/.docs  ## build the documentation into docs/_build/html
-	$(BIN)/python -m sphinx -W -q docs docs/_build/html
+	$(BIN)/python -m sphinx -W -q -j auto docs docs/_build/html
 
 bench: $(VENV)/.demo  ## measure what benchmarks/ promises
 	for script in benchmarks/*.py; do $(BIN)/python $$script || exit 1; done

@@ -1,10 +1,13 @@
 """Sphinx configuration. `make docs` builds docs/_build/html; no step needs the network."""
 
+import os
 import sys
 from pathlib import Path
 
 HERE = Path(__file__).parent
 sys.path.insert(0, str(HERE / "_ext"))
+# the tutorials call `babbitt` of this environment
+os.environ["PATH"] = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
 
 from babbitt_pages.facts import facts  # noqa: E402 - the folder must be on the path first
 
@@ -15,13 +18,12 @@ author = copyright = "The Babbitt developers"
 version = release = babbitt.__version__
 
 extensions = [
-    "myst_parser",
+    "myst_nb",
     "sphinx.ext.autodoc",
-    "sphinx.ext.mathjax",
     "numpydoc",
     "babbitt_pages",
 ]
-source_suffix = {".md": "markdown"}
+source_suffix = {".md": "myst-nb"}
 # pages of _generated that other pages include; the validation pages there stand for themselves
 exclude_patterns = ["_build", "_generated/parts"]
 default_role = "py:obj"
@@ -38,6 +40,14 @@ autodoc_default_options = {"members": True, "exclude-members": "model_config"}
 numpydoc_show_class_members = False
 numpydoc_xref_param_type = False
 
+# tutorials are run when their code changed; what they print is kept below _build
+nb_execution_mode = "cache"
+nb_execution_in_temp = True
+nb_execution_raise_on_error = True
+nb_execution_timeout = 120
+nb_merge_streams = True
+
+html_math_renderer = "mathml"
 html_theme = "pydata_sphinx_theme"
 html_title = f"Babbitt {release}"
 html_static_path = ["_static"]

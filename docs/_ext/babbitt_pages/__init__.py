@@ -13,6 +13,8 @@ from babbitt_pages import (
     case_file,
     command_line,
     drawings,
+    equations,
+    gallery,
     lubricants,
     materials,
     notices,
@@ -46,9 +48,11 @@ def write_pages(app: Sphinx) -> None:
     for name, drawing in drawings.DRAWINGS.items():
         write(target / "drawings" / f"{name}.svg", drawing())
     validation.write_pages(target / "validation")
+    gallery.write_pages(target / "gallery")
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
     """Register with Sphinx."""
+    equations.register(app)
     app.connect("builder-inited", write_pages)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

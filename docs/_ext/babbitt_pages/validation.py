@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from pathlib import Path
+from textwrap import shorten
 
 from babbitt.validation import Evidence, ValidationCase, cases, cases_of, page, save_figure, summary
+from babbitt.validation.figure import figure_file
 from babbitt_pages.files import write
 from babbitt_pages.markdown import text
 
@@ -34,8 +36,8 @@ def scoreboard() -> str:
 
 def _table(evidence: Evidence) -> list[str]:
     return [
-        "| case | values | judged | set aside | shown only | largest deviation / tolerance | verdict |",
-        "| --- | ---: | ---: | ---: | ---: | ---: | --- |",
+        "| | case and source | judged | set aside | shown only | largest deviation / tolerance | verdict |",
+        "| --- | --- | ---: | ---: | ---: | ---: | --- |",
         *(_line(case) for case in cases_of(evidence)),
     ]
 
@@ -52,6 +54,8 @@ def _line(case: ValidationCase) -> str:
     agrees = {Evidence.REPRODUCTION: "reproduced", Evidence.REGRESSION: "unchanged"}.get(case.evidence, "agrees")
     verdict = agrees if found.agrees else f"{found.differing} differ" if found.differing else "not judged"
     link = f"[{text(case.title)}](/_generated/validation/{case.name}.md)"
-    numbers = (found.values, found.judged, found.suspect, found.shown)
+    numbers = (found.judged, found.suspect, found.shown)
     counts = " | ".join(str(number) for number in numbers)
-    return f"| {link} | {counts} | {found.largest_share:.2f} | {verdict} |"
+    picture = f"![](/_generated/validation/{figure_file(case)})"
+    source = text(shorten(case.story.source, 150, placeholder=" ..."))
+    return f"| {picture} | {link}: {source} | {counts} | {found.largest_share:.2f} | {verdict} |"

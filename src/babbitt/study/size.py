@@ -51,7 +51,7 @@ DECADE = 10.0
 PERMITTED = (Verdict.PASS.key, Verdict.REMARKS.key)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Size:
     """The permitted values of a field.
 
@@ -86,6 +86,12 @@ class Size:
     scan: tuple[Trial, ...]
     preferred: tuple[Trial, ...]
     choices: Mapping[str, Trial]
+
+    def __repr__(self) -> str:
+        chosen = [name for name, one in self.choices.items() if one.permitted]
+        ranges = [f"{one.lower.value:.6g} to {one.upper.value:.6g} {self.unit}" for one in self.intervals]
+        permitted = ", ".join([*ranges, *chosen]) or "nothing"
+        return f"{self.name}: {self.path} permitted: {permitted}\n  .intervals, .scan, .choices"
 
     @property
     def permitted(self) -> bool:

@@ -47,6 +47,9 @@ class Notice:
     def __hash__(self) -> int:
         return hash((self.code, self.variant, tuple(self.values.items())))
 
+    def __str__(self) -> str:
+        return f"{self.code} {self.message}"
+
     @property
     def effect(self) -> Effect:
         """What it does to the verdict of the result that carries it."""

@@ -1,0 +1,42 @@
+"""The gallery: every case file of the examples with what it shows, its verdict and its bearing drawn to scale."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+from babbitt.case import load_case
+from babbitt.report.view import view_of
+from babbitt.solving import MachineResult, solve
+from babbitt_pages.files import write
+
+EXAMPLES = Path(__file__).resolve().parents[3] / "examples"
+_ROW = re.compile(r"^\| \[([\w.]+\.yaml)\]\([\w.]+\) \| (.+) \|$", re.MULTILINE)
+
+
+def examples() -> list[tuple[str, str]]:
+    """Name of each case file that the examples list, and what it shows."""
+    return _ROW.findall((EXAMPLES / "README.md").read_text(encoding="utf-8"))
+
+
+def write_pages(target: Path) -> None:
+    """Write the page and a drawing for each example that has one."""
+    page = ["# Gallery", "Every case file of `examples/`, solved for this page: the first bearing of each that is drawn."]
+    for file, shows in examples():
+        solved = solve(load_case(EXAMPLES / file))
+        verdicts = ", ".join(dict.fromkeys(one.result.verdict.value for one in solved.solutions))
+        page += [f"## {solved.name}", f"{shows[0].upper()}{shows[1:]}.", f"`babbitt solve {file}`: {verdicts}."]
+        drawing = _drawing(solved)
+        if drawing:
+            name = Path(file).with_suffix(".svg").name
+            write(target / name, drawing)
+            page.append(f"```{{image}} gallery/{name}\n:alt: {solved.name}\n:class: drawing\n:width: 440px\n```")
+    write(target.with_suffix(".md"), "\n\n".join(page) + "\n")
+
+
+def _drawing(solved: MachineResult) -> str:
+    for one in solved.solutions:
+        picture = view_of(one.result).picture(one)
+        if picture is not None:
+            return picture.printed()
+    return ""
