@@ -56,10 +56,9 @@ def load_slopes(model: FootstepModel, unknown: float) -> tuple[float, float]:
         load, balance = _difference(model.of(thinner), model.of(thicker), unknown, unknown)
         return (load - load_own * balance / balance_own) / span
 
-    less, more = 1.0 - STEP, 1.0 + STEP
-    gaps = (replace(step, face_gap=factor * step.face_gap) for factor in (less, more))
-    clearances = (replace(step, clearance=factor * step.clearance) for factor in (less, more))
-    return along(*gaps, 2.0 * STEP * step.face_gap), along(*clearances, 2.0 * STEP * step.clearance)
+    closed, opened = (replace(step, face_gap=one * step.face_gap) for one in (1.0 - STEP, 1.0 + STEP))
+    tight, wide = (replace(step, clearance=one * step.clearance) for one in (1.0 - STEP, 1.0 + STEP))
+    return along(closed, opened, 2.0 * STEP * step.face_gap), along(tight, wide, 2.0 * STEP * step.clearance)
 
 
 def _difference(before: FootstepModel, behind: FootstepModel, less: float, more: float) -> tuple[float, float]:
