@@ -42,12 +42,12 @@ def bounds_of(case: CheckedProblem) -> Bounds:
 
 def certain(checks: Iterable[Check], bounds: Bounds) -> tuple[Check, ...]:
     """Leave out the checks that a favourable bound keeps."""
-    return tuple(check for check in checks if not _says_nothing(check, bounds))
+    return tuple(check for check in checks if not _says_nothing(check, bounds)) if bounds else tuple(checks)
 
 
 def undecided(checks: Iterable[Check], bounds: Bounds) -> tuple[Notice, ...]:
     """Give the reasons of those left out by `certain`."""
-    return tuple(bounds[check.code] for check in checks if _says_nothing(check, bounds))
+    return tuple(bounds[check.code] for check in checks if _says_nothing(check, bounds)) if bounds else ()
 
 
 def _says_nothing(check: Check, bounds: Bounds) -> bool:

@@ -154,12 +154,13 @@ def heat_surplus(film: FilmAtTemperature, case: CheckedProblem) -> float:
 
 def coolest_temperature(case: CheckedProblem) -> float:
     """Temperature in K below which the film cannot find its equilibrium: the coolest of inlet and ambient."""
-    sinks = []
-    if case.oil_supply is not None:
-        sinks.append(case.oil_supply.temperature)
-    if case.cooling is not None:
-        sinks.append(case.cooling.ambient_temperature)
-    return min(sinks)
+    supply, cooling = case.oil_supply, case.cooling
+    if cooling is None:
+        assert supply is not None, "a case without a sink of heat has its temperature prescribed"
+        return supply.temperature
+    if supply is None:
+        return cooling.ambient_temperature
+    return min(supply.temperature, cooling.ambient_temperature)
 
 
 def find_equilibrium(

@@ -108,6 +108,10 @@ class AndersonAccelerator:
         self._states, self._residuals = [*self._states, state][kept:], [*self._residuals, residual][kept:]
         if len(self._states) == 1:
             return state, self.damping * residual
+        if len(self._states) == 2:
+            move, gain = state - self._states[0], residual - self._residuals[0]
+            share = self._share(gain, residual, size)
+            return state, self.damping * residual - share * (move + self.damping * gain)
         states, residuals = np.array(self._states), np.array(self._residuals)
         moves, gains = states[1:] - states[:-1], residuals[1:] - residuals[:-1]
         shares = self._shares(gains, residual, size)
@@ -120,7 +124,17 @@ class AndersonAccelerator:
 
     def norm(self, residual: Array) -> float:
         """Weighted size of a residual."""
-        return float(np.linalg.norm(residual * self._weights))
+        weighted = residual * self._weights
+        return math.sqrt(float(weighted @ weighted))
+
+    def _share(self, gain: Array, residual: Array, size: float) -> float:
+        """gamma of one difference: a quotient; the general way takes longer than many a map."""
+        weighted = gain * np.square(self._weights)
+        normal = float(weighted @ gain)
+        if not math.sqrt(normal) > SAME * size:
+            return 0.0
+        most = self.options.largest_share
+        return min(max(float(weighted @ residual) / normal, -most), most)
 
     def _shares(self, gains: Array, residual: Array, size: float) -> Array:
         """gamma, of least norm where differences tell the same."""
@@ -128,9 +142,6 @@ class AndersonAccelerator:
         weighted = gains * np.square(self._weights)
         normal, right = np.einsum("ik,jk->ij", weighted, gains), np.einsum("ik,k->i", weighted, residual)
         lengths = np.sqrt(normal.diagonal())
-        if lengths.size == 1:  # a quotient: the general way takes longer than many a map
-            shares = right / normal[0] if lengths[0] > SAME * size else np.zeros(1)
-            return np.asarray(np.clip(shares, -self.options.largest_share, self.options.largest_share))
         scale = np.divide(1.0, lengths, out=np.zeros_like(lengths), where=lengths > SAME * size)
         cosines = normal * np.outer(scale, scale)
         shares = scale * np.linalg.lstsq(cosines, scale * right, rcond=SAME**2)[0]

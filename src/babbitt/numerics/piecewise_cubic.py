@@ -40,7 +40,7 @@ class PiecewiseCubic:
 
     def at(self, place: float) -> float:
         """Value at one place; the end cubics go on outside the nodes."""
-        index = min(max(bisect_right(self._starts, place) - 1, 0), len(self._cubics) - 1)
+        index = bisect_right(self._starts, place, 1, len(self._cubics)) - 1
         c0, c1, c2, c3 = self._cubics[index]
         distance = place - self._starts[index]
         return c0 + distance * (c1 + distance * (c2 + distance * c3))
@@ -67,7 +67,7 @@ class PiecewiseCubic:
         The interval is found among the values at the nodes, the place in it by Newton's method kept inside
         its bracket, so that ``at(place_of(level))`` is `level` to round-off.
         """
-        index = min(max(bisect_right(self._levels, level) - 1, 0), len(self._cubics) - 1)
+        index = bisect_right(self._levels, level, 1, len(self._cubics)) - 1
         c0, c1, c2, c3 = self._cubics[index]
         low, high = 0.0, self._starts[index + 1] - self._starts[index]
         distance = high * (level - c0) / (self._levels[index + 1] - c0)

@@ -10,12 +10,13 @@ feels: a bearing turned with its load is the same film, digit by digit. Fields o
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.reynolds.model import Field, FilmStart, JournalFilm, Land
+from babbitt.reynolds.model import Field, FilmStart, JournalFilm, Land, Pocket, Step
 from babbitt.reynolds.solution import FilmSolution
 
 __all__ = ["LoadFrame"]
@@ -24,11 +25,15 @@ Array = NDArray[np.float64]
 Vector = tuple[float, float]
 TURN = 2.0 * math.pi
 
+Turned = TypeVar("Turned", JournalFilm, Land, Pocket, Step, FilmSolution)
+
 ANGLE_DIGITS = 12
 """Decimals of an angle in rad, and of fields in their units."""
 
 DIGITS = 13
 """Significant digits of every other number."""
+
+FORM = f"%.{DIGITS - 1}e"
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,7 +63,7 @@ class LoadFrame:
             return cls(film, film, load, 0.0)
         angle = math.remainder(-0.5 * math.pi * down - math.atan2(load[1], load[0]), TURN)
         first, field_start = first_row(film, angle, down)
-        turned = replace(
+        turned = _with(
             film,
             diameter=rounded(film.diameter),
             width=rounded(film.width),
@@ -67,13 +72,13 @@ class LoadFrame:
             angular_speed=rounded(film.angular_speed),
             lands=tuple(turned_land(land, angle, down) for land in film.lands),
             pockets=tuple(
-                replace(
+                _with(
                     one, centre_angle=turned_angle(one.centre_angle, angle, down), pressure=rounded(one.pressure)
                 )
                 for one in film.pockets
             ),
             steps=tuple(
-                replace(one, centre_angle=turned_angle(one.centre_angle, angle, down)) for one in film.steps
+                _with(one, centre_angle=turned_angle(one.centre_angle, angle, down)) for one in film.steps
             ),
             misalignment=turned_vector(film.misalignment, angle, down),
             viscosity_field=rounded_field(film.viscosity_field, 1.0, first),
@@ -89,7 +94,7 @@ class LoadFrame:
         c, s = math.cos(self.angle), math.sin(self.angle)
         turn = np.array([[c, s], [-s, c]])  # by -angle
         order = self.supplies(found.supply_flow.size)
-        return replace(
+        return _with(
             found,
             film=self.given,
             position=turn @ found.position,
@@ -118,9 +123,16 @@ class LoadFrame:
         return x * self.film.clearance, y * self.film.clearance
 
 
+def _with(given: Turned, **changes: Any) -> Turned:
+    """A copy of what holds its limits already, with the fields that a turn changes."""
+    made = object.__new__(type(given))
+    made.__dict__.update({name: given.__dict__[name] for name in type(given).__dataclass_fields__} | changes)
+    return made
+
+
 def rounded(value: float) -> float:
     """A number to ``DIGITS`` significant digits."""
-    return float(f"{value:.{DIGITS - 1}e}")
+    return float(FORM % value) if value else value
 
 
 def rounded_field(field: Field, unit: float, first: int) -> Field:
@@ -169,7 +181,7 @@ def turned_land(land: Land, angle: float, sense: float) -> Land:
     spanned = TURN if math.isclose(extent, TURN, rel_tol=1e-9) else round(extent, ANGLE_DIGITS)
     first = turned_angle(land.start_angle if sense > 0.0 else land.end_angle, angle, sense)
     start, end = sorted((first, first + sense * spanned))
-    return replace(
+    return _with(
         land,
         start_angle=start,
         end_angle=end,

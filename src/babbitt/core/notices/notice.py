@@ -40,7 +40,7 @@ class Notice:
                 f"no words.en.toml has the code {self.code}; those of another package are known once its kind is "
                 "registered, which babbitt.core.kind.kinds() does for all that are installed"
             )
-        wanted = {name for name, _ in PLACEHOLDER.findall(words().message(self.code, self.variant))}
+        wanted = words().placeholders(self.code, self.variant)
         if wanted != self.values.keys():
             raise KeyError(f"values of notice {self.code} {self.variant}: {sorted(wanted ^ self.values.keys())}")
 

@@ -57,6 +57,16 @@ class Words:
             said = said.replace(REMEDY, remedy[0].lower() + remedy[1:])
         return said
 
+    def placeholders(self, code: str, variant: str) -> frozenset[str]:
+        """Names of the values that a sentence shows."""
+        return _names_in(self.message(code, variant))
+
+
+@cache
+def _names_in(said: str) -> frozenset[str]:
+    """Names of the placeholders of a sentence."""
+    return frozenset(name for name, _ in PLACEHOLDER.findall(said))
+
 
 @cache
 def words(language: str = ENGLISH) -> Words:

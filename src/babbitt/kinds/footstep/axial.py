@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from typing import Literal, Protocol
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from babbitt.kinds.footstep.face import Face, number, quadrature
 from babbitt.kinds.footstep.model import Footstep
 
-__all__ = ["axial_damping", "centrifugal_pressure", "load_slope"]
+__all__ = ["axial_damping", "centrifugal_pressure", "load_slopes"]
 
 Array = NDArray[np.float64]
 STEP = 1e-4
@@ -34,45 +34,37 @@ class FootstepModel(Protocol):
     def of(self, footstep: Footstep) -> FootstepModel:
         """The same model of another footstep."""
 
-    def residual(self, unknown: Array) -> Array:
-        """Defect of the balance."""
-
-    def load_at(self, unknown: float) -> float:
-        """Axial load, N."""
+    def load_and_residual(self, unknown: float) -> tuple[float, float]:
+        """Axial load, N, and defect of the balance."""
 
 
-def _changed(footstep: Footstep, length: Literal["face_gap", "clearance"], factor: float) -> Footstep:
-    if length == "face_gap":
-        return replace(footstep, face_gap=factor * footstep.face_gap)
-    return replace(footstep, clearance=factor * footstep.clearance)
-
-
-def load_slope(model: FootstepModel, unknown: float, length: Literal["face_gap", "clearance"]) -> float:
-    """dT/d(length) in N/m along the balance R(x, h) = 0: T_h - T_x R_h/R_x.
+def load_slopes(model: FootstepModel, unknown: float) -> tuple[float, float]:
+    """dT/dx in N/m by the face gap and by the clearance x along the balance R(q, x) = 0: T_x - T_q R_x/R_q.
 
     Parameters
     ----------
     model : FootstepModel
         Made of a footstep; its balance is zero at `unknown`.
     unknown : float
-        Groove flow, pressure of the rim or flow of the clearance, as the model has it.
-    length : {"face_gap", "clearance"}
-        The field of the footstep that changes.
+        q: groove flow, pressure of the rim or flow of the clearance, as the model has it.
     """
-    size = model.footstep.face_gap if length == "face_gap" else model.footstep.clearance
-    thinner, thicker = (model.of(_changed(model.footstep, length, 1.0 + sign * STEP)) for sign in (-1.0, 1.0))
-    step = STEP * max(abs(unknown), 1e-11)  # a flow may happen to be zero
-    less, more = unknown - step, unknown + step
-    span_h, span_x = 2.0 * STEP * size, more - less
+    step = model.footstep
+    own = STEP * max(abs(unknown), 1e-11)  # a flow may happen to be zero
+    load_own, balance_own = _difference(model, model, unknown - own, unknown + own)
 
-    def residual(of: FootstepModel, at: float) -> float:
-        return float(of.residual(number(at)))
+    def along(thinner: Footstep, thicker: Footstep, span: float) -> float:
+        load, balance = _difference(model.of(thinner), model.of(thicker), unknown, unknown)
+        return (load - load_own * balance / balance_own) / span
 
-    load_length = (thicker.load_at(unknown) - thinner.load_at(unknown)) / span_h
-    load_unknown = (model.load_at(more) - model.load_at(less)) / span_x
-    balance_length = (residual(thicker, unknown) - residual(thinner, unknown)) / span_h
-    balance_unknown = (residual(model, more) - residual(model, less)) / span_x
-    return load_length - load_unknown * balance_length / balance_unknown
+    closed, opened = (replace(step, face_gap=one * step.face_gap) for one in (1.0 - STEP, 1.0 + STEP))
+    tight, wide = (replace(step, clearance=one * step.clearance) for one in (1.0 - STEP, 1.0 + STEP))
+    return along(closed, opened, 2.0 * STEP * step.face_gap), along(tight, wide, 2.0 * STEP * step.clearance)
+
+
+def _difference(before: FootstepModel, behind: FootstepModel, less: float, more: float) -> tuple[float, float]:
+    """What a load, N, and a balance grow by from one model and unknown to others."""
+    (load, balance), (load_behind, balance_behind) = before.load_and_residual(less), behind.load_and_residual(more)
+    return load_behind - load, balance_behind - balance
 
 
 def axial_damping(footstep: Footstep, viscosity: float, outflow_slope: float) -> float:

@@ -59,13 +59,17 @@ class DrainedFootstep:
 
     def residual(self, rim_pressure: Array) -> Array:
         """Pressure at which the groove takes what is left over at the rim, less that of the rim, Pa."""
-        channel, at = self.heel.channel, self.balance(rim_pressure)
+        return self._defect(self.balance(rim_pressure))
+
+    def _defect(self, at: Balance) -> Array:
+        """`residual` of a balance."""
+        channel = self.heel.channel
         q = at.groove_flow / channel.width
         n = 6.0 * (channel.speed * channel.depth - 2.0 * q)
         m3, m4 = self._heating(at.groove_flow)
         rise = at.groove_temperature - at.rim_temperature
         held = self.footstep.ambient_pressure + n * m4 / (channel.depth**3 * m3) * rise
-        return np.asarray(held - rim_pressure)
+        return np.asarray(held - at.rim_pressure)
 
     def of(self, footstep: Footstep) -> DrainedFootstep:
         """The same model of another footstep."""
@@ -75,9 +79,10 @@ class DrainedFootstep:
         """Axial load in N."""
         return self.heel.load(at)
 
-    def load_at(self, unknown: float) -> float:
-        """Axial load in N at a pressure of the rim."""
-        return self.load(self.balance(number(unknown)))
+    def load_and_residual(self, unknown: float) -> tuple[float, float]:
+        """Axial load in N, and residual in Pa, at a pressure of the rim."""
+        at = self.balance(number(unknown))
+        return self.load(at), float(self._defect(at))
 
     def friction_power(self, at: Balance) -> float:
         """Friction power in W (P1, P3, P4)."""

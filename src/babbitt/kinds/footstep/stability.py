@@ -39,6 +39,8 @@ STEP = 1e-6
 """Relative step of central differences."""
 HIGHEST = 2000.0
 """Largest frequency of the count of oscillations, over the rate at which the oil of the groove is exchanged."""
+BALANCED_AND_FROZEN = np.array([0j, np.inf + 0j])
+"""Rates of growth, 1/s, at which temperatures are in balance and at which they do not follow."""
 SERIES_BELOW = 1e-4
 """Where (1 - e^{-x})/x is taken from its series: the next term is below 1e-13."""
 
@@ -190,14 +192,33 @@ class RimDisturbance:
 
     def balance(self, growth: Complex) -> Complex:
         """F, d(outflow - inflow of the rim)/dQ_k, dimensionless, at rates of growth in 1/s."""
+        return self._balanced(growth, *self.slopes(growth))
+
+    def _balanced(self, growth: Complex, pressure: Complex, outlet: Complex) -> Complex:
+        """`balance` with the slopes of the groove."""
         by_pressure, by_groove, mixing, mixing_by_pressure, mixing_by_groove = self._terms
-        pressure, outlet = self.slopes(growth)
         hotter = self._warming(outlet)
         moving = np.isfinite(growth)
         lag = _clearance_volume(self.footstep) / self._into * np.where(moving, growth, 0.0)
         mixture = mixing + mixing_by_pressure * pressure + mixing_by_groove * hotter
         held = np.where(moving, mixture / (1.0 + lag), 0.0)
         return np.asarray(by_pressure * pressure + by_groove * hotter - 1.0 + held)
+
+    @cached_property
+    def _bounds(self) -> tuple[Complex, Complex]:
+        """`slopes` with temperatures in balance and with temperatures frozen."""
+        return self.slopes(BALANCED_AND_FROZEN)
+
+    @cached_property
+    def settled_and_frozen(self) -> tuple[float, float]:
+        """F with temperatures in balance and with temperatures frozen."""
+        settled, frozen = self._balanced(BALANCED_AND_FROZEN, *self._bounds).real.tolist()
+        return settled, frozen
+
+    @property
+    def conductance(self) -> float:
+        """-dQ_k/dp1 of the groove at the temperatures of the state, m³/(s Pa)."""
+        return -1.0 / float(self._bounds[0][1].real)
 
     @property
     def _into(self) -> float:
@@ -207,7 +228,7 @@ class RimDisturbance:
     def largest_part_of_heat(self) -> float:
         """Bound of what heat adds to F at any frequency: its parts are largest at rest."""
         by_pressure, by_groove, mixing, mixing_by_pressure, mixing_by_groove = self._terms
-        pressure, outlet = self.slopes(np.array([0j, np.inf + 0j]))
+        pressure, outlet = self._bounds
         hotter = abs(self._warming(outlet)[0])
         frozen, heat = abs(pressure[1]), abs(pressure[0] - pressure[1])
         clearance = abs(mixing) + abs(mixing_by_pressure) * (frozen + heat) + abs(mixing_by_groove) * hotter
@@ -219,7 +240,7 @@ class RimDisturbance:
         What heat adds to F falls as 1/frequency from its value at rest, so that the count ends where it has
         become small against F with frozen temperatures.
         """
-        settled, frozen = (float(v.real) for v in self.balance(np.array([0j, np.inf + 0j])))
+        settled, frozen = self.settled_and_frozen
         highest = min(max(20.0, 4.0 * abs(settled / frozen - 1.0)), HIGHEST)
         x = np.concatenate(([0.0], np.geomspace(1e-3, 0.2, 40), np.arange(0.3, highest, 0.2)))
         value = np.append(self.balance(1j * self.exchange_rate * x), frozen)
@@ -243,10 +264,9 @@ class RimDisturbance:
         return bracketed_root(real, 0.0, high, 1e-12 * high)
 
 
-def stability_of_grooved(model: GroovedFootstep, at: Balance) -> Stability:
+def stability_of_grooved(disturbance: RimDisturbance) -> Stability:
     """Stability of a grooved heel by superposition."""
-    disturbance = RimDisturbance(model, at)
-    settled, frozen = (float(v.real) for v in disturbance.balance(np.array([0j, np.inf + 0j])))
+    settled, frozen = disturbance.settled_and_frozen
     gain = 1.0 - settled / frozen
     damped = disturbance.largest_part_of_heat() < abs(frozen)  # whatever its phase
     return Stability(gain < 1.0 and (damped or disturbance.growing() == 0), gain)

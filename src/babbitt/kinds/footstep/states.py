@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.core.notices import InputError
-from babbitt.kinds.footstep.axial import axial_damping, load_slope
+from babbitt.kinds.footstep.axial import axial_damping, load_slopes
 from babbitt.kinds.footstep.draining import DrainedFootstep, cold_groove_drains
 from babbitt.kinds.footstep.eccentric import side_force_of_leakage
 from babbitt.kinds.footstep.face import number
@@ -194,24 +194,19 @@ def _of_balance(model: GroovedFootstep | SmoothFootstep, root: float, name: Stat
     residual = abs(float(at.residual) / float(at.leakage))
     if isinstance(model, SmoothFootstep):
         return _superposed(model, root, at, name, stability_of_smooth(model, at), 0.0, residual)
-    stability = stability_of_grooved(model, at)
+    disturbance = RimDisturbance(model, at)
+    stability = stability_of_grooved(disturbance)
     if name is StateName.FOLD:
         stability = replace(stability, stable=False)
-    return _superposed(model, root, at, name, stability, _groove_conductance(model, at), residual)
+    return _superposed(model, root, at, name, stability, disturbance.conductance, residual)
 
 
 def _of_draining(model: DrainedFootstep, root: float) -> SteadyState:
     """Everything of a state whose groove drains the rim; the unknown is the pressure of the rim."""
     at = model.balance(number(root))
-    stability, conductance = stability_of_grooved(model.heel, at), _groove_conductance(model.heel, at)
-    residual = abs(float(model.residual(number(root)))) / root
-    return _superposed(model, root, at, StateName.DRAINING, stability, conductance, residual)
-
-
-def _groove_conductance(model: GroovedFootstep, at: Balance) -> float:
-    """-dQ_k/dp1 of the groove at the temperatures of the state, m³/(s Pa)."""
-    slope, _ = RimDisturbance(model, at).slopes(np.array([np.inf + 0j]))
-    return -1.0 / float(slope[0].real)
+    disturbance = RimDisturbance(model.heel, at)
+    stability, residual = stability_of_grooved(disturbance), abs(float(model.residual(number(root)))) / root
+    return _superposed(model, root, at, StateName.DRAINING, stability, disturbance.conductance, residual)
 
 
 def _superposed(
@@ -228,6 +223,7 @@ def _superposed(
     p1, outlet, leakage = float(at.rim_pressure), float(at.face_temperature), float(at.leakage)
     outflow = leakage / (p1 - footstep.ambient_pressure) + groove_conductance
     smooth = isinstance(model, SmoothFootstep)
+    by_face_gap, by_clearance = load_slopes(model, root)
     return SteadyState(
         name=name,
         stable=stability.stable,
@@ -241,9 +237,9 @@ def _superposed(
         groove_temperature=float("nan") if smooth else float(at.groove_temperature),
         load=model.load(at),
         friction_power=model.friction_power(at),
-        axial_stiffness=-load_slope(model, root, "face_gap"),
+        axial_stiffness=-by_face_gap,
         axial_damping=axial_damping(footstep, oil.at(0.5 * (oil.temperature + outlet)), outflow),
-        load_over_clearance=load_slope(model, root, "clearance"),
+        load_over_clearance=by_clearance,
         side_force=side_force_of_leakage(footstep, p1),
         residual=residual,
     )
@@ -287,6 +283,7 @@ def _thermal_state_of(model: ThermalFilms, root: float) -> SteadyState:
     stability = stability_of_films(model, root)
     outflow = model.annulus.conductance / float(model.viscosity(at.annulus_temperature))
     pressure = float(at.annulus_pressure)
+    by_face_gap, by_clearance = load_slopes(model, root)
     return SteadyState(
         name=StateName.ONLY,
         stable=stability.stable,
@@ -300,9 +297,9 @@ def _thermal_state_of(model: ThermalFilms, root: float) -> SteadyState:
         groove_temperature=float("nan"),
         load=model.load(at),
         friction_power=model.friction_power(at),
-        axial_stiffness=-load_slope(model, root, "face_gap"),
+        axial_stiffness=-by_face_gap,
         axial_damping=axial_damping(footstep, float(model.viscosity(at.face_temperature)), outflow),
-        load_over_clearance=load_slope(model, root, "clearance"),
+        load_over_clearance=by_clearance,
         side_force=side_force_of_leakage(footstep, pressure) if footstep.groove is None else float("nan"),
         residual=abs(float(at.residual)) / pressure,
     )

@@ -142,6 +142,11 @@ class GroovedFootstep:
         """Axial load in N at a value of the unknown."""
         return self.load(self.balance(number(unknown)))
 
+    def load_and_residual(self, unknown: float) -> tuple[float, float]:
+        """Axial load in N and R in m³/s at a value of the unknown."""
+        at = self.balance(number(unknown))
+        return self.load(at), float(at.residual)
+
     def friction_power(self, at: Balance) -> float:
         """Friction power in W (P1, P3, P4)."""
         step, oil = self.footstep, self.footstep.oil
@@ -203,9 +208,10 @@ class SmoothFootstep:
         """The same model of another footstep."""
         return SmoothFootstep(footstep)
 
-    def load_at(self, unknown: float) -> float:
-        """Axial load in N at a value of the unknown."""
-        return self.load(self.balance(number(unknown)))
+    def load_and_residual(self, unknown: float) -> tuple[float, float]:
+        """Axial load in N and R in m³/s at a value of the unknown."""
+        at = self.balance(number(unknown))
+        return self.load(at), float(at.residual)
 
     def friction_power(self, at: Balance) -> float:
         """Friction power in W (P2, P3, P4)."""

@@ -130,9 +130,10 @@ class ThermalFilms:
         """The same model of another footstep."""
         return ThermalFilms(footstep)
 
-    def load_at(self, unknown: float) -> float:
-        """Axial load in N at a flow towards the rim in m³/s."""
-        return self.load(self.state(number(unknown)))
+    def load_and_residual(self, unknown: float) -> tuple[float, float]:
+        """Axial load in N, and residual in Pa, at a flow towards the rim in m³/s."""
+        at = self.state(number(unknown))
+        return self.load(at), float(at.residual)
 
     def friction_power(self, at: ThermalFilmPair) -> float:
         """Power that turns the heel, W."""

@@ -267,6 +267,8 @@ def assemble(
 
 def _without_slight_excess(void: Array) -> Array:
     """Void within 0 to 1 where it lies outside by `SLIGHT` or less; a gross fault stays to be seen."""
+    if void.min() >= 0.0 and void.max() <= 1.0:
+        return void
     bounded = np.clip(void, 0.0, 1.0)
     return np.where(np.abs(void - bounded) <= SLIGHT, bounded, void)
 

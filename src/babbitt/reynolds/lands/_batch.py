@@ -38,6 +38,8 @@ def find_equilibria(
     """
     profiles = np.zeros((lands.shape[1], 0))
     result = np.zeros(RESULT_SIZE)
+    film, pressure = new_film(0), np.zeros((0, 0, 0))
+    void = pressure
     for b in range(first, last):
         bearing = Bearing(lands[b], profiles, kappa[b], 1.0, side_pressure[b], conserving, True, 1.0)
         x, y, status, steps, gap, grid = find_equilibrium(
@@ -47,9 +49,10 @@ def find_equilibria(
         found[b, HEAD:] = result
         if status == CONVERGED:
             n = grid.step.shape[1]
-            pressure = np.zeros((lands.shape[1], n + 1, len(axial.size) + 1))
-            void = np.zeros_like(pressure)
-            integrate(axial, bearing, grid, new_film(n), x, y, 0.0, 0.0, pressure, void, totals[b])
+            if pressure.size == 0:
+                film, pressure = new_film(n), np.zeros((lands.shape[1], n + 1, len(axial.size) + 1))
+                void = np.zeros_like(pressure)
+            integrate(axial, bearing, grid, film, x, y, 0.0, 0.0, pressure, void, totals[b])
             found[b, 5] = pressure.max()
 
 

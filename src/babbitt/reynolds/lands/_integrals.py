@@ -62,10 +62,14 @@ def integrate_land(axial, bearing, grid, k, film, x, y, law, pressure, void, tot
 
 @inner
 def inner_column(axial, bearing, grid, k, j, film, shear, pressure, void, totals):
-    """Flux and friction along the column of an inner node; the void behind a Reynolds rupture by continuity."""
+    """Flux and friction along the column of an inner node; the void behind a Reynolds rupture by continuity.
+
+    Friction: a Couette part with the liquid fraction, that of streamers apart from both torques, too, and
+    +- (h/2) dp/dtheta, which the column of the edge does not have.
+    """
     n = film.conductance.size
     weight = axial.root_weights[j] ** 2
-    flux = 0.0
+    flux, sheared, sloped, streamers = 0.0, 0.0, 0.0, 0.0
     for i in range(n):
         here, behind = i == 0 or grid.wet[k, i, j], i + 1 == n or grid.wet[k, i + 1, j]
         if not here and not bearing.conserving:  # streamers carry on what left the film
@@ -77,9 +81,18 @@ def inner_column(axial, bearing, grid, k, j, film, shear, pressure, void, totals
             flux += film.conductance[i] * (pressure[k, i, j] - pressure[k, i + 1, j])
         if i == 0:
             totals[k, INFLOW] += weight * flux
-        add_friction(bearing, k, i, shear, weight, flux, here, pressure[k, i, j], pressure[k, i + 1, j],
-                     void[k, i, j], totals)  # fmt: skip
+        couette = bearing.speed * shear[i, SHEARED] * (1.0 - void[k, i, j])
+        sheared += couette
+        if void[k, i, j] > 0.0:
+            streamers += couette
+        if here and (pressure[k, i, j] > 0.0 or pressure[k, i + 1, j] > 0.0):
+            sloped += full_slope(bearing.speed, shear[i, J_1], shear[i, J_2], flux)
+        else:
+            sloped += 0.5 * shear[i, MEAN_GAP] * (pressure[k, i + 1, j] - pressure[k, i, j])
     totals[k, OUTFLOW] += weight * flux
+    totals[k, STREAMER_TORQUE] += weight * streamers
+    totals[k, JOURNAL_TORQUE] += weight * (sheared + sloped)
+    totals[k, BEARING_TORQUE] += weight * (sheared - sloped)
 
 
 @inner
@@ -96,6 +109,7 @@ def edge_column(axial, bearing, grid, k, film, shear, pressure, void, totals):
     if bearing.conserving and not grid.wet[k, 1, m - 1]:
         flux = film.inlet[0]
     totals[k, INFLOW] += weight * flux
+    leaves, enters, sheared, streamers = 0.0, 0.0, 0.0, 0.0
     for i in range(n):
         if i > 0:
             if not bearing.conserving and grid.wet[k, i, m - 1] and not grid.wet[k, i - 1, m - 1]:
@@ -108,28 +122,24 @@ def edge_column(axial, bearing, grid, k, film, shear, pressure, void, totals):
                 liquid = min(max(arriving, 0.0) / room, 1.0)
             void[k, i, m] = 1.0 - liquid
             flux = liquid * film.couette[i]
-            totals[k, SIDE_FLOW] += arriving - liquid * room
-            totals[k, SIDE_INFLOW] += max(liquid * room - arriving, 0.0)
-        add_friction(bearing, k, i, shear, weight, flux, i == 0, 0.0, 0.0, void[k, i, m], totals)
+            leaves += arriving - liquid * room
+            enters += max(liquid * room - arriving, 0.0)
+        couette = bearing.speed * shear[i, SHEARED] * (1.0 - void[k, i, m])
+        sheared += couette
+        if void[k, i, m] > 0.0:
+            streamers += couette
+    totals[k, SIDE_FLOW] += leaves
+    totals[k, SIDE_INFLOW] += enters
     totals[k, OUTFLOW] += weight * flux
+    totals[k, STREAMER_TORQUE] += weight * streamers
+    totals[k, JOURNAL_TORQUE] += weight * sheared
+    totals[k, BEARING_TORQUE] += weight * sheared
 
 
-@inner
-def add_friction(bearing, k, i, shear, weight, flux, full, p_here, p_behind, void, totals):
-    """Shear of one interval of one column: Couette part with the liquid fraction, and +- (h/2) dp/dtheta; the part
-    of streamers apart from both torques, too.
-
-    In a full interval dp/dtheta = 12 (h/2 - q)/h^3 integrates exactly to 3 J_1 - 6 q J_2.
-    """
-    couette = bearing.speed * shear[i, SHEARED] * (1.0 - void)
-    if full and (p_here > 0.0 or p_behind > 0.0):
-        slope = 3.0 * bearing.speed * shear[i, J_1] - 6.0 * flux * shear[i, J_2]
-    else:
-        slope = 0.5 * shear[i, MEAN_GAP] * (p_behind - p_here)
-    if void > 0.0:
-        totals[k, STREAMER_TORQUE] += weight * couette
-    totals[k, JOURNAL_TORQUE] += weight * (couette + slope)
-    totals[k, BEARING_TORQUE] += weight * (couette - slope)
+@inlined
+def full_slope(speed, j_1, j_2, flux):
+    """(h/2) dp/dtheta over a full interval: dp/dtheta = 12 (h/2 - q)/h^3 integrates exactly to 3 J_1 - 6 q J_2."""
+    return 3.0 * speed * j_1 - 6.0 * flux * j_2
 
 
 @inlined

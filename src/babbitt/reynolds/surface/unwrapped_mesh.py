@@ -75,10 +75,8 @@ def build_ring(
     UnwrappedMesh
     """
     mesh = axial_mesh(film, degree, halved=film.is_symmetric and motions == 2)
-    grooves = [gap for gap in groove_arcs(film) if film.film_start is not FilmStart.PERIODIC]
-    order = film.land_order
-    start = film.lands[order[1 % len(order)]].start_angle  # behind the first groove, or the seam of a closed ring
-    theta = ring_lines(film, start, per_turn, density)
+    grooves = _open_grooves(film)
+    theta = _lines(film, per_turn, density)
     ends = tuple(lines_of_groove(arc, theta) for arc in grooves)
     inside = np.zeros(theta.size - 1, dtype=bool)
     for first, last in ends:
@@ -108,6 +106,24 @@ def build_ring(
         conserving=film.cavitation is Cavitation.MASS_CONSERVING,
     )  # fmt: skip
     return UnwrappedMesh(surface, theta, mesh, held.supply, ends)
+
+
+def ring_shape(film: JournalFilm, per_turn: int, degree: int) -> tuple[int, int]:
+    """Lines and nodes of a line of `build_ring` on uniform lines, for the motions x and y."""
+    lines = _lines(film, per_turn, None).size
+    nodes = axial_mesh(film, degree, halved=film.is_symmetric).nodes.size
+    return (lines if _open_grooves(film) else lines - 1), nodes
+
+
+def _open_grooves(film: JournalFilm) -> list[GrooveArc]:
+    """Arcs that part the film; none of a closed ring."""
+    return [gap for gap in groove_arcs(film) if film.film_start is not FilmStart.PERIODIC]
+
+
+def _lines(film: JournalFilm, per_turn: int, density: Density | None) -> Array:
+    """Angles of the lines of `build_ring`, rad, from behind the first groove or the seam of a closed ring."""
+    order = film.land_order
+    return ring_lines(film, film.lands[order[1 % len(order)]].start_angle, per_turn, density)
 
 
 @dataclass(frozen=True, eq=False)

@@ -11,8 +11,10 @@ The constant C follows from the pressures at both ends, or from free rupture (pr
 
 from __future__ import annotations
 
+import itertools
 import math
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -36,17 +38,37 @@ class Grid:
     @classmethod
     def of(cls, film: SegmentFilm) -> Grid:
         """Equal intervals over a turn, from the start of the film on, and the exact edges."""
-        angles = np.linspace(0.0, 2.0 * math.pi, film.cells + 1)
-        exact = [film.start, *(film.groove_edges() if film.groove is not None else ())]
-        angles = np.unique(np.concatenate((angles[angles > film.start], exact)))
-        steps = np.diff(angles)
+        edges = film.groove_edges() if film.groove is not None else ()
+        exact = np.array([film.start, *edges])
+        nodes = _with_exact(_even_nodes(film.cells), np.stack((exact, np.cos(exact), np.sin(exact))))
+        steps = nodes[0, 1:] - nodes[0, :-1]
+        if not steps.all():  # an edge upon a node, or a groove without width
+            nodes = nodes[:, np.concatenate(([True], steps > 0.0))]
+            steps = nodes[0, 1:] - nodes[0, :-1]
+        angles, cosine, sine = nodes
         weights = np.zeros(angles.size)
         weights[:-1] += 0.5 * steps
         weights[1:] += 0.5 * steps
         before = behind = angles.size - 1
         if film.groove is not None:
-            before, behind = (int(np.searchsorted(angles, edge)) for edge in film.groove_edges())
-        return cls(angles, np.cos(angles), np.sin(angles), weights, before, behind)
+            before, behind = (int(angles.searchsorted(edge)) for edge in edges)
+        return cls(angles, cosine, sine, weights, before, behind)
+
+
+@lru_cache(maxsize=8)
+def _even_nodes(cells: int) -> Array:
+    """Angles over a turn at equal intervals, their cosines and sines, as rows."""
+    angles = np.linspace(0.0, 2.0 * math.pi, cells + 1)
+    return np.stack((angles, np.cos(angles), np.sin(angles)))
+
+
+def _with_exact(even: Array, exact: Array) -> Array:
+    """Columns of exact nodes, in order of their angles, among those of the even ones behind the first of them."""
+    places = even[0].searchsorted(exact[0], "right").tolist()
+    parts = []
+    for at, (first, last) in enumerate(itertools.pairwise((*places, even.shape[1]))):
+        parts += [exact[:, at : at + 1], even[:, first:last]]
+    return np.concatenate(parts, axis=1)
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,7 +84,8 @@ class Gap:
     def of(cls, grid: Grid, thickness: Array) -> Gap:
         """Trapezoidal integrals of 1/H, 1/H² and 1/H³."""
         inverse, half = 1.0 / thickness, 0.5 * np.diff(grid.angles)
-        return cls(thickness, *(_cumulative(half, inverse**power) for power in (1, 2, 3)))
+        squared = inverse * inverse
+        return cls(thickness, *(_cumulative(half, power) for power in (inverse, squared, squared * inverse)))
 
 
 def _cumulative(half_steps: Array, values: Array) -> Array:
@@ -128,8 +151,8 @@ def to_rupture(gap: Gap, grid: Grid, first: int, last: int, at_start: float) -> 
         integral[first : last + 1] - integral[first] for integral in (gap.once, gap.twice, gap.thrice)
     )
     excess = at_start + 6.0 * (two - thickness * three)
-    rising = np.diff(thickness) > 0.0
-    found = np.flatnonzero((excess[:-1] >= 0.0) & (excess[1:] < 0.0) & rising)
+    carries = excess >= 0.0
+    found = np.flatnonzero(carries[:-1] & (excess[1:] < 0.0) & (thickness[1:] > thickness[:-1]))
     if found.size == 0:
         return None
     at = int(found[-1])

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,7 +15,7 @@ from babbitt.design.heat_balance import NoFilmError
 from babbitt.kinds.journal.grooved_long_bearing.balance import pressure_of, segments_of
 from babbitt.kinds.journal.grooved_long_bearing.model import SegmentFilm
 from babbitt.kinds.journal.grooved_long_bearing.pressure import Gap, Grid
-from babbitt.kinds.journal.grooved_long_bearing.state import SegmentFilmState
+from babbitt.kinds.journal.grooved_long_bearing.state import SegmentFilmState, groove_angle_from_load
 
 Array = NDArray[np.float64]
 
@@ -88,19 +87,18 @@ def film_at_eccentricity(
         change = np.array([one.mean_temperature for one in segments]) - means
         strain = film.compliance * pressure - displaced
         off, bent = float(np.abs(change).max()), float(np.abs(strain).max())
-        thick = film.clearance * gap.thickness
-        state = SegmentFilmState(
-            film, eccentricity_ratio, grid, thick, pressure, segments, groove_pressure, short, iteration, True,
-            (off, bent),
-        )  # fmt: skip
-        turn = _turn_to_place(asked, state)
+        turn = _turn_to_place(asked, film, grid, pressure)
         done = (
             off < TEMPERATURE_TOLERANCE
             and bent < DISPLACEMENT_TOLERANCE * film.clearance
             and abs(turn) < PLACE_TOLERANCE
         )
         if done or iteration == MOST_ITERATIONS:
-            return replace(state, converged=done)
+            thick = film.clearance * gap.thickness
+            return SegmentFilmState(
+                film, eccentricity_ratio, grid, thick, pressure, segments, groove_pressure, short, iteration, done,
+                (off, bent),
+            )  # fmt: skip
         means = means + RELAXATION * change
         if film.compliance:
             fraction = max(LEAST_FRACTION, 0.9 * fraction) if bent > worst else fraction
@@ -113,7 +111,8 @@ def film_at_eccentricity(
             film, before = _shifted(film, RELAXATION * turn), grid
             grid, gap = Grid.of(film), None
             rigid = _rigid(film, grid, eccentricity_ratio)
-            displaced = np.interp(grid.angles, before.angles, displaced)
+            bends = film.compliance > 0.0
+            displaced = np.interp(grid.angles, before.angles, displaced) if bends else np.zeros(grid.angles.size)
     raise AssertionError("unreachable")
 
 
@@ -127,12 +126,12 @@ def _placed(film: SegmentFilm, start: SegmentFilmState | None) -> SegmentFilm:
     return _shifted(film.with_groove_at(math.pi), film.groove.angle)
 
 
-def _turn_to_place(asked: SegmentFilm, state: SegmentFilmState) -> float:
+def _turn_to_place(asked: SegmentFilm, film: SegmentFilm, grid: Grid, pressure: Array) -> float:
     """Angle in rad by which the groove of a film must turn to its place in the bush; 0 where it has none."""
     groove = asked.groove
     if groove is None or not groove.at_place_in_bush:
         return 0.0
-    return math.remainder(groove.angle - state.groove_angle_from_load, 2.0 * math.pi)
+    return math.remainder(groove.angle - groove_angle_from_load(film, grid, pressure), 2.0 * math.pi)
 
 
 def _shifted(film: SegmentFilm, turn: float) -> SegmentFilm:
@@ -167,7 +166,7 @@ def _rising(film: SegmentFilm) -> Iterator[SegmentFilmState]:
                 raise  # the oil has no viscosity as it comes: no question of load
             return
         if not state.converged:
-            if abs(_turn_to_place(film, state)) >= PLACE_TOLERANCE:
+            if abs(_turn_to_place(film, state.film, state.grid, state.film_pressure)) >= PLACE_TOLERANCE:
                 raise NoFilmError(Outcome.NOT_CONVERGED)  # the groove lies across the start of the film
             return
         yield state

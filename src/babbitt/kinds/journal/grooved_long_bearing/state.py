@@ -57,20 +57,17 @@ class SegmentFilmState:
     @property
     def load_along(self) -> float:
         """Load along the eccentricity, N."""
-        return -self._force(self.grid.cosine)
+        return load_of(self.film, self.grid, self.film_pressure)[0]
 
     @property
     def load_across(self) -> float:
         """Load normal to the eccentricity, N."""
-        return self._force(self.grid.sine)
-
-    def _force(self, direction: Array) -> float:
-        return self.film.radius * self.film.width * float(self.grid.weights @ (self.film_pressure * direction))
+        return load_of(self.film, self.grid, self.film_pressure)[1]
 
     @property
     def load(self) -> float:
         """Resultant in N."""
-        return math.hypot(self.load_along, self.load_across)
+        return math.hypot(*load_of(self.film, self.grid, self.film_pressure))
 
     @property
     def specific_load(self) -> float:
@@ -80,15 +77,12 @@ class SegmentFilmState:
     @property
     def attitude_angle(self) -> float:
         """From the load to the narrowest gap, rad."""
-        return math.atan2(self.load_across, self.load_along)
+        return attitude_of(self.film, self.grid, self.film_pressure)
 
     @property
     def groove_angle_from_load(self) -> float:
         """Of the groove from the load line with the rotation, rad, within -pi to pi; NaN without a groove."""
-        groove = self.film.groove
-        if groove is None:
-            return math.nan
-        return math.remainder(groove.angle + self.attitude_angle - math.pi, 2.0 * math.pi)
+        return groove_angle_from_load(self.film, self.grid, self.film_pressure)
 
     @property
     def friction_power(self) -> float:
@@ -147,3 +141,22 @@ class SegmentFilmState:
         """Angle over which the film is thinner than `factor` times its thinnest, rad."""
         thin = self.film_thickness < factor * float(self.film_thickness.min())
         return float(self.grid.weights[thin].sum())
+
+
+def load_of(film: SegmentFilm, grid: Grid, pressure: Array) -> tuple[float, float]:
+    """Load along the eccentricity and normal to it, N, of a pressure in Pa at the nodes."""
+    area, weighted = film.radius * film.width, grid.weights * pressure
+    return -area * float(weighted @ grid.cosine), area * float(weighted @ grid.sine)
+
+
+def attitude_of(film: SegmentFilm, grid: Grid, pressure: Array) -> float:
+    """Angle in rad from the load to the narrowest gap; pressure in Pa at the nodes."""
+    along, across = load_of(film, grid, pressure)
+    return math.atan2(across, along)
+
+
+def groove_angle_from_load(film: SegmentFilm, grid: Grid, pressure: Array) -> float:
+    """Angle in rad from the load line to the groove, within -pi to pi; NaN without one. Pressure in Pa."""
+    if film.groove is None:
+        return math.nan
+    return math.remainder(film.groove.angle + attitude_of(film, grid, pressure) - math.pi, 2.0 * math.pi)

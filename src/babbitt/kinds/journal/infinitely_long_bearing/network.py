@@ -130,7 +130,7 @@ def _answer(film: LongFilm, s: Sectors, found: Array, bush: Array | None, journa
         film=nodes,
         bush=bush,
         journal=journal,
-        to_oil=float(s.capacity_flow @ np.diff(nodes)),
+        to_oil=float(s.capacity_flow @ (nodes[1:] - nodes[:-1])),
         to_housing=outward,
         to_shaft=along,
         film_to_bush=0.0 if bush is None else float(s.to_bush @ (found - bush)),

@@ -75,8 +75,13 @@ class Pressure:
 
     def load(self, step: float) -> tuple[float, float]:
         """Load along the eccentricity and normal to it, ``-∫ P cos θ dθ`` and ``∫ P sin θ dθ``."""
-        _, cosine, sine = circle(self.nodes.size - 1, self.start)
-        return -step * float(self.nodes @ cosine), step * float(self.nodes @ sine)
+        return load_of(self.nodes, step, self.start)
+
+
+def load_of(pressure: Array, step: float, start: float) -> tuple[float, float]:
+    """Load along the eccentricity and normal to it of a pressure at the nodes, without dimension."""
+    _, cosine, sine = circle(pressure.size - 1, start)
+    return -step * float(pressure @ cosine), step * float(pressure @ sine)
 
 
 @lru_cache(maxsize=8)
@@ -98,17 +103,27 @@ def divergence_form(gap: Gap, viscosity: Array) -> Pressure:
     viscosity : ndarray
         At the nodes, Pa s.
     """
-    sector = 0.5 * (viscosity[1:] + viscosity[:-1])
-    weight = sector / gap.sectors**3
-    couette, poiseuille = np.cumsum(gap.sectors * weight), np.cumsum(weight)
+    nodes, weight, last, at_rupture = _until_rupture(gap, viscosity)
+    angle, full = _rupture((gap.sectors - at_rupture) * weight, last, gap.step)
+    return Pressure(nodes, np.full(gap.sectors.size, 0.5 * at_rupture), gap.start + angle, full, gap.start)
+
+
+def load_of_divergence_form(gap: Gap, viscosity: Array) -> tuple[float, float]:
+    """Load of `divergence_form` along the eccentricity and normal to it, without dimension."""
+    return load_of(_until_rupture(gap, viscosity)[0], gap.step, gap.start)
+
+
+def _until_rupture(gap: Gap, viscosity: Array) -> tuple[Array, Array, int, float]:
+    """Pressure at the nodes, μ/H³ of the sectors, that at whose end the film breaks, and H there."""
+    h = gap.sectors
+    weight = 0.5 * (viscosity[1:] + viscosity[:-1]) / (h * h * h)
+    couette, poiseuille = (h * weight).cumsum(), weight.cumsum()
     ends = couette / poiseuille
-    last = int(ends.argmin())  # sector at whose end the film breaks
-    at_rupture = ends[last]
+    last = int(ends.argmin())
+    at_rupture = float(ends[last])
     nodes = np.zeros(gap.nodes.size)
     nodes[1 : last + 1] = 6.0 * gap.step * (couette[:last] - at_rupture * poiseuille[:last])
-    slopes = (gap.sectors - at_rupture) * weight
-    angle, full = _rupture(slopes, last, gap.step)
-    return Pressure(nodes, np.full(gap.sectors.size, 0.5 * at_rupture), gap.start + angle, full, gap.start)
+    return nodes, weight, last, at_rupture
 
 
 def published_form(gap: Gap, viscosity: Array) -> Pressure:
@@ -144,4 +159,9 @@ def _rupture(slopes: Array, last: int, step: float) -> tuple[float, Array]:
     """
     before, behind = float(slopes[last]), float(slopes[last + 1])
     place = last + 0.5 + (before / (before - behind) if before < 0.0 < behind else 0.0)
-    return place * step, np.clip(place - np.arange(slopes.size), 0.0, 1.0)
+    full = np.zeros(slopes.size)
+    whole = min(math.floor(place), slopes.size)
+    full[:whole] = 1.0
+    if whole < slopes.size:
+        full[whole] = place - whole
+    return place * step, full

@@ -15,7 +15,13 @@ from babbitt.design.eccentricity_search import film_that_carries, rising_eccentr
 from babbitt.design.heat_balance import NoFilmError
 from babbitt.kinds.journal.infinitely_long_bearing.model import LongFilm
 from babbitt.kinds.journal.infinitely_long_bearing.network import temperatures
-from babbitt.kinds.journal.infinitely_long_bearing.pressure import Gap, Pressure, divergence_form, published_form
+from babbitt.kinds.journal.infinitely_long_bearing.pressure import (
+    Gap,
+    Pressure,
+    divergence_form,
+    load_of_divergence_form,
+    published_form,
+)
 from babbitt.kinds.journal.infinitely_long_bearing.state import LongFilmState
 from babbitt.kinds.journal.infinitely_long_bearing.walls import sectors_of, viscosity_at
 from babbitt.numerics.anderson import AndersonOptions, fixed_point
@@ -128,7 +134,9 @@ class _Position:
 
     def _level(self, stretch: float, viscosity: Array) -> float:
         gap = self._gap(stretch)
-        return math.log(math.hypot(*_pressure(self.film, gap, viscosity).load(gap.step)))
+        if self.film.discretisation.conserves_flow:
+            return math.log(math.hypot(*load_of_divergence_form(gap, viscosity)))
+        return math.log(math.hypot(*published_form(gap, viscosity).load(gap.step)))
 
 
 def _pressure(film: LongFilm, gap: Gap, viscosity: Array) -> Pressure:
@@ -169,17 +177,18 @@ class _Passes:
         if not sectors.capacity_flow.min() > 0.0:
             raise NoFilmError(Outcome.NOT_CONVERGED)
         found = temperatures(film, sectors)
-        change = float(np.abs(found.film - assumed).max())
+        moved = found.film - assumed
+        change = max(float(moved.max()), -float(moved.min()))
         if not math.isfinite(change):
             raise NoFilmError(Outcome.NOT_CONVERGED)
         self.state = LongFilmState(film, gap, viscosity, pressure, sectors, found, along, across, 0, False, change)
-        return np.asarray(np.clip(found.film - assumed, -LARGEST_CHANGE, LARGEST_CHANGE))
+        return np.asarray(np.clip(moved, -LARGEST_CHANGE, LARGEST_CHANGE)) if change > LARGEST_CHANGE else moved
 
     def settled(self, _: Array, change: Array) -> bool:
         """Whether neither temperatures nor load change any more."""
         load = 0.0 if self.state is None else self.state.load
         still = abs(load - self.load_before) <= LOAD_TOLERANCE * load
-        return still and float(np.abs(change).max()) < TEMPERATURE_TOLERANCE
+        return still and max(float(change.max()), -float(change.min())) < TEMPERATURE_TOLERANCE
 
 
 def _rising(film: LongFilm) -> Iterator[LongFilmState]:

@@ -72,7 +72,7 @@ def sectors_of(film: LongFilm, gap: Gap, pressure: Pressure, viscosity: Array, t
     middle = 0.5 * (temperature[1:] + temperature[:-1])
     eta = 0.5 * (viscosity[1:] + viscosity[:-1])
     h, area = c * gap.sectors, radius * gap.step * film.width
-    rise = np.diff(pressure.nodes) * (u * radius / c**2)
+    rise = (pressure.nodes[1:] - pressure.nodes[:-1]) * (u * radius / c**2)
     flow = flow_of(film, pressure)
     share = _share(film, gap, pressure)
     heat_capacity = _usable(oil.volumetric_heat_capacity, middle)

@@ -8,7 +8,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import partial
 
 from babbitt.core.result import Outcome
 from babbitt.design.conditions import PrescribedEccentricity
@@ -34,11 +33,7 @@ from babbitt.properties.fits import operating_relative_clearance
 
 @dataclass(frozen=True)
 class Film:
-    """State of the film at one effective temperature, SI.
-
-    `feed` is None where no oil is supplied under pressure, `supply_capacity` where nothing tells what the supply
-    can deliver. `feed_at_place` is the feed of elements at the ends of an arc where they stand, else `feed`.
-    """
+    """State of the film at one effective temperature, SI; `feed` is None without a supply under pressure."""
 
     temperature: float
     relative_clearance: float
@@ -53,8 +48,6 @@ class Film:
     side_flow_number: float
     side_flow: float
     feed: Feed | None
-    supply_capacity: float | None
-    feed_at_place: Feed | None
 
     @property
     def supply_flow(self) -> float:
@@ -66,6 +59,30 @@ class Film:
         """Side flow and supply flow together, m³/s."""
         return self.side_flow + self.supply_flow
 
+    def feed_values(self) -> dict[str, float]:
+        """Named results of what feeds it."""
+        if self.feed is None:
+            return {}
+        values = {
+            "supply_flow_number": self.feed.flow_number,
+            "element_pressure": self.feed.element_pressure,
+            "tube_loss": self.feed.tube_loss,
+            "hole_loss": self.feed.hole_loss,
+        }
+        return values if self.feed.limit is None else values | {"supply_limit": self.feed.limit}
+
+
+@dataclass(frozen=True)
+class SuppliedFilm(Film):
+    """A film with all the oil that it wants, and what its supply can deliver.
+
+    `supply_capacity` is None where nothing tells that. `feed_at_place` is the feed of elements at the ends of an
+    arc where they stand, else `feed`.
+    """
+
+    supply_capacity: float | None
+    feed_at_place: Feed | None
+
     @property
     def supply_flow_at_place(self) -> float:
         """Flow in m³/s that the supply pressure drives through the elements where they stand."""
@@ -75,6 +92,15 @@ class Film:
     def stands_closer(self) -> bool:
         """Whether elements closer to the load than the formula has them give less."""
         return self.supply_flow_at_place < self.supply_flow
+
+    def feed_values(self) -> dict[str, float]:
+        """Named results of what feeds it, and of what could."""
+        values = Film.feed_values(self)
+        if self.stands_closer:
+            values["supply_flow_at_place"] = self.supply_flow_at_place
+        if self.supply_capacity is not None:
+            values["supply_capacity"] = self.supply_capacity
+        return values
 
 
 def curves_of(case: DesignCase) -> BearingCurves:
@@ -110,7 +136,7 @@ def film_at(temperature: float, case: DesignCase, shape: BearingCurves) -> Film:
         When the relative clearance is not positive at this temperature, So exceeds the largest tabulated one, or
         a law of the lubricant has no usable value.
     """
-    return _film(temperature, case, shape)
+    return _film(temperature, case, shape, _wanted)
 
 
 def starved_film_at(temperature: float, case: DesignCase, shape: BearingCurves) -> Film:
@@ -119,7 +145,22 @@ def starved_film_at(temperature: float, case: DesignCase, shape: BearingCurves) 
     Its position and its friction are those of the full film: starvation hurts by the heat. Parameters and errors
     as of `film_at`.
     """
-    return _film(temperature, case, shape, limited=True)
+    return _film(temperature, case, shape, _delivered)
+
+
+def supplied_film(case: DesignCase, film: Film) -> SuppliedFilm:
+    """The film with all the oil that it wants, and what its supply can deliver."""
+    at = film.eccentricity_ratio
+    attitude = curves_of(case).attitude_angle(at)
+    sheared = sheared_flow(case, at, attitude, film.relative_clearance, film.side_flow)
+    share = part_of_supply_flow(case, at, attitude)
+
+    def fed_with(flow: float) -> Feed | None:
+        return feed(case, at, film.relative_clearance, film.viscosity, flow, share)
+
+    at_place = film.feed if share == 1.0 else fed_with(film.side_flow)
+    capacity = _capacity(at_place, sheared, fed_with)
+    return SuppliedFilm(**vars(film), supply_capacity=capacity, feed_at_place=at_place)
 
 
 def sheared_flow(
@@ -197,8 +238,12 @@ def returned_gap(
     return larger(entering - side_flow / (half_surface_speed(case) * bearing.width), 0.0)
 
 
-def _film(temperature: float, case: DesignCase, shape: BearingCurves, limited: bool = False) -> Film:
-    """Film at a temperature, with all the oil that it wants or limited to what its supply delivers."""
+Flows = Callable[[DesignCase, BearingCurves, float, float, float, float], tuple[float, Feed | None]]
+"""Side flow in m³/s and feed of a film, by case, characteristics, eccentricity, clearance, viscosity and Q₃."""
+
+
+def _film(temperature: float, case: DesignCase, shape: BearingCurves, flows: Flows) -> Film:
+    """Film at a temperature, with the flows that are given it."""
     bearing, oil = case.bearing, case.lubricant
     psi = operating_relative_clearance(
         bearing.relative_clearance, bearing.expansion_bearing, bearing.expansion_journal, temperature
@@ -217,39 +262,38 @@ def _film(temperature: float, case: DesignCase, shape: BearingCurves, limited: b
         if so > shape.largest_sommerfeld_number:
             raise NoFilmError(Outcome.OVERLOADED, scale * shape.largest_sommerfeld_number)
         eccentricity = shape.eccentricity_ratio(so)
-    attitude = shape.attitude_angle(eccentricity)
-    lever = case.friction_factor * psi * load * bearing.diameter / 2.0
-    shear, pressure = friction_numbers(case.friction, shape, eccentricity, so, attitude)
+    by_number = psi * load * bearing.diameter / 2.0
+    lever = case.friction_factor * by_number
+    shear, pressure = friction_numbers(case.friction, shape, eccentricity, so)
     torque, power = friction_between(case, lever * shear, lever * pressure)
-    flow_scale = bearing.diameter**3 * psi * hydrodynamic_speed(case)
     side_flow_number = shape.side_flow_number(eccentricity)
-    side_flow = bearing.parts * side_flow_number * flow_scale
-    sheared = sheared_flow(case, eccentricity, attitude, psi, side_flow)
-    if limited and sheared is not None:
-        side_flow = smaller(side_flow, sheared)
-    fed_with = partial(feed, case, eccentricity, psi, viscosity)
-    share = part_of_supply_flow(case, eccentricity, attitude)
-    at_place = fed_with(side_flow, share)
-    fed = at_place if limited or share == 1.0 else fed_with(side_flow)
-    if limited and fed is not None and fed.limit is not None:
-        side_flow = fed.limit  # tubes and holes pass no more; nothing is left to press oil through the element
+    wanted = bearing.parts * side_flow_number * bearing.diameter**3 * psi * hydrodynamic_speed(case)
+    side_flow, fed = flows(case, shape, eccentricity, psi, viscosity, wanted)
     return Film(
-        temperature=temperature,
-        relative_clearance=psi,
-        density=density,
-        viscosity=viscosity,
-        volumetric_heat_capacity=heat_capacity,
-        load=load,
-        sommerfeld_number=so,
-        eccentricity_ratio=eccentricity,
-        friction_number=torque / (psi * load * bearing.diameter / 2.0),
-        friction_power=power,
-        side_flow_number=side_flow_number,
-        side_flow=side_flow,
-        feed=fed,
-        supply_capacity=_capacity(at_place, sheared, lambda flow: fed_with(flow, share)),
-        feed_at_place=at_place,
-    )
+        temperature, psi, density, viscosity, heat_capacity, load, so, eccentricity, torque / by_number, power,
+        side_flow_number, side_flow, fed,
+    )  # fmt: skip
+
+
+def _wanted(
+    case: DesignCase, shape: BearingCurves, eccentricity: float, psi: float, viscosity: float, side_flow: float
+) -> tuple[float, Feed | None]:
+    """All that the film wants; parameters as of `Flows`."""
+    return side_flow, feed(case, eccentricity, psi, viscosity, side_flow)
+
+
+def _delivered(
+    case: DesignCase, shape: BearingCurves, eccentricity: float, psi: float, viscosity: float, side_flow: float
+) -> tuple[float, Feed | None]:
+    """No more than the supply delivers; parameters as of `Flows`."""
+    attitude = shape.attitude_angle(eccentricity)
+    sheared = sheared_flow(case, eccentricity, attitude, psi, side_flow)
+    if sheared is not None:
+        side_flow = smaller(side_flow, sheared)
+    fed = feed(case, eccentricity, psi, viscosity, side_flow, part_of_supply_flow(case, eccentricity, attitude))
+    if fed is not None and fed.limit is not None:
+        return fed.limit, fed  # tubes and holes pass no more; nothing is left to press oil through the element
+    return side_flow, fed
 
 
 def _capacity(fed: Feed | None, sheared: float | None, fed_at: Callable[[float], Feed | None]) -> float | None:

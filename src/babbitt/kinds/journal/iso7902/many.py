@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,7 +12,14 @@ from numpy.typing import NDArray
 from babbitt.core.result import Outcome, Result, Verdict
 from babbitt.design.heat_balance import Equilibrium, NoFilmError, coolest_temperature, heat_surplus
 from babbitt.design.heat_balance_lanes import coolest_temperatures
-from babbitt.kinds.journal.iso7902.film import Film, curves_of, film_at, starved_film_at
+from babbitt.kinds.journal.iso7902.film import (
+    Film,
+    SuppliedFilm,
+    curves_of,
+    film_at,
+    starved_film_at,
+    supplied_film,
+)
 from babbitt.kinds.journal.iso7902.model import DesignCase
 from babbitt.kinds.journal.iso7902.procedure import METHOD, Design, design_of, result_of
 from babbitt.kinds.journal.iso7902.supply_capacity import gets_less
@@ -22,6 +30,7 @@ __all__ = ["check_many"]
 
 Index = NDArray[np.intp]
 FilmAt = Callable[..., Film]
+FilmT = TypeVar("FilmT", bound=Film)
 Choose = Callable[[Index], DesignCase]
 
 
@@ -30,7 +39,7 @@ class _Found:
     """A film with all the oil that it wants, one with less where it gets less, and what both come to."""
 
     case: DesignCase
-    film: Film
+    film: SuppliedFilm
     starved: Equilibrium[Film] | None
     design: Design
 
@@ -72,14 +81,14 @@ def check_many(case: DesignCase, count: int) -> Iterator[tuple[Index, Result, Ve
 
 def _found(case: DesignCase, full: Array, starved: Array, index: Index) -> _Found:
     shape = curves_of(case)
-    film = film_at(lanes_of(full[index]), case, shape)
+    film = supplied_film(case, film_at(lanes_of(full[index]), case, shape))
     limited = None
     if np.isfinite(starved[index]).all():
         limited = _equilibrium(starved_film_at(lanes_of(starved[index]), case, shape))
     return _Found(case, film, limited, design_of(case, film, limited))
 
 
-def _equilibrium(film: Film) -> Equilibrium[Film]:
+def _equilibrium(film: FilmT) -> Equilibrium[FilmT]:
     return Equilibrium(Outcome.CONVERGED, film, 0, 0.0)
 
 
@@ -152,7 +161,8 @@ def _getting_less(case: DesignCase, choose: Choose, temperatures: Array) -> Inde
 
     def less(index: Index) -> bool:
         own = choose(index)
-        return bool(gets_less(film_at(lanes_of(temperatures[index]), own, curves_of(own))))
+        film = film_at(lanes_of(temperatures[index]), own, curves_of(own))
+        return bool(gets_less(supplied_film(own, film)))
 
     for index, answer in in_branches(less, solved):
         if answer:

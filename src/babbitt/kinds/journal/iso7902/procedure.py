@@ -25,7 +25,7 @@ from babbitt.design.values import (
     supply_values,
 )
 from babbitt.kinds.journal.iso7902.checks import checks_not_made, checks_of, whirl_not_checked
-from babbitt.kinds.journal.iso7902.film import Film, curves_of, film_at
+from babbitt.kinds.journal.iso7902.film import Film, SuppliedFilm, curves_of, film_at, supplied_film
 from babbitt.kinds.journal.iso7902.model import DesignCase
 from babbitt.kinds.journal.iso7902.screening import Transition, orlov_relative_clearance, transition
 from babbitt.kinds.journal.iso7902.supply_capacity import (
@@ -63,7 +63,7 @@ def check(case: DesignCase) -> Result:
     if case.effective_temperature is not None:
         return check_at_temperature(case, case.effective_temperature)
     start = perf_counter()
-    found = find_equilibrium(case, partial(film_at, case=case, shape=curves_of(case)))
+    found = _supplied(case, find_equilibrium(case, partial(film_at, case=case, shape=curves_of(case))))
     return _result(case, found, _starved(case, found), start)
 
 
@@ -90,10 +90,17 @@ def check_at_temperature(case: DesignCase, effective_temperature: float) -> Resu
         case, effective_temperature=effective_temperature, assumptions=(*case.assumptions, stated)
     )
     film_of = partial(film_at, case=case, shape=curves_of(case))
-    return _result(prescribed, at_prescribed_temperature(effective_temperature, film_of), None, start)
+    found = _supplied(case, at_prescribed_temperature(effective_temperature, film_of))
+    return _result(prescribed, found, None, start)
 
 
-def _starved(case: DesignCase, found: Equilibrium[Film]) -> Equilibrium[Film] | None:
+def _supplied(case: DesignCase, found: Equilibrium[Film]) -> Equilibrium[SuppliedFilm]:
+    """The equilibrium with what the supply of its film can deliver."""
+    film = None if found.film is None else supplied_film(case, found.film)
+    return Equilibrium(found.outcome, film, found.evaluations, found.last_temperature, found.failure)
+
+
+def _starved(case: DesignCase, found: Equilibrium[SuppliedFilm]) -> Equilibrium[Film] | None:
     """The heat balance with what the supply delivers, where a film found wants more."""
     return starved_equilibrium(case, found.film) if found.film is not None and found.outcome.solved else None
 
@@ -111,7 +118,7 @@ class Design:
     change: Transition | None
 
 
-def design_of(case: DesignCase, film: Film, starved: Equilibrium[Film] | None) -> Design:
+def design_of(case: DesignCase, film: SuppliedFilm, starved: Equilibrium[Film] | None) -> Design:
     """Values and checks of a film, and of the one with less oil; the limits are held against the worse of both."""
     change = _transition(case, film)
     values = _values(case, film, change)
@@ -125,7 +132,7 @@ def design_of(case: DesignCase, film: Film, starved: Equilibrium[Film] | None) -
 
 
 def warnings_of(
-    case: DesignCase, film: Film, starved: Equilibrium[Film] | None, design: Design
+    case: DesignCase, film: SuppliedFilm, starved: Equilibrium[Film] | None, design: Design
 ) -> tuple[Notice, ...]:
     """All remarks about a film that was found, those about its supply last."""
     about_supply = tuple(warnings_about_capacity(case, film, starved, design.hotter))
@@ -134,7 +141,9 @@ def warnings_of(
     return (*(one for one in of_film if one.code not in worse), *about_supply)
 
 
-def _result(case: DesignCase, found: Equilibrium[Film], starved: Equilibrium[Film] | None, start: float) -> Result:
+def _result(
+    case: DesignCase, found: Equilibrium[SuppliedFilm], starved: Equilibrium[Film] | None, start: float
+) -> Result:
     """Values, verdicts and warnings of the film found, or how far an unsolved case came."""
     if found.film is None:
         return Result(
@@ -152,7 +161,11 @@ def _result(case: DesignCase, found: Equilibrium[Film], starved: Equilibrium[Fil
 
 
 def result_of(
-    case: DesignCase, found: Equilibrium[Film], starved: Equilibrium[Film] | None, design: Design, start: float
+    case: DesignCase,
+    found: Equilibrium[SuppliedFilm],
+    starved: Equilibrium[Film] | None,
+    design: Design,
+    start: float,
 ) -> Result:
     """The result of a film that was found, or reached last.
 
@@ -227,18 +240,7 @@ def _values(case: DesignCase, film: Film, change: Transition | None) -> dict[str
         "recommended_relative_clearance": recommended_relative_clearance(duty["surface_speed"]),
         **supply_values(case, film),
     }
-    if film.feed is not None:
-        values["supply_flow_number"] = film.feed.flow_number
-        values["element_pressure"] = film.feed.element_pressure
-        values["tube_loss"] = film.feed.tube_loss
-        values["hole_loss"] = film.feed.hole_loss
-        if film.feed.limit is not None:
-            values["supply_limit"] = film.feed.limit
-    if film.stands_closer:
-        values["supply_flow_at_place"] = film.supply_flow_at_place
-    if film.supply_capacity is not None:
-        values["supply_capacity"] = film.supply_capacity
-    values |= cooling_values(case, film) | limit_values(case)
+    values |= film.feed_values() | cooling_values(case, film) | limit_values(case)
     if case.load_angle is not None:
         values["load_angle"] = case.load_angle
     if change is not None:

@@ -23,7 +23,7 @@ from babbitt.core.notices import Notice
 from babbitt.core.result import Bound, Check
 from babbitt.design.failure import failure_of
 from babbitt.design.heat_balance import Equilibrium, coolest_temperature, find_equilibrium
-from babbitt.kinds.journal.iso7902.film import Film, curves_of, starved_film_at
+from babbitt.kinds.journal.iso7902.film import Film, SuppliedFilm, curves_of, starved_film_at
 from babbitt.kinds.journal.iso7902.model import DesignCase
 from babbitt.kinds.journal.iso7902.supply import CircumferentialGroove, HalfCircumferentialGroove, Holes, Pockets
 from babbitt.kinds.journal.iso7902.warnings import warnings_about_validity
@@ -69,17 +69,17 @@ at least 0.8 of the estimate, and no outlet was hotter (docs/theory/supply.md): 
 """
 
 
-def lacks_oil(film: Film) -> bool:
+def lacks_oil(film: SuppliedFilm) -> bool:
     """Whether the supply delivers less than the side flow of the film."""
     return film.supply_capacity is not None and film.supply_capacity < film.side_flow
 
 
-def gets_less(film: Film) -> bool:
+def gets_less(film: SuppliedFilm) -> bool:
     """Whether the film gets less than Q₃ and Q_p of the standard: for want of oil, or as elements stand closer."""
     return lacks_oil(film) or film.stands_closer
 
 
-def starved_equilibrium(case: DesignCase, film: Film) -> Equilibrium[Film] | None:
+def starved_equilibrium(case: DesignCase, film: SuppliedFilm) -> Equilibrium[Film] | None:
     """Close the heat balance with the flow that the supply delivers.
 
     Returns
@@ -96,7 +96,7 @@ def starved_equilibrium(case: DesignCase, film: Film) -> Equilibrium[Film] | Non
     return find_equilibrium(case, partial(starved_film_at, case=case, shape=curves_of(case)), above=above)
 
 
-def assumptions_about_capacity(case: DesignCase, film: Film) -> Iterator[str]:
+def assumptions_about_capacity(case: DesignCase, film: SuppliedFilm) -> Iterator[str]:
     """What the limited heat balance takes for granted, where it is made."""
     if film.stands_closer:
         yield "Q_p of elements at the ends of the arc goes with the mean cube of the gaps where they stand."
@@ -126,13 +126,14 @@ def worse_of(checks: Iterable[Check], starved: Iterable[Check]) -> tuple[Check, 
     """Hold every limit against the worse of both answers; one that a single answer knows stands by itself."""
     of_full = {check.code: check for check in checks}
     of_starved = {
-        check.code: replace(check, quantity=STARVED.get(check.quantity, check.quantity)) for check in starved
+        check.code: replace(check, quantity=STARVED[check.quantity]) if check.quantity in STARVED else check
+        for check in starved
     }
     both = {**of_full, **of_starved}  # the order of the standard
     return tuple(min(of_full.get(code, check), check, key=lambda one: one.margin) for code, check in both.items())
 
 
-def capacity_check(film: Film, starved: Equilibrium[Film] | None) -> Iterator[Check]:
+def capacity_check(film: SuppliedFilm, starved: Equilibrium[Film] | None) -> Iterator[Check]:
     """Compare what the supply delivers with the side flow.
 
     A miss decides nothing by itself: the limits are held against the starved film. Where that has no equilibrium,
@@ -145,7 +146,7 @@ def capacity_check(film: Film, starved: Equilibrium[Film] | None) -> Iterator[Ch
     yield Check("C117", "supply_capacity", capacity, film.side_flow, Bound.AT_LEAST, SOURCE, advisory=answered)
 
 
-def capacity_not_checked(case: DesignCase, film: Film) -> Iterator[Notice]:
+def capacity_not_checked(case: DesignCase, film: SuppliedFilm) -> Iterator[Notice]:
     """Say why the supply capacity was not compared."""
     if case.oil_supply is None or film.supply_capacity is not None:
         return
@@ -153,14 +154,14 @@ def capacity_not_checked(case: DesignCase, film: Film) -> Iterator[Notice]:
 
 
 def warnings_about_capacity(
-    case: DesignCase, film: Film, starved: Equilibrium[Film] | None, values: Values
+    case: DesignCase, film: SuppliedFilm, starved: Equilibrium[Film] | None, values: Values
 ) -> Iterator[Notice]:
     """Report what the supply lacks, and what follows from it.
 
     Parameters
     ----------
     case : DesignCase
-    film : Film
+    film : SuppliedFilm
         With all the oil that it wants.
     starved : Equilibrium or None
         With what the supply delivers.
@@ -206,7 +207,7 @@ def warnings_about_capacity(
         yield Notice(warning.code, "limited_flow", {"said": warning})
 
 
-def _code_of_lack(case: DesignCase, film: Film) -> str:
+def _code_of_lack(case: DesignCase, film: SuppliedFilm) -> str:
     """The code of the warning about what a film lacks of the flows of the standard."""
     if film.supply_capacity is None or not lacks_oil(film):
         return "W195"
@@ -214,7 +215,7 @@ def _code_of_lack(case: DesignCase, film: Film) -> str:
     return "W190" if enough and isinstance(case.bearing.supply_element, Holes | Pockets) else "W123"
 
 
-def _lack(code: str, film: Film) -> Iterator[Notice]:
+def _lack(code: str, film: SuppliedFilm) -> Iterator[Notice]:
     """What the film lacks of the flows of the standard."""
     if film.stands_closer:
         yield Notice(code, "place", {"taken": film.supply_flow, "there": film.supply_flow_at_place})

@@ -20,7 +20,7 @@ from babbitt.design.warnings import (
 from babbitt.kinds.journal.feed_pressure import SHARE_OF_LOAD, throttling
 from babbitt.kinds.journal.iso7902.characteristics import curves
 from babbitt.kinds.journal.iso7902.characteristics.closed_forms import DEVIATIONS, LARGEST_ATTITUDE_DEVIATION
-from babbitt.kinds.journal.iso7902.film import Film
+from babbitt.kinds.journal.iso7902.film import SuppliedFilm
 from babbitt.kinds.journal.iso7902.model import Curves, DesignCase
 from babbitt.kinds.journal.iso7902.screening import Transition
 from babbitt.kinds.journal.iso7902.supply import (
@@ -75,7 +75,11 @@ NOTABLE_SHARE = 0.05
 
 
 def all_warnings(
-    case: DesignCase, film: Film, values: Mapping[str, float], checks: tuple[Check, ...], change: Transition | None
+    case: DesignCase,
+    film: SuppliedFilm,
+    values: Mapping[str, float],
+    checks: tuple[Check, ...],
+    change: Transition | None,
 ) -> tuple[Notice, ...]:
     """All warnings that this operating point deserves."""
     return (
@@ -202,7 +206,7 @@ def _film_on_arc(case: DesignCase, values: Mapping[str, float], degrees: float) 
     return films[0] + share * (films[1] - films[0])
 
 
-def _of_supply(case: DesignCase, film: Film) -> Iterator[Notice]:
+def _of_supply(case: DesignCase, film: SuppliedFilm) -> Iterator[Notice]:
     element = case.bearing.supply_element
     if film.feed is not None:
         yield from warnings_about_supply(film.feed.limit, film.side_flow)

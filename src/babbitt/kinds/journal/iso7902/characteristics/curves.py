@@ -154,13 +154,13 @@ class CharacteristicCurves:
 
 
 def _at(function: PiecewiseCubic | SplineCuts, place: float | Array) -> Any:
-    return function.at_many(place) if isinstance(place, np.ndarray) else function.at(place)
+    return function.at(place) if isinstance(place, float) else function.at_many(place)
 
 
 def _power(function: PiecewiseCubic | SplineCuts, place: float | Array) -> Any:
     """What a function gives whose logarithm is known."""
     level = _at(function, place)
-    return np.exp(level) if isinstance(level, np.ndarray) else math.exp(level)
+    return math.exp(level) if isinstance(level, float) else np.exp(level)
 
 
 def check_eccentricity(eccentricity_ratio: float | Array, curves: BearingCurves) -> None:

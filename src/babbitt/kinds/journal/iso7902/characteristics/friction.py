@@ -42,7 +42,8 @@ def film_around(sommerfeld_number: Value, eccentricity_ratio: Value, attitude_an
     >>> round(film_around(0.8910, 0.5, math.radians(56.70)), 2)
     4.28
     """
-    return _friction_number(FULL, sommerfeld_number, eccentricity_ratio, attitude_angle)
+    number: Value = of_shear(FULL, sommerfeld_number, eccentricity_ratio)
+    return number + of_pressure(eccentricity_ratio, attitude_angle)
 
 
 def film_on_arc(sommerfeld_number: Value, eccentricity_ratio: Value, attitude_angle: Value, span: float) -> Value:
@@ -62,13 +63,10 @@ def film_on_arc(sommerfeld_number: Value, eccentricity_ratio: Value, attitude_an
     float or ndarray
         f/psi.
     """
-    if span >= FULL:
-        return film_around(sommerfeld_number, eccentricity_ratio, attitude_angle)
-    centre = math.pi - attitude_angle
-    start = clipped(centre - 0.5 * span, 0.0, FULL)
-    end = clipped(centre + 0.5 * span, 0.0, FULL)
-    sheared = sommerfeld_angle(end, eccentricity_ratio) - sommerfeld_angle(start, eccentricity_ratio)
-    return _friction_number(sheared, sommerfeld_number, eccentricity_ratio, attitude_angle)
+    number: Value = of_shear(
+        sheared_angle(eccentricity_ratio, attitude_angle, span), sommerfeld_number, eccentricity_ratio
+    )
+    return number + of_pressure(eccentricity_ratio, attitude_angle)
 
 
 def of_full_bearing(eccentricity_ratio: Value, curves: BearingCurves) -> Value:
@@ -104,13 +102,20 @@ def of_full_bearing(eccentricity_ratio: Value, curves: BearingCurves) -> Value:
     )
 
 
-def _friction_number(
-    sheared: Value | float, sommerfeld_number: Value, eccentricity_ratio: Value, attitude_angle: Value
-) -> Value:
-    """Friction number of a film that reaches over the Sommerfeld angle `sheared` [rad]."""
-    f = functions_for(eccentricity_ratio)
-    shear = sheared / (2.0 * sommerfeld_number * f.sqrt(1.0 - eccentricity_ratio**2))
-    number: Value = shear + of_pressure(eccentricity_ratio, attitude_angle)
+def sheared_angle(eccentricity_ratio: Value, attitude_angle: Value, span: float) -> Value | float:
+    """Sommerfeld angle over which a film on an arc of a span reaches, all in rad."""
+    if span >= FULL:
+        return FULL
+    centre = math.pi - attitude_angle
+    start = clipped(centre - 0.5 * span, 0.0, FULL)
+    end = clipped(centre + 0.5 * span, 0.0, FULL)
+    return sommerfeld_angle(end, eccentricity_ratio) - sommerfeld_angle(start, eccentricity_ratio)
+
+
+def of_shear(sheared: Value | float, sommerfeld_number: Value, eccentricity_ratio: Value) -> Value:
+    """Part of the friction number of a film that reaches over the Sommerfeld angle `sheared` [rad]."""
+    root = functions_for(eccentricity_ratio).sqrt(1.0 - eccentricity_ratio * eccentricity_ratio)
+    number: Value = sheared / (2.0 * sommerfeld_number * root)
     return number
 
 
