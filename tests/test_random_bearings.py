@@ -16,10 +16,14 @@ USUAL = 10
 
 
 LONG = {"thrust"}
-"""Families whose cases take ten seconds each, in `make test-thorough` only: the shaft line has the same bearings."""
+"""Families whose cases take ten seconds each, left to `make test-thorough`: shaft lines have the same bearings."""
 
 
-@pytest.mark.parametrize("name", [pytest.param(name, marks=[pytest.mark.thorough] * (name in LONG)) for name in FAMILIES])
+def families() -> list[object]:
+    return [pytest.param(name, marks=[pytest.mark.thorough] * (name in LONG)) for name in FAMILIES]
+
+
+@pytest.mark.parametrize("name", families())
 def test_random_bearings(name: str) -> None:
     faults = {}
     for index in range(NUMBER.get(name, USUAL)):

@@ -42,10 +42,8 @@ def with_examples() -> list[Path]:
 def of_the_gallery() -> list[object]:
     """Commands of the list of examples; `make test-thorough` runs the long ones."""
     (block,) = (block for block in blocks(GALLERY) if block.language in RUN_LANGUAGES)
-    return [
-        pytest.param(step, id=step.command, marks=[pytest.mark.thorough] * bool(LONG & {*shlex.split(step.command)}))
-        for step in steps(block)
-    ]
+    marks = {step.command: [pytest.mark.thorough] * bool(LONG & {*step.command.split()}) for step in steps(block)}
+    return [pytest.param(step, id=step.command, marks=marks[step.command]) for step in steps(block)]
 
 
 def relative(page: Path) -> str:

@@ -254,8 +254,8 @@ def test_a_remedy_names_only_what_the_case_has(given, thins, named, not_named, m
     monkeypatch.setattr(orbit_module, "MOST_CYCLES", 2)
     monkeypatch.setattr(orbit_module, "_apart", lambda *_: math.inf)  # whatever is thought of the last film
     monkeypatch.setattr(orbit_module, "STILL_THINNING", thins)
-    choice = {"effective_temperature": "60 degC", "cavitation": "reynolds", "accuracy": "draft", "supply": UNPRESSED}
-    (found,) = solved(dynamic_load=given, **choice).results
+    choice = {"effective_temperature": "60 degC", "cavitation": "reynolds", "accuracy": "draft"}
+    (found,) = solved(dynamic_load=given, supply=UNPRESSED, **choice).results
     assert found.outcome is (Outcome.NOT_PERIODIC if thins > 0.0 else Outcome.SQUEEZED_OUT)
     assert named in found.message
     assert not_named not in found.message

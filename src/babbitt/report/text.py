@@ -41,7 +41,9 @@ def needs_system_fonts(text: str) -> bool:
     >>> needs_system_fonts("Ψ вал ±5 µm"), needs_system_fonts("轴承")
     (False, True)
     """
-    return any(not any(first <= ord(character) < end for first, end in _TYPEFACE_RANGES) for character in set(text))
+    return any(
+        not any(first <= ord(character) < end for first, end in _TYPEFACE_RANGES) for character in set(text)
+    )
 
 
 def counted(number: int, noun: str) -> str:

@@ -35,7 +35,13 @@ from babbitt.reynolds.surface._surface_film import (
 )
 from babbitt.reynolds.surface._surface_forces import evaluate_surface
 from babbitt.reynolds.surface.mesh_lines import Density
-from babbitt.reynolds.surface.unwrapped_mesh import UnwrappedMesh, axial_gain, build_ring, gap_over_lands
+from babbitt.reynolds.surface.unwrapped_mesh import (
+    UnwrappedMesh,
+    axial_gain,
+    build_ring,
+    gap_over_lands,
+    ring_size,
+)
 
 __all__ = [
     "OUT_OF_WORK",
@@ -76,10 +82,10 @@ class Effort:
     left: float
 
     @classmethod
-    def for_ring(cls, film: JournalFilm, unit: float, resolution: Resolution) -> Effort:
+    def for_ring(cls, film: JournalFilm, resolution: Resolution) -> Effort:
         """Bound that grows with the grid asked for."""
-        ring = build_ring(film, unit, resolution.ring_intervals, resolution.axial_unknowns, None)
-        return cls(max(SMALLEST_BOUND, FINE_SOLUTIONS * work_of(*ring.surface.held.shape)))
+        size = ring_size(film, resolution.ring_intervals, resolution.axial_unknowns)
+        return cls(max(SMALLEST_BOUND, FINE_SOLUTIONS * work_of(*size)))
 
     @property
     def spent(self) -> bool:
@@ -265,7 +271,7 @@ def find_surface_equilibrium(
     film: JournalFilm, unit: float, load: Array, resolution: Resolution, max_steps: int
 ) -> SurfaceEquilibrium:
     """Equilibrium under a dimensionless load: a fast and a patient attempt, then both from a finer ring."""
-    effort = Effort.for_ring(film, unit, resolution)
+    effort = Effort.for_ring(film, resolution)
     for refinement, patient in ((4, False), (4, True), (2, False), (2, True)):
         settled = attempt(film, unit, load, resolution, max_steps, effort, refinement, patient)
         if settled.status == CONVERGED or effort.spent:
@@ -286,7 +292,7 @@ def find_surface_equilibrium_near(
     near = ring_at(film, unit, at, ZERO[:2], resolution)
     if near.status != CONVERGED:
         return near
-    effort = Effort.for_ring(film, unit, resolution)
+    effort = Effort.for_ring(film, resolution)
     sample = replace(near.sample, effort=effort)
     at, status, steps, gap = carried(sample, load, at, resolution.tolerance, max_steps, False)
     return thick_enough(SurfaceEquilibrium(film, sample, at, status, near.steps + steps, gap))

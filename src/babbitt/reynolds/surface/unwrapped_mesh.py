@@ -20,7 +20,7 @@ from babbitt.reynolds.oil.piezoviscosity import pressure_table, reduced_pressure
 from babbitt.reynolds.surface._surface_film import Surface, counted
 from babbitt.reynolds.surface.mesh_lines import Density, GrooveArc, axial_mesh, groove_arcs, ring_lines, within
 
-__all__ = ["UnwrappedMesh", "build_ring"]
+__all__ = ["UnwrappedMesh", "build_ring", "ring_size"]
 
 Array = NDArray[np.float64]
 TURN = 2.0 * math.pi
@@ -75,17 +75,15 @@ def build_ring(
     UnwrappedMesh
     """
     mesh = axial_mesh(film, degree, halved=film.is_symmetric and motions == 2)
-    grooves = [gap for gap in groove_arcs(film) if film.film_start is not FilmStart.PERIODIC]
-    order = film.land_order
-    start = film.lands[order[1 % len(order)]].start_angle  # behind the first groove, or the seam of a closed ring
-    theta = ring_lines(film, start, per_turn, density)
+    grooves = open_grooves(film)
+    theta = ring_lines(film, first_line(film), per_turn, density)
     ends = tuple(lines_of_groove(arc, theta) for arc in grooves)
     inside = np.zeros(theta.size - 1, dtype=bool)
     for first, last in ends:
         inside[groove_lines(first, last, inside.size)[:-1]] = True
     base = -film.cavitation_pressure / pressure_unit  # ambient above cavitation
     table = piezo_table(film, pressure_unit, base)
-    lines = theta.size if grooves else theta.size - 1
+    lines = lines_of_nodes(theta, grooves)
     held = hold_nodes(film, theta[:lines], mesh, grooves, ends)
     pressure = np.where(held.mask, held.pressure / pressure_unit + base, 0.0)
     places = gauss_angles(theta)
@@ -108,6 +106,28 @@ def build_ring(
         conserving=film.cavitation is Cavitation.MASS_CONSERVING,
     )  # fmt: skip
     return UnwrappedMesh(surface, theta, mesh, held.supply, ends)
+
+
+def ring_size(film: JournalFilm, per_turn: int, degree: int) -> tuple[int, int]:
+    """Lines and nodes across the width of a ring whose lines are spread evenly."""
+    theta = ring_lines(film, first_line(film), per_turn, None)
+    return lines_of_nodes(theta, open_grooves(film)), axial_mesh(film, degree, halved=film.is_symmetric).nodes.size
+
+
+def open_grooves(film: JournalFilm) -> list[GrooveArc]:
+    """Grooves as wide as the bearing; none in a closed ring."""
+    return [] if film.film_start is FilmStart.PERIODIC else groove_arcs(film)
+
+
+def first_line(film: JournalFilm) -> float:
+    """Where the ring begins, rad: behind the first groove, or at the seam of a closed ring."""
+    order = film.land_order
+    return film.lands[order[1 % len(order)]].start_angle
+
+
+def lines_of_nodes(theta: Array, grooves: list[GrooveArc]) -> int:
+    """How many lines have nodes of their own: the last of a closed ring is the first."""
+    return int(theta.size if grooves else theta.size - 1)
 
 
 @dataclass(frozen=True, eq=False)
