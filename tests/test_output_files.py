@@ -116,7 +116,8 @@ def test_fields_of_bearings_with_like_names_do_not_replace_each_other(run, tmp_p
     assert shared.startswith("kind: journal")
     bearing = own.replace("load: 30 kN\n", "").replace("\n", "\n    ").rstrip()
     bearings = "".join(
-        f"  - name: {name}\n    kind: journal\n    method: film\n    load: {load} kN\n    {bearing}\n"
+        f"  - name: {name}\n    kind: journal\n    method: film\n    accuracy: draft\n"
+        f"    load: {load} kN\n    {bearing}\n"
         for name, load in (("a/b", 10), ("a-b", 20), (".", 30))
     )
     (tmp_path / "case.yaml").write_text(f"kind: machine\nname: Likes\nbearings:\n{bearings}")

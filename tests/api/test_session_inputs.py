@@ -29,6 +29,7 @@ supply: {temperature: 45 degC, pressure: 0.15 MPa}
 materials: {bearing: C10, journal: C45}
 method: film
 thermal: global
+accuracy: draft
 load: 10 kN
 speed: 3000 rpm
 """
@@ -45,7 +46,7 @@ def lemon():
         lubricant="ISO VG 46",
         supply=bb.Supply(temperature="45 degC", pressure="0.15 MPa"),
         materials=bb.Materials(bearing="C10", journal="C45"),
-        method=bb.Film(thermal="global"),
+        method=bb.Film(thermal="global", accuracy="draft"),
     )
 
 

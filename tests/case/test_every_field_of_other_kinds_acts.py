@@ -357,7 +357,7 @@ TESTED = {
         OF_THRUST | {"load": "400 kN", "film": "50 um"},
     ),
     "heat balance": (
-        given("thrust"),
+        changed(given("thrust", load="250 kN"), "pads.number", 4),  # half the bearing takes half the time
         {"thermal": "isothermal", "oil.carry_over": 0.5, "limits.temperature": "95 degC", "pads.mass": "36 kg",
          "supply": {"temperature": "48 degC"},
  "oil": {"kind": "temperature", "temperature": "53 degC"}, "supply.temperature": "50 degC"},

@@ -14,7 +14,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from example_blocks import ROOT, Block, blocks, pages, steps
+from example_blocks import ROOT, Block, Step, blocks, pages, steps
 
 from babbitt.cli import main
 
@@ -27,8 +27,23 @@ COMPILING = "babbitt: compiling the kernels"
 """What the first run of all says, and no other."""
 
 
+GALLERY = ROOT / "examples" / "README.md"
+"""Every example, each solved by a test of its own."""
+
+LONG = {"reverse_gear_film.yaml", "starved_journal.yaml", "helical_gear_shaft.yaml", "unbalanced_fan.yaml"}
+"""Examples whose goldens are thorough, too; pages of the documentation run shorter cases of their kinds."""
+
+
 def with_examples() -> list[Path]:
-    return [page for page in pages() if any(block.language in RUN_LANGUAGES for block in blocks(page))]
+    run = (page for page in pages() if any(block.language in RUN_LANGUAGES for block in blocks(page)))
+    return [page for page in run if page != GALLERY]
+
+
+def of_the_gallery() -> list[object]:
+    """Commands of the list of examples; `make test-thorough` runs the long ones."""
+    (block,) = (block for block in blocks(GALLERY) if block.language in RUN_LANGUAGES)
+    marks = {step.command: [pytest.mark.thorough] * bool(LONG & {*step.command.split()}) for step in steps(block)}
+    return [pytest.param(step, id=step.command, marks=marks[step.command]) for step in steps(block)]
 
 
 def relative(page: Path) -> str:
@@ -113,13 +128,19 @@ def run_console(block: Block, place: str) -> None:
         if not is_run(step.command):
             check_not_run(step.command, step.shown, where)
             continue
-        status, output = run(step.command)
         asked = number + 1 < len(script) and script[number + 1].command == "echo $?"
-        assert asked or status == 0, f"{where}: {step.command} ended with {status}:\n{output}"
-        if step.shown:
-            assert agrees(step.shown, output), f"{where}: {step.command} printed\n{output}\nshown is\n{step.shown}"
-        else:
-            assert not output.strip() or status == 0, f"{where}: {step.command} printed\n{output}"
+        status = run_step(step, where, asked)
+
+
+def run_step(step: Step, where: str, asked: bool) -> int:
+    """Run one command and compare what it prints; its exit status, which is zero unless it is asked for next."""
+    status, output = run(step.command)
+    assert asked or status == 0, f"{where}: {step.command} ended with {status}:\n{output}"
+    if step.shown:
+        assert agrees(step.shown, output), f"{where}: {step.command} printed\n{output}\nshown is\n{step.shown}"
+    else:
+        assert not output.strip() or status == 0, f"{where}: {step.command} printed\n{output}"
+    return status
 
 
 def run_python(block: Block, place: str, names: dict[str, object]) -> None:
@@ -150,6 +171,13 @@ def test_examples_run_as_shown(page: Path, workplace: Path) -> None:
             run_console(block, place)
         elif block.language == "python":
             run_python(block, place, names)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("step", of_the_gallery())
+@pytest.mark.usefixtures("workplace")
+def test_every_example_runs_as_shown_in_their_list(step: Step) -> None:
+    run_step(step, relative(GALLERY), asked=False)
 
 
 @pytest.mark.parametrize("page", pages(), ids=relative)

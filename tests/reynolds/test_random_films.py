@@ -24,7 +24,8 @@ from babbitt.reynolds.heat import thermal_equilibrium as thermal
 from babbitt.reynolds.heat.heat_model import FilmHeat
 from babbitt.reynolds.model import Cavitation, JournalFilm, Land, Resolution, grooved_bore
 
-NUMBER = 200
+NUMBER, WITH_OPTIONS, THERMAL = 200, 100, 60
+"""Films of each kind: the dearer a film, the fewer."""
 
 
 def test_random_films_answer_for_their_balances():
@@ -32,7 +33,7 @@ def test_random_films_answer_for_their_balances():
 
 
 def test_random_films_with_every_option_answer_for_their_balances():
-    assert list(option_films_faults(8, NUMBER)) == []
+    assert list(option_films_faults(8, WITH_OPTIONS)) == []
 
 
 @pytest.mark.parametrize("index", [98, 720, 932, 933])
@@ -109,7 +110,7 @@ def test_films_whose_wet_set_flickers_are_found_at_their_position(seed, index):
 
 
 def test_random_thermal_films_answer_for_their_balances():
-    assert list(thermal_film_faults(11, NUMBER)) == []
+    assert list(thermal_film_faults(11, THERMAL)) == []
 
 
 def test_a_thermal_film_that_misses_its_load_has_not_converged(monkeypatch):

@@ -146,7 +146,7 @@ def test_sobol_indices_of_petroff_friction():
         "speed": {"uniform": ["800 rpm", "1200 rpm"]},
         "clearance.mean": {"uniform": ["1.5 permille", "2.5 permille"]},
     }
-    made = plan(petroff, block(kind="sensitivity", vary=vary, samples=256, outputs=["friction_power"]))
+    made = plan(petroff, block(kind="sensitivity", vary=vary, samples=128, outputs=["friction_power"]))
     study = run_study(made)
     (found,) = indices_of(study)
     first, total = _indices(

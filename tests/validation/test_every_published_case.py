@@ -157,7 +157,8 @@ def test_the_figure_is_drawn_with_labelled_axes(case, tmp_path):
     for axes in figure.axes:
         assert axes.lines or axes.patches
     assert figure.axes[-1].get_xlabel()
-    target = save_figure(case, tmp_path)
+    with patch("babbitt.validation.figure.figure_of", lambda _: figure):
+        target = save_figure(case, tmp_path)
     assert target.name == figure_file(case)
     first = target.read_bytes()
     assert b"<svg" in first

@@ -6,7 +6,10 @@ import atexit
 import gc
 import sys
 import warnings
-from typing import NoReturn, TextIO
+from functools import cache
+from typing import Any, NoReturn, TextIO
+
+from typer.main import get_command
 
 from babbitt.cli import comparing, designing, info, sizing, solve, studying, upgrading, workbench
 from babbitt.cli.app import UNUSABLE_INPUT, app
@@ -29,7 +32,7 @@ def run() -> NoReturn:
     status: object = 0
     try:
         try:
-            app()
+            _command()()
         except SystemExit as ended:
             status = ended.code
         sys.stdout.flush()
@@ -38,6 +41,12 @@ def run() -> NoReturn:
     except OSError as error:  # standard output cannot take the results, such as a full disk
         status = _reported(InputError("E007", f"cannot write to standard output: {error.strerror or error}"))
     sys.exit(status)  # type: ignore[arg-type]
+
+
+@cache
+def _command() -> Any:
+    """All commands with their options, made once: a process that runs several would make them each time."""
+    return get_command(app)
 
 
 def _warned(

@@ -102,7 +102,7 @@ def typeset(data: Any, template: str, report_format: Format) -> bytes:
         import typst
     except ImportError:
         raise missing_extra("typst", "reports") from None
-    fonts = typst.Fonts(include_system_fonts=any(needs_system_fonts(text) for text in _texts(data)))
+    fonts = typst.Fonts(include_system_fonts=needs_system_fonts("".join(_texts(data))))
     compiler = typst.Compiler(
         input=TEMPLATES / template,
         root=TEMPLATES,

@@ -25,8 +25,9 @@ def plain_text(text: str) -> str:
     >>> plain_text("Pinion\\x1b[31m\\t left ")
     'Pinion[31m left'
     """
-    kept = (character for character in text if character.isspace() or _is_visible(character))
-    return re.sub(r"\s+", " ", "".join(kept)).strip()
+    if not text.isprintable():
+        text = "".join(character for character in text if character.isspace() or _is_visible(character))
+    return re.sub(r"\s+", " ", text).strip()
 
 
 def _is_visible(character: str) -> bool:
@@ -40,7 +41,9 @@ def needs_system_fonts(text: str) -> bool:
     >>> needs_system_fonts("Ψ вал ±5 µm"), needs_system_fonts("轴承")
     (False, True)
     """
-    return any(not any(first <= ord(character) < end for first, end in _TYPEFACE_RANGES) for character in text)
+    return any(
+        not any(first <= ord(character) < end for first, end in _TYPEFACE_RANGES) for character in set(text)
+    )
 
 
 def counted(number: int, noun: str) -> str:

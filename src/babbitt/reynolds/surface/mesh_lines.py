@@ -201,7 +201,7 @@ def axial_mesh(film: JournalFilm, degree: int, *, halved: bool) -> AxialMesh:
 
 def element_degrees(boundaries: tuple[float, ...], degree: int) -> tuple[int, ...]:
     """Degrees of elements between boundaries."""
-    return tuple(int(max(2, min(degree, round(2 * degree * length + 1)))) for length in np.diff(boundaries))
+    return tuple(max(2, min(degree, round(2 * degree * (end - begin) + 1))) for begin, end in pairwise(boundaries))
 
 
 def axial_ends(film: JournalFilm) -> set[float]:

@@ -19,8 +19,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.kinds.journal.film.field import clearance_outline
+from babbitt.reynolds.equilibrium.many_positions import FilmPositions
 from babbitt.reynolds.equilibrium.nearby import SAME_PLACE, equilibrium_near
-from babbitt.reynolds.equilibrium.position import film_at_position
 from babbitt.reynolds.equilibrium.solve import solve_journal
 from babbitt.reynolds.model import DRAFT, JournalFilm, Resolution
 from babbitt.reynolds.solution import FilmSolution
@@ -168,12 +168,11 @@ class _Mesh:
         outline = clearance_outline(film, np.asarray(angles, dtype=np.float64))
         rays = outline[:, None] * np.stack((np.cos(angles), np.sin(angles)), axis=1)
         nodes = np.multiply.outer((0.0, *DEPTHS), rays)
-        force = np.empty_like(nodes)
-        force[0] = _force(film, nodes[0, 0]) + load
-        for place in np.ndindex(len(DEPTHS), directions):
-            at = place[0] + 1, place[1]
-            force[at] = _force(film, nodes[at]) + load
-        return cls(nodes, np.where(np.isnan(force), -nodes, force))
+        places = np.concatenate((nodes[0, :1], nodes[1:].reshape(-1, 2)))
+        found = FilmPositions(film, DRAFT).forces(np.hstack((places, np.zeros_like(places))))
+        pushed = np.where(found.settled[:, None], found.force + load, -places)
+        force = np.concatenate((np.broadcast_to(pushed[0], nodes[:1].shape), pushed[1:].reshape(nodes[1:].shape)))
+        return cls(nodes, force)
 
     @property
     def turns(self) -> Array:
@@ -202,8 +201,3 @@ class _Mesh:
     def everywhere(self) -> Array:
         """All nodes, those next to contact first."""
         return np.asarray(self.nodes[:0:-1].reshape(-1, 2))
-
-
-def _force(film: JournalFilm, at: Array) -> Array:
-    found = film_at_position(film, (float(at[0]), float(at[1])), resolution=DRAFT)
-    return found.force if found.outcome.solved else np.full(2, np.nan)

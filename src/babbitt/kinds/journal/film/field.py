@@ -233,7 +233,14 @@ def clearance_outline(film: JournalFilm, directions: Array) -> Array:
 
 def _around(theta: Array, lines: Array, rows: Array) -> Array:
     """Linear between the lines of the film, once around; shape (theta, columns of rows)."""
-    return np.array([np.interp(theta, lines, column, period=TURN) for column in rows.T]).T
+    within, wanted = lines % TURN, theta % TURN
+    order = np.argsort(within)
+    order = np.concatenate((order[-1:], order, order[:1]))
+    at, values = within[order], rows[order]
+    at[0], at[-1] = at[0] - TURN, at[-1] + TURN
+    left = np.minimum(np.searchsorted(at, wanted, side="right") - 1, at.size - 2)
+    slope = (values[left + 1] - values[left]) / (at[left + 1] - at[left])[:, None]
+    return np.asarray(slope * (wanted - at[left])[:, None] + values[left])
 
 
 def inside(theta: Array, ends: tuple[float, float]) -> NDArray[np.bool_]:
