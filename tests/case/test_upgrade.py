@@ -81,7 +81,7 @@ VALUES = {
     "thermal": "adiabatic", "axial_temperature": "mean", "carry_over": "80 %",
     "temperature_coefficients": "frozen", "cavitation": "reynolds", "film_start": "groove", "turbulence": "ng_pan",
     "accuracy": "draft",
-    "error_estimate": True, "equilibria": "all", "tilt_coefficients": True, "characteristics": "closed_form",
+    "error_estimate": True, "limiting_speeds": False, "equilibria": "all", "tilt_coefficients": True, "characteristics": "closed_form",
     "nusselt": {"coefficient": 7.5, "exponent": 0}, "discretisation": "published_mean", "exchange_zone": "film",
     "friction_viscosity": "mixed", "face_outlet": "printed", "backflow_viscosity": "groove",
     "local_loss_coefficient": 1, "speed_reduction": 0.5, "radial_temperature": "mean",

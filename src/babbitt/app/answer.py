@@ -46,7 +46,9 @@ __all__ = [
 NAME = "case"
 """What messages call the text on the page."""
 
-QUICK: Mapping[str, Any] = {"accuracy": "draft", "equilibria": "first", "error_estimate": False}
+QUICK: Mapping[str, Any] = {
+    "accuracy": "draft", "equilibria": "first", "error_estimate": False, "limiting_speeds": False,
+}  # fmt: skip
 """Choices of a method for an answer while a value is still moving."""
 
 MOST_CHECKED, MOST_CARDS = 7, 10
