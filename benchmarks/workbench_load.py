@@ -79,7 +79,8 @@ class Visitor:
     async def _updated(self, message: dict[str, Any]) -> None:
         slider = slider_of(message)
         self.slider = slider if slider is not None else self.slider
-        if any(isinstance(one, dict) and "verdict" in str(one.get("class", "")) for one in message.values()):
+        parts = [one["props"] for one in message.values() if isinstance(one, dict) and "props" in one]
+        if any(str(one.get("innerHTML", "")).startswith('<div class="card') for one in parts):
             self.answered.set()
         await self.socket.emit("ack", {"client_id": self.client, "next_message_id": message.get("_id", 0)})
 

@@ -114,6 +114,8 @@ class Shown:
     findings : tuple of Finding
     picture : str
         SVG; empty where there is none.
+    moves : bool
+        Whether something in it moves.
     rows : tuple of tuple of str
         Meaning, symbol, value and unit of every result.
     """
@@ -127,6 +129,7 @@ class Shown:
     findings: tuple[Finding, ...]
     picture: str
     rows: tuple[tuple[str, str, str, str], ...]
+    moves: bool = False
 
 
 @dataclass(frozen=True)
@@ -246,6 +249,7 @@ def shown(solution: Solution) -> Shown:
         tuple(findings_of(result)),
         "" if picture is None else picture.svg(),
         tuple(rows_of(result)),
+        picture is not None and picture.moves,
     )
 
 

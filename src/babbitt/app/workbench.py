@@ -9,8 +9,8 @@ from typing import Any
 
 from nicegui import background_tasks, context, events, ui
 
-from babbitt.app import answer_view
 from babbitt.app.answer import Answer, answer, compared, figures
+from babbitt.app.answer_view import AnswerView, DrawingView, ResultsView
 from babbitt.app.catalogue_view import CatalogueView
 from babbitt.app.designs_view import DesignsView
 from babbitt.app.document import CaseDocument
@@ -59,11 +59,11 @@ class Workbench:
                 self._case()
             with ui.element("section").classes("bearing").props(f'aria-label="{word("bearing")}"'):
                 self._compiling = ui.label("").classes("small").props('role="status"')
-                self._drawing = ui.column().classes("w-full")
+                self._drawing = DrawingView()
             with ui.element("section").classes("more").props(f'aria-label="{word("more")}"'):
                 self._tabs()
             with ui.element("section").classes("answer").props(f'aria-label="{word("results")}" id="answer"'):
-                self._cards = ui.column().classes("w-full")
+                self._view = AnswerView(self._chosen)
         ui.on("turned", self._turned, args=["field", "angle"])
         ui.on("linked", self._linked)
         ui.timer(0.1, self._begin, once=True)
@@ -103,7 +103,7 @@ class Workbench:
         self._slider = Slider(self.document, self._slid, self._changed)
 
     def _result_table(self) -> None:
-        self._results = ui.column().classes("w-full")
+        self._results = ResultsView()
 
     def _figures(self) -> None:
         on_request(word("draw_figures"), self._draw_figures)
@@ -214,35 +214,26 @@ class Workbench:
             return
         if found is None:
             return
+        if found.faults or self.found.faults:
+            self._form.blame(found.faults)
         self.found = found
-        self._form.blame(found.faults)
         self.place = min(self.place, max(len(found.bearings) - 1, 0))
         self._show()
 
     def _show(self) -> None:
         if not (self.found.bearings or self.found.faults):
             return
-        self._cards.clear()
-        with self._cards:
-            if len(self.found.bearings) > 1:
-                names = {number: one.name for number, one in enumerate(self.found.bearings)}
-                ui.select(names, value=self.place, label=word("bearing"), on_change=self._chosen).props("dense")
-            answer_view.cards(self.found, self.place, self._designs.of(self.place))
+        self._view.show(self.found, self.place, self._designs.of(self.place))
         if self.found.faults:
-            self._drawing.classes(add="stale")  # what is drawn is what was solved last
+            self._drawing.fade()
             return
-        self._drawing.classes(remove="stale")
         shown = self.found.bearings[self.place]
-        self._drawing.clear()
-        with self._drawing:
-            answer_view.drawing(shown)
+        self._drawing.show(shown)
         if not self.found.quick:
-            self._results.clear()
-            with self._results:
-                answer_view.results(shown)
+            self._results.show(shown)
 
-    def _chosen(self, event: events.ValueChangeEventArguments[Any]) -> None:
-        self.place = event.value
+    def _chosen(self, place: int) -> None:
+        self.place = place
         self._show()
 
     async def _draw_figures(self, box: ui.column) -> None:
