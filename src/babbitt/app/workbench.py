@@ -12,6 +12,7 @@ from nicegui import background_tasks, context, events, ui
 from babbitt.app.answer import Answer, answer, compared, figures
 from babbitt.app.answer_view import AnswerView, DrawingView, ResultsView
 from babbitt.app.catalogue_view import CatalogueView
+from babbitt.app.coefficients_view import CoefficientsView
 from babbitt.app.designs_view import DesignsView
 from babbitt.app.document import CaseDocument
 from babbitt.app.figures import all_figures
@@ -89,6 +90,7 @@ class Workbench:
             "compare": lambda: on_request(word("run_comparison"), self._compare),
             "designs": self._designs_tab,
             "studies": self._studies_tab,
+            "coefficients": self._coefficients_tab,
             "catalogue": lambda: CatalogueView(self.document, self._set_elsewhere),
             "validation": lambda: PublishedView(self.service.slow),
         }
@@ -119,6 +121,14 @@ class Workbench:
 
     def _studies_tab(self) -> None:
         self._studies = StudiesView(self.document, self.service.slow, self._set_elsewhere)
+
+    def _coefficients_tab(self) -> None:
+        self._coefficients = CoefficientsView(self.document, self.service.slow, self._bearing_shown)
+
+    def _bearing_shown(self) -> str | None:
+        """Name of the bearing that is shown; None where the case has one alone."""
+        bearings = self.found.bearings
+        return bearings[self.place].name if len(bearings) > 1 else None
 
     async def _begin(self) -> None:
         """Take the case of the draft or of the link, if there is one, and answer."""
@@ -162,6 +172,7 @@ class Workbench:
         self._form.draw()
         self._slider.draw()
         self._studies.draw()
+        self._coefficients.draw()
         self._editor.set_value(self.document.text)
         self._ask(False)
 
