@@ -69,7 +69,7 @@ class CoefficientsView:
     def _show(self, found: CoefficientFile) -> None:
         show_faults(found.faults)
         for line in found.remarks:
-            ui.label(line)
+            ui.label(line).classes("small")
         if found.content:
             ui.download.content(found.content, found.name)
             ui.button(

@@ -11,7 +11,7 @@ from babbitt.app.form import Item, Path, form_of
 from babbitt.case.document import DocumentError, read_document
 from babbitt.case.with_units import case_text
 
-__all__ = ["CaseDocument", "with_changed"]
+__all__ = ["CaseDocument", "path_in", "with_changed"]
 
 MOST_STEPS = 200
 """Changes that can be taken back."""
@@ -106,6 +106,15 @@ class CaseDocument:
     def redo(self) -> None:
         """Go forward by one change that was taken back."""
         self._place = min(self._place + 1, len(self._texts) - 1)
+
+
+def path_in(text: str) -> Path:
+    """A path that is written with dots.
+
+    >>> path_in("grooves.0.angle")
+    ('grooves', 0, 'angle')
+    """
+    return tuple(int(step) if step.isdecimal() else step for step in text.split("."))
 
 
 def _mapping_in(text: str) -> dict[str, Any]:

@@ -22,6 +22,16 @@ new MutationObserver(() => {
   document.querySelectorAll(".q-table__middle:not([tabindex])").forEach((box) => box.setAttribute("tabindex", "0"));
   babbitt.settle();
 }).observe(document.documentElement, {childList: true, subtree: true});
+// Arrow keys go through a menu, as its role promises.
+document.addEventListener("keydown", (event) => {
+  const step = {ArrowDown: 1, ArrowUp: -1}[event.key];
+  const menu = document.querySelector(".q-menu:has([role=menuitem])");
+  if (!step || !menu?.contains(document.activeElement)) return;
+  const entries = [...menu.querySelectorAll("[role=menuitem]")];
+  const at = entries.indexOf(document.activeElement);
+  entries[(at < 0 && step < 0 ? entries.length - 1 : at + step + entries.length) % entries.length].focus();
+  event.preventDefault();
+});
 // Drag what may be turned: the load arrow, grooves, pockets and holes.
 (() => {
   let held = null;

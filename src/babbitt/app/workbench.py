@@ -14,7 +14,7 @@ from babbitt.app.answer_view import AnswerView, DrawingView, ResultsView
 from babbitt.app.catalogue_view import CatalogueView
 from babbitt.app.coefficients_view import CoefficientsView
 from babbitt.app.designs_view import DesignsView
-from babbitt.app.document import CaseDocument
+from babbitt.app.document import CaseDocument, path_in
 from babbitt.app.figures import all_figures
 from babbitt.app.form_view import FormView
 from babbitt.app.head import Head
@@ -200,7 +200,7 @@ class Workbench:
     def _turned(self, event: events.GenericEventArguments) -> None:
         """A hand turned the load or a feed."""
         field, angle = event.args["field"], float(event.args["angle"])
-        path = tuple(int(step) if step.isdecimal() else step for step in str(field).split("."))
+        path = path_in(str(field))
         if len(path) > 1 and not self.document.has(path[:-1]):
             return
         self.document.change(path, f"{angle:.1f} deg")
