@@ -1,4 +1,4 @@
-"""A designer who opens no terminal: a template, another oil, the largest clearance that keeps the limits, the report.
+"""A designer without a terminal: a template, another oil, the largest clearance within the limits, the report.
 
 Once with the mouse, once on the keyboard alone.
 """

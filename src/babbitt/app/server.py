@@ -54,8 +54,9 @@ def serve(text: str, host: str, port: int, token: str, allowed_hosts: tuple[str,
     service = started()
     app.add_middleware(Guard, hosts=(*LOOPBACK, host, *allowed_hosts), token=token)
     app.on_shutdown(service.close)
-    style = STYLE.read_text(encoding="utf-8") + files("babbitt.app").joinpath("page.css").read_text(encoding="utf-8")
-    script = files("babbitt.app").joinpath("page.js").read_text(encoding="utf-8")
+    own = files("babbitt.app")
+    style = STYLE.read_text(encoding="utf-8") + own.joinpath("page.css").read_text(encoding="utf-8")
+    script = own.joinpath("page.js").read_text(encoding="utf-8")
 
     def page() -> None:
         ui.add_css(style)

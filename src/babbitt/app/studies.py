@@ -179,7 +179,7 @@ def _mean_of(given: Mapping[str, Any]) -> str:
 
 
 def sizes_of(study: Study, axis: Axis) -> tuple[str, ...]:
-    """Values of a size that keep all limits, as a case file has them: ends and best of each interval, or choices."""
+    """Values that keep all limits, as a case file has them: ends and best of each interval, or choices."""
     size = size_of(study)
     if size.choices:
         return tuple(str(choice) for choice, one in size.choices.items() if one.permitted)
