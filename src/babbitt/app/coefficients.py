@@ -57,7 +57,8 @@ def first_speeds(document: CaseDocument) -> Speeds:
     for entry in quantities(document.items):
         number, unit = split(as_text(entry.value), entry.units)
         if entry.path[-1] == "speed" and (value := abs(float(number))):
-            return Speeds(*(f"{share * value:.6g} {unit}" for share in RANGE))
+            first, last = (f"{share * value:.6g} {unit}" for share in RANGE)
+            return Speeds(first, last)
     return Speeds("500 rpm", "5000 rpm")
 
 
