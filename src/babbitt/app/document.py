@@ -65,7 +65,8 @@ class CaseDocument:
         return self._place + 1 < len(self._texts)
 
     def write(self, text: str) -> None:
-        """Take another text in its place."""
+        """Take another text in its place; a movement ends before."""
+        self.keep()
         if text == self.text:
             return
         self._texts = [*self._texts[: self._place + 1], text][-MOST_STEPS:]
@@ -100,11 +101,13 @@ class CaseDocument:
         return True
 
     def undo(self) -> None:
-        """Go back by one change."""
+        """Go back by one change, a movement that has not ended being one."""
+        self.keep()
         self._place = max(self._place - 1, 0)
 
     def redo(self) -> None:
         """Go forward by one change that was taken back."""
+        self.keep()
         self._place = min(self._place + 1, len(self._texts) - 1)
 
 
