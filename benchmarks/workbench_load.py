@@ -79,7 +79,8 @@ class Visitor:
     async def _updated(self, message: dict[str, Any]) -> None:
         slider = slider_of(message)
         self.slider = slider if slider is not None else self.slider
-        if any(isinstance(one, dict) and "verdict" in str(one.get("class", "")) for one in message.values()):
+        parts = [one["props"] for one in message.values() if isinstance(one, dict) and "props" in one]
+        if any(str(one.get("innerHTML", "")).startswith('<div class="card') for one in parts):
             self.answered.set()
         await self.socket.emit("ack", {"client_id": self.client, "next_message_id": message.get("_id", 0)})
 
@@ -141,6 +142,12 @@ def processes_of(server: int) -> list[int]:
     return [server, *map(int, children)]
 
 
+def processor_time(process: int) -> float:
+    """Seconds of processor time that a process has used."""
+    fields = Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
 def memory(process: int) -> float:
     """Resident memory of a process in MB."""
     found = re.search(r"VmRSS:\s+(\d+)", Path(f"/proc/{process}/status").read_text())
@@ -152,6 +159,8 @@ async def measured(address: str, server: int, sessions: int, seconds: float) -> 
     visitors = [Visitor(address) for _ in range(sessions)]
     for one in visitors:
         await one.open()
+    family = processes_of(server)
+    used = [processor_time(one) for one in family]
     end = time.monotonic() + seconds
     stays = [asyncio.create_task(one.stay(end, PERIOD * n / sessions)) for n, one in enumerate(visitors)]
     await asyncio.sleep(min(60.0, 0.5 * seconds))
@@ -163,6 +172,11 @@ async def measured(address: str, server: int, sessions: int, seconds: float) -> 
     p50, p95 = np.percentile(1e3 * waited, [50, 95])
     print(
         f"{sessions} visitors, {waited.size} answers: median {p50:.0f} ms, 95 % within {p95:.0f} ms; lost {lost}"
+    )
+    spent = [1e3 * (processor_time(one) - before) / waited.size for one, before in zip(family, used, strict=True)]
+    print(
+        f"processor time per answer: server {spent[0]:.0f} ms, workers {sum(spent[1:]):.0f} ms; "
+        f"load of the machine {os.getloadavg()[0]:.1f}"
     )
     growth = 100.0 * (late / early - 1.0)
     print(f"memory of the server: {early:.0f} MB early, {late:.0f} MB at the end ({growth:+.1f} %)")

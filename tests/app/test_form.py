@@ -174,3 +174,27 @@ def test_places_of_faults():
     assert path_of("bearings[1 'Output wheel'].supply.pressure") == ("bearings", 1, "supply", "pressure")
     assert path_of("grooves[0].angle") == ("grooves", 0, "angle")
     assert path_of("") == ()
+
+
+def test_going_back_while_a_slider_moves_leads_to_where_it_began():
+    document = CaseDocument(TEMPLATES["journal"])
+    before = document.text
+    document.slide(("load",), "13 kN")
+    document.slide(("load",), "14 kN")
+    document.undo()
+    assert document.text == before
+    document.keep()  # the slider comes to rest later
+    assert document.text == before
+    document.redo()
+    assert document.given["load"] == "14 kN"
+
+
+def test_a_change_while_a_slider_moves_is_one_of_its_own():
+    document = CaseDocument(TEMPLATES["journal"])
+    document.slide(("load",), "14 kN")
+    document.change(("diameter",), "130 mm")
+    document.keep()
+    document.undo()
+    assert (document.given["load"], document.given["diameter"]) == ("14 kN", "120 mm")
+    document.undo()
+    assert document.text == TEMPLATES["journal"]

@@ -1,12 +1,27 @@
 """Studies of the page are those of the command, and what hinders one is said."""
 
-import pytest
+from dataclasses import replace
 
-from babbitt.app.answer import read
+import pytest
+import yaml
+
+from babbitt.app.answer import read, solved
 from babbitt.app.document import CaseDocument
 from babbitt.app.progress import FileWatch, Progress, followed, progress_in
-from babbitt.app.studies import Axis, asked_text, axes_of, block_of, first_axis, kinds_of, studied, study_file
+from babbitt.app.studies import (
+    Axis,
+    asked_text,
+    axes_of,
+    block_of,
+    first_axis,
+    kinds_of,
+    sizes_of,
+    studied,
+    study_file,
+    with_value,
+)
 from babbitt.case import parse_case
+from babbitt.case.with_units import case_text
 from babbitt.core.kind import kinds
 from babbitt.core.units import KINDS
 from babbitt.report.study_content import study_tables
@@ -47,7 +62,6 @@ def test_a_clearance_is_sought_where_the_case_has_a_fit(tmp_path):
     """What a designer asks first: at the smallest clearance a limit is met, and below it no longer."""
     axis = axes_of(CaseDocument(TEMPLATES["journal"]), "size")["clearance.mean"]
     text = asked(block_of("size", [Axis(axis.path, "0.6 permille", "3 permille", 5)]))
-    assert read(text).clearance.mean == pytest.approx(0.6e-3)
     found = studied(text, str(tmp_path / "progress"))
     assert found.faults == ()
     (interval,) = size_of(found.study).intervals
@@ -146,3 +160,27 @@ def test_progress_is_read_while_it_is_written(tmp_path):
         seen.append((item, progress_in(file).done))
     assert seen == [("a", 0), ("b", 1)]
     assert progress_in(file).share == 1.0
+
+
+def test_the_sizes_that_a_study_found_keep_all_limits(tmp_path):
+    """The ends of the clearance that the page offers, and the best within, pass; below the lower end one fails."""
+    document = CaseDocument(TEMPLATES["journal"])
+    axis = replace(axes_of(document, "size")["clearance.mean"], points=5)
+    found = studied(asked_text(document.given, block_of("size", [axis])), str(tmp_path / "progress"))
+    sizes = sizes_of(found.study, axis)
+    assert 2 <= len(sizes) <= 3
+    for text in sizes:
+        (result,) = solved(case_text(with_value(document.given, axis.path, text))).results
+        assert all(check.ok for check in result.limits), text
+    lower = min(float(text.split()[0]) for text in sizes)
+    (result,) = solved(case_text(with_value(document.given, axis.path, f"{0.99 * lower} permille"))).results
+    assert not all(check.ok for check in result.limits)
+
+
+def test_a_study_of_a_fit_begins_with_its_mean_clearance():
+    document = CaseDocument(TEMPLATES["journal"])
+    axis = axes_of(document, "size")["clearance.mean"]
+    asked = yaml.safe_load(asked_text(document.given, block_of("size", [axis])))["clearance"]
+    (result,) = solved(TEMPLATES["journal"]).results
+    assert asked["kind"] == "relative"
+    assert float(asked["mean"].split()[0]) == pytest.approx(1e3 * result.values["relative_clearance"], rel=1e-5)

@@ -72,6 +72,7 @@ CHANGED = {
     "film_start": "widest_gap",
     "accuracy": "reference",
     "error_estimate": True,
+    "limiting_speeds": False,
     "equilibria": "all",
     "limits": {"minimum_film_thickness": "90 um"},
     "assumptions": ["The load is steady."],

@@ -45,6 +45,7 @@ class JournalBearing(Case, files.JournalCase):
         accuracy: Literal["draft", "engineering", "reference"] | Enum | None = ...,
         error_estimate: bool | None = ...,
         equilibria: Literal["auto", "all", "first"] | Enum | None = ...,
+        limiting_speeds: bool | None = ...,
         tilt_coefficients: bool | None = ...,
         lubricant: Quantity | Mapping[str, Any] | Part | None = ...,
         supply: Mapping[str, Any] | Part | None = ...,

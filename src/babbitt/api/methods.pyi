@@ -24,6 +24,7 @@ class Film(OwnPart, methods.FilmMethod):
         accuracy: Literal["draft", "engineering", "reference"] | Enum | None = ...,
         error_estimate: bool | None = ...,
         equilibria: Literal["auto", "all", "first"] | Enum | None = ...,
+        limiting_speeds: bool | None = ...,
         tilt_coefficients: bool | None = ...,
         kind: Literal["film"] | Enum | None = ...,
     ) -> None: ...

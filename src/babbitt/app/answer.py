@@ -46,7 +46,9 @@ __all__ = [
 NAME = "case"
 """What messages call the text on the page."""
 
-QUICK: Mapping[str, Any] = {"accuracy": "draft", "equilibria": "first", "error_estimate": False}
+QUICK: Mapping[str, Any] = {
+    "accuracy": "draft", "equilibria": "first", "error_estimate": False, "limiting_speeds": False,
+}  # fmt: skip
 """Choices of a method for an answer while a value is still moving."""
 
 MOST_CHECKED, MOST_CARDS = 7, 10
@@ -112,6 +114,8 @@ class Shown:
     findings : tuple of Finding
     picture : str
         SVG; empty where there is none.
+    moves : bool
+        Whether something in it moves.
     rows : tuple of tuple of str
         Meaning, symbol, value and unit of every result.
     """
@@ -125,6 +129,7 @@ class Shown:
     findings: tuple[Finding, ...]
     picture: str
     rows: tuple[tuple[str, str, str, str], ...]
+    moves: bool = False
 
 
 @dataclass(frozen=True)
@@ -244,6 +249,7 @@ def shown(solution: Solution) -> Shown:
         tuple(findings_of(result)),
         "" if picture is None else picture.svg(),
         tuple(rows_of(result)),
+        picture is not None and picture.moves,
     )
 
 

@@ -2,83 +2,99 @@
 
 from __future__ import annotations
 
-import math
+from collections.abc import Callable
+from typing import Any
 
 from nicegui import ui
 
-from babbitt.app.answer import Answer, Card, Finding, Shown, Table
-from babbitt.app.parts import show_faults, show_table
+from babbitt.app.answer import Answer, Shown, Table
+from babbitt.app.answer_markup import cards_markup, findings_markup, verdict_markup
+from babbitt.app.parts import icon_button, rows_of_table, show_faults, show_table
 from babbitt.app.words import word
 
-__all__ = ["cards", "drawing", "results"]
-
-ICONS = {"pass": "check_circle", "remarks": "info", "fail": "cancel", "no_verdict": "help", "no_solution": "error"}
-"""Of verdicts, so that none is told by colour alone."""
+__all__ = ["AnswerView", "DrawingView", "ResultsView"]
 
 
-def cards(answer: Answer, place: int, kept: Shown | None = None) -> None:
-    """Verdict and numbers of one bearing, those of a design that was kept under them, or what is wrong."""
-    if answer.faults:
-        ui.label(word("faults")).classes("heading")
-        show_faults(answer.faults)
-        return
-    shown = answer.bearings[place]
-    with ui.row().classes(f"verdict {shown.verdict_key}").props('role="status"'):
-        ui.icon(ICONS[shown.verdict_key])
-        ui.label(shown.verdict).classes("word")
-        if answer.quick:
-            ui.label(word("quick")).classes("quick")
-    ui.label(shown.method).classes("small")
-    if shown.governing:
-        ui.label(f"{word('governing')}: {shown.governing}").classes("small")
-    before = {card.label: card for card in kept.cards} if kept is not None else {}
-    for card in shown.cards:
-        _card(card, before.get(card.label))
-    for finding in shown.findings:
-        _finding(finding)
+class AnswerView:
+    """Verdict, numbers and warnings of one bearing, or what is wrong with the case.
+
+    Parameters
+    ----------
+    chosen : callable
+        Called with the number of the bearing to show.
+    """
+
+    def __init__(self, chosen: Callable[[int], None]) -> None:
+        self._place = 0
+        self._chosen = chosen
+        self._bearings = ui.select({}, label=word("bearing"), on_change=self._choose).props("dense")
+        self._bearings.classes("w-full").set_visibility(False)
+        self._verdict = _markup("").props('role="status"')
+        self._faults = ui.column().classes("w-full")
+        self._cards, self._findings = _markup(""), _markup("")
+
+    def _choose(self, event: Any) -> None:
+        if event.value is not None and event.value != self._place:
+            self._chosen(event.value)
+
+    def show(self, answer: Answer, place: int, kept: Shown | None = None) -> None:
+        """Show one bearing of an answer, and the numbers of a design that was kept."""
+        self._place = place
+        self._faults.clear()
+        if answer.faults:
+            for part in (self._verdict, self._cards, self._findings):
+                part.content = ""
+            with self._faults:
+                ui.label(word("faults")).classes("heading")
+                show_faults(answer.faults)
+            return
+        names = {number: one.name for number, one in enumerate(answer.bearings)}
+        if names != self._bearings.options or self._bearings.value != place:
+            self._bearings.set_options(names, value=place)
+            self._bearings.set_visibility(len(names) > 1)
+        shown = answer.bearings[place]
+        self._verdict.content = verdict_markup(shown, answer)
+        self._cards.content = cards_markup(shown.cards, kept)
+        self._findings.content = findings_markup(shown.findings)
 
 
-def _card(card: Card, before: Card | None) -> None:
-    with ui.element("div").classes(f"card {card.word}"):
-        with ui.row().classes("line"):
-            ui.label(card.label).classes("name")
-            ui.label(f"{card.symbol} = {card.value}").classes("number")
-        if before is not None:
-            ui.label(f"A: {before.value}").classes("small kept")
-        if card.limit:
-            used = min(card.share, 1.0) if math.isfinite(card.share) else 1.0
-            with ui.element("div").classes("bar").props(f'role="img" aria-label="{_used(card)}"'):
-                ui.element("div").classes("used").style(f"width: {100.0 * used:.0f}%")
-            with ui.row().classes("line small"):
-                ui.label(card.word).classes("word")
-                ui.label(f"{card.limit} ({card.margin})")
+class DrawingView:
+    """The bearing to look at; what is drawn is what was solved last."""
+
+    def __init__(self) -> None:
+        self._picture = _markup("drawing")
+        with ui.row().classes("w-full items-center no-wrap"):
+            self._said = ui.label("").classes("small grow")
+            self._moves = icon_button(
+                "motion_photos_paused", word("hold_motion"), lambda: ui.run_javascript("babbitt.hold()")
+            )
+        self._moves.set_visibility(False)
+
+    def show(self, shown: Shown) -> None:
+        """Draw a bearing."""
+        self._picture.classes(remove="stale")
+        self._picture.content = shown.picture
+        self._said.text = word("not_to_scale" if shown.picture else "no_picture")
+        self._moves.set_visibility(shown.moves)
+
+    def fade(self) -> None:
+        """Show that the case on the page has no solution that could be drawn."""
+        self._picture.classes(add="stale")
 
 
-def _used(card: Card) -> str:
-    share = f"{100.0 * card.share:.0f} %" if math.isfinite(card.share) else "over 100 %"
-    return f"{share} {word('used')}"
-
-
-def _finding(finding: Finding) -> None:
-    grave = " grave" if finding.grave else ""
-    with ui.expansion(f"{finding.code} {finding.title}").classes(f"finding{grave}").props("dense"):
-        ui.label(finding.message)
-        if finding.remedy:
-            ui.label(f"{word('what_to_do')}: {finding.remedy}")
-
-
-def drawing(shown: Shown) -> None:
-    """The bearing to look at."""
-    if not shown.picture:
-        ui.label(word("no_picture")).classes("small")
-        return
-    # Written by this package, every text in it escaped: what a sanitiser would do to it is spared.
-    ui.html(shown.picture, sanitize=False).classes("drawing")
-    ui.label(word("not_to_scale")).classes("small")
-
-
-def results(shown: Shown) -> None:
+class ResultsView:
     """Every number."""
-    heads = tuple(word(name) for name in ("quantity", "symbol", "value", "unit"))
-    made = show_table(Table("", heads, shown.rows, words=2))
-    made.columns[-1]["align"] = "left"
+
+    def __init__(self) -> None:
+        heads = tuple(word(name) for name in ("quantity", "symbol", "value", "unit"))
+        self._table = show_table(Table("", heads, (), words=2))
+        self._table.columns[-1]["align"] = "left"
+
+    def show(self, shown: Shown) -> None:
+        """Fill the table anew."""
+        self._table.rows = rows_of_table(shown.rows)
+
+
+def _markup(style: str) -> ui.html:
+    """A place for markup that this package writes, every text in it escaped: it needs no sanitiser."""
+    return ui.html("", sanitize=False).classes(f"w-full {style}")

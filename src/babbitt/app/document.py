@@ -11,7 +11,7 @@ from babbitt.app.form import Item, Path, form_of
 from babbitt.case.document import DocumentError, read_document
 from babbitt.case.with_units import case_text
 
-__all__ = ["CaseDocument", "with_changed"]
+__all__ = ["CaseDocument", "path_in", "with_changed"]
 
 MOST_STEPS = 200
 """Changes that can be taken back."""
@@ -65,7 +65,8 @@ class CaseDocument:
         return self._place + 1 < len(self._texts)
 
     def write(self, text: str) -> None:
-        """Take another text in its place."""
+        """Take another text in its place; a movement ends before."""
+        self.keep()
         if text == self.text:
             return
         self._texts = [*self._texts[: self._place + 1], text][-MOST_STEPS:]
@@ -100,12 +101,23 @@ class CaseDocument:
         return True
 
     def undo(self) -> None:
-        """Go back by one change."""
+        """Go back by one change, a movement that has not ended being one."""
+        self.keep()
         self._place = max(self._place - 1, 0)
 
     def redo(self) -> None:
         """Go forward by one change that was taken back."""
+        self.keep()
         self._place = min(self._place + 1, len(self._texts) - 1)
+
+
+def path_in(text: str) -> Path:
+    """A path that is written with dots.
+
+    >>> path_in("grooves.0.angle")
+    ('grooves', 0, 'angle')
+    """
+    return tuple(int(step) if step.isdecimal() else step for step in text.split("."))
 
 
 def _mapping_in(text: str) -> dict[str, Any]:

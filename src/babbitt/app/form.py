@@ -118,11 +118,12 @@ def form_of(given: Mapping[str, Any]) -> tuple[Item, ...]:
 def sections_of(
     items: tuple[Item, ...], fields: Mapping[str, tuple[str, ...]], other: str
 ) -> dict[str, list[Item]]:
-    """The fields under the headings that name them; what none names stands under the last one."""
-    home = {name: heading for heading, names in fields.items() for name in names}
+    """The fields under the headings that name them, in their order; what none names stands under the last one."""
+    places = {name: (heading, place) for heading, names in fields.items() for place, name in enumerate(names)}
     found: dict[str, list[Item]] = {heading: [] for heading in (*fields, other)}
-    for item in items:
-        found[home.get(str(item.path[0]), other)].append(item)
+    last = (other, 0)
+    for item in sorted(items, key=lambda one: places.get(str(one.path[0]), last)[1]):
+        found[places.get(str(item.path[0]), last)[0]].append(item)
     return {heading: under for heading, under in found.items() if under}
 
 

@@ -13,6 +13,7 @@ from babbitt.app.document import CaseDocument
 from babbitt.app.form import NONE, TEXT, Choice, Entry, Group, Item, Path, Rows, as_text, sections_of
 from babbitt.app.units import SYSTEMS, in_unit, is_number, shown_in, split
 from babbitt.app.words import sections, word
+from babbitt.study.size_choices import standard_choices
 
 __all__ = ["FormView"]
 
@@ -114,6 +115,7 @@ class FormView:
             entry.label, value=value, placeholder=entry.example,
             on_change=lambda e: self._take(entry.path, read(e.value or "")),
         )  # fmt: skip
+        found.set_autocomplete(list(standard_choices(".".join(map(str, entry.path)))))
         self._known(entry, found)
 
     def _quantity(self, entry: Entry) -> None:
@@ -156,10 +158,13 @@ class FormView:
             self._take(choice.path, None if way == NONE else "" if way == TEXT else {"kind": way})
             self.draw()
 
-        found = ui.select(options, value=value, label=choice.label, on_change=chosen)
+        if choice.way == TEXT:  # what is asked for stands before the other ways to give it
+            self._list(choice.items)
+        says = word("given_as", label=choice.label) if TEXT in choice.ways else choice.label
+        found = ui.select(options, value=value, label=says, on_change=chosen)
         found.props("dense").tooltip(choice.help)
-        self._inputs[choice.path] = found
-        if choice.items:
+        self._inputs.setdefault(choice.path, found)
+        if choice.items and choice.way != TEXT:
             with ui.column().classes("inner"):
                 self._list(choice.items)
 

@@ -6,7 +6,7 @@ from typing import Any
 
 from babbitt.app.progress import FileWatch
 
-__all__ = ["kernels_compiled", "kernels_loaded"]
+__all__ = ["ABOUT", "kernels_compiled", "kernels_loaded"]
 
 ABOUT = 70
 """Compilations that `kernels_compiled` needs, counted once; a few more or less do no harm."""

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from babbitt.app.answer import solved
+from babbitt.core.notices import InputError
 from babbitt.core.units import KINDS
 from babbitt.report.text import plain_text
 from babbitt.report.view import view_of
@@ -16,7 +19,7 @@ from babbitt.report.view import view_of
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["Map", "Sheet", "chart_of", "maps_of"]
+__all__ = ["Map", "Sheet", "chart_of", "fields_file", "maps_of"]
 
 SHOWN = {"Pa": ("MPa", "MPa"), "m": ("um", "µm"), "K": ("degC", "°C"), "rad": ("deg", "°")}
 """Unit of a chart for one of SI, and how it is written."""
@@ -72,6 +75,26 @@ def maps_of(text: str) -> tuple[Map, ...]:
         if fields is not None and solution.result.outcome.solved:
             found += _maps(fields(solution), plain_text(solution.result.name))
     return tuple(found)
+
+
+def fields_file(text: str) -> bytes:
+    """The fields of all films of a case in one file, as `babbitt solve --fields` saves them.
+
+    Raises
+    ------
+    CaseError
+        With all that is wrong with the case.
+    InputError
+        E004 without a film, E007 where a package for it is not installed, E003 where no film has a solution.
+    """
+    from babbitt.report.fields import write_machine_fields
+
+    with TemporaryDirectory(prefix="babbitt-") as folder:
+        file = Path(folder) / "fields.nc"
+        left_out = write_machine_fields(solved(text), file)
+        if not file.exists():
+            raise InputError("E003", f"no film has a solution: {', '.join(left_out)}")
+        return file.read_bytes()
 
 
 def _maps(fields: xarray.Dataset, bearing: str) -> Iterator[Map]:

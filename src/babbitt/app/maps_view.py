@@ -7,7 +7,7 @@ from typing import Any
 
 from nicegui import ui
 
-from babbitt.app.maps import Map, chart_of, maps_of
+from babbitt.app.maps import Map, chart_of, fields_file, maps_of
 from babbitt.app.parts import on_request
 from babbitt.app.solver import Solver
 from babbitt.app.words import word
@@ -31,6 +31,7 @@ class MapsView:
         self._as_surface = True
         self._place: tuple[str, str] | None = None
         on_request(word("draw_maps"), self._draw)
+        on_request(word("save_maps"), self._save)
 
     async def _draw(self, box: ui.column) -> None:
         found: tuple[Map, ...] = await self._solver.ask(maps_of, self._text())
@@ -54,6 +55,11 @@ class MapsView:
                 .classes("w-full chart")
                 .props(f'role="figure" aria-label="{word("field")}"')
             )
+
+    async def _save(self, box: ui.column) -> None:
+        content = await self._solver.ask(fields_file, self._text())
+        box.clear()
+        ui.download.content(content, "fields.nc")
 
     def _figure(self) -> dict[str, Any]:
         assert self._place is not None, "a field was chosen"

@@ -1,9 +1,37 @@
 document.documentElement.lang = "en";
+window.babbitt = {
+  still: matchMedia("(prefers-reduced-motion: reduce)").matches,
+  // Orbits move, or are held.
+  settle: () => document.querySelectorAll("svg.picture").forEach(
+    (drawn) => babbitt.still ? drawn.pauseAnimations() : drawn.unpauseAnimations()),
+  hold: () => { babbitt.still = !babbitt.still; babbitt.settle(); },
+  // The draft outlives a reload: it is kept by the browser, for this tab alone, and is sent to nobody else.
+  keep: (key, text) => {
+    try { sessionStorage.setItem(key, JSON.stringify({hash: location.hash, text: text})); } catch { /* full, or forbidden */ }
+  },
+  kept: (key) => {
+    try {
+      const found = JSON.parse(sessionStorage.getItem(key));
+      return found && found.hash === location.hash ? found.text : null;
+    } catch { return null; }
+  },
+};
 // What the library of the page leaves without a name, or out of reach of the keyboard.
 new MutationObserver(() => {
   document.querySelectorAll(".q-loading-bar:not([aria-label])").forEach((bar) => bar.setAttribute("aria-label", "Loading"));
   document.querySelectorAll(".q-table__middle:not([tabindex])").forEach((box) => box.setAttribute("tabindex", "0"));
+  babbitt.settle();
 }).observe(document.documentElement, {childList: true, subtree: true});
+// Arrow keys go through a menu, as its role promises.
+document.addEventListener("keydown", (event) => {
+  const step = {ArrowDown: 1, ArrowUp: -1}[event.key];
+  const menu = document.querySelector(".q-menu:has([role=menuitem])");
+  if (!step || !menu?.contains(document.activeElement)) return;
+  const entries = [...menu.querySelectorAll("[role=menuitem]")];
+  const at = entries.indexOf(document.activeElement);
+  entries[(at < 0 && step < 0 ? entries.length - 1 : at + step + entries.length) % entries.length].focus();
+  event.preventDefault();
+});
 // Drag what may be turned: the load arrow, grooves, pockets and holes.
 (() => {
   let held = null;
@@ -31,16 +59,4 @@ new MutationObserver(() => {
     held = null;
   });
 })();
-// The draft outlives a reload: it is kept by the browser, for this tab alone, and is sent to nobody else.
-window.babbitt = {
-  keep: (key, text) => {
-    try { sessionStorage.setItem(key, JSON.stringify({hash: location.hash, text: text})); } catch { /* full, or forbidden */ }
-  },
-  kept: (key) => {
-    try {
-      const found = JSON.parse(sessionStorage.getItem(key));
-      return found && found.hash === location.hash ? found.text : null;
-    } catch { return null; }
-  },
-};
 window.addEventListener("hashchange", () => emitEvent("linked", location.hash));

@@ -15,7 +15,16 @@ from babbitt.app.solver import LONGEST, LONGEST_STUDY, Ended, Solver, outcome_of
 from babbitt.app.words import word
 from babbitt.core.notices import InputError
 
-__all__ = ["LongWork", "icon_button", "on_request", "show_faults", "show_figures", "show_table", "tell_ended"]
+__all__ = [
+    "LongWork",
+    "icon_button",
+    "on_request",
+    "rows_of_table",
+    "show_faults",
+    "show_figures",
+    "show_table",
+    "tell_ended",
+]
 
 LOOK = 0.5
 """Seconds between two looks at how far long work is."""
@@ -39,12 +48,16 @@ def show_table(table: Table) -> ui.table:
         {"name": str(n), "label": head, "field": str(n), **(WORDS if n < table.words else NUMBERS)}
         for n, head in enumerate(table.heads)
     ]
-    rows = [{"key": key, **{str(n): cell for n, cell in enumerate(row)}} for key, row in enumerate(table.rows)]
-    made = ui.table(columns=columns, rows=rows, row_key="key", title=table.title or None)
+    made = ui.table(columns=columns, rows=rows_of_table(table.rows), row_key="key", title=table.title or None)
     made.props("dense flat").classes("results")
     for remark in table.remarks:
         ui.label(remark).classes("small")
     return made
+
+
+def rows_of_table(rows: Iterable[tuple[str, ...]]) -> list[dict[str, Any]]:
+    """Rows as a table of the page takes them."""
+    return [{"key": key, **{str(n): cell for n, cell in enumerate(row)}} for key, row in enumerate(rows)]
 
 
 def show_figures(figures: Iterable[Figure]) -> None:

@@ -46,6 +46,7 @@ def serve(text: str, host: str, port: int, token: str, allowed_hosts: tuple[str,
     from babbitt.app.service import started
     from babbitt.app.words import word
     from babbitt.app.workbench import Workbench
+    from babbitt.report.picture import STYLE
 
     open_to_others = host not in LOOPBACK
     token = token or (secrets.token_urlsafe(16) if open_to_others else "")
@@ -53,8 +54,9 @@ def serve(text: str, host: str, port: int, token: str, allowed_hosts: tuple[str,
     service = started()
     app.add_middleware(Guard, hosts=(*LOOPBACK, host, *allowed_hosts), token=token)
     app.on_shutdown(service.close)
-    style = files("babbitt.app").joinpath("page.css").read_text(encoding="utf-8")
-    script = files("babbitt.app").joinpath("page.js").read_text(encoding="utf-8")
+    own = files("babbitt.app")
+    style = STYLE.read_text(encoding="utf-8") + own.joinpath("page.css").read_text(encoding="utf-8")
+    script = own.joinpath("page.js").read_text(encoding="utf-8")
 
     def page() -> None:
         ui.add_css(style)

@@ -6,7 +6,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from babbitt.app.kernels import kernels_compiled, kernels_loaded
+from babbitt.app.kernels import ABOUT, kernels_compiled, kernels_loaded
 from babbitt.app.progress import Progress, progress_in
 from babbitt.app.solver import LONGEST_STUDY, Solver
 
@@ -34,7 +34,8 @@ class Service:
         """How far kernels are that are being compiled; None where none are."""
         if self._compiling is None or self._compiling.done():
             return None
-        return progress_in(self._file)
+        now = progress_in(self._file)
+        return now if now.rows else Progress(0, ABOUT)
 
     @property
     def _file(self) -> str:

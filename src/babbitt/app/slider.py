@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import asyncio
 import math
 from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
-from nicegui import ui
+from nicegui import context, ui
 
 from babbitt.app.document import CaseDocument
 from babbitt.app.form import Entry, Item, Path, Rows, as_text
@@ -19,6 +20,9 @@ USUAL: tuple[Path, ...] = (("load",), ("speed",), ("clearance", "mean"), ("suppl
 """Ends of the paths of fields that a designer moves first."""
 
 MOST_PICKED = 4
+
+PAUSE = 0.3
+"""Seconds without movement after which a slider stands still."""
 
 SPAN = 2.0
 """Ends of a slider: the value over this, and times this."""
@@ -37,6 +41,8 @@ class Slider:
     def __init__(self, document: CaseDocument, moving: Callable[[], None], stopped: Callable[[], None]) -> None:
         self.document, self._moving, self._stopped = document, moving, stopped
         self._picked: list[Path] = []
+        self._pause: asyncio.TimerHandle | None = None
+        context.client.on_delete(self._leave)
         self._box = ui.column().classes("w-full")
         self.draw()
 
@@ -74,14 +80,22 @@ class Slider:
             shown.text = f"{event.args:.6g} {unit}"
             self.document.slide(entry.path, f"{event.args:.6g} {unit}".strip())
             self._moving()
-
-        def stopped(event: Any) -> None:
-            self.document.slide(entry.path, f"{event.args:.6g} {unit}".strip())
-            self.document.keep()
-            self._stopped()
+            self._await_stop()
 
         found.on("update:model-value", moved, throttle=0.05, leading_events=False)
-        found.on("change", stopped)
+
+    def _await_stop(self) -> None:
+        """Take the movement as ended when nothing moves for a while, by hand or by keys."""
+        self._leave()
+        self._pause = asyncio.get_running_loop().call_later(PAUSE, self._stood_still)
+
+    def _stood_still(self) -> None:
+        self.document.keep()
+        self._stopped()
+
+    def _leave(self) -> None:
+        if self._pause is not None:
+            self._pause.cancel()
 
 
 def first_picked(paths: Iterable[Path]) -> list[Path]:

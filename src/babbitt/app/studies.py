@@ -7,16 +7,18 @@ from dataclasses import dataclass
 from typing import Any
 
 from babbitt.app.answer import NAME, Fault, Figure, Table, faults_of, read
-from babbitt.app.document import CaseDocument, with_changed
+from babbitt.app.document import CaseDocument, path_in, with_changed
 from babbitt.app.form import Item, as_text
 from babbitt.app.progress import FileWatch
 from babbitt.app.slider import quantities
-from babbitt.app.units import split
+from babbitt.app.units import from_si, split
 from babbitt.case import CaseError, located
 from babbitt.case.with_units import case_text
 from babbitt.core.kind import find_kind
 from babbitt.core.notices import InputError
+from babbitt.report.size_table import rounded
 from babbitt.report.text import plain_text
+from babbitt.study.size import size_of
 from babbitt.study.size_choices import standard_choices
 from babbitt.study.study import Study
 
@@ -28,8 +30,10 @@ __all__ = [
     "block_of",
     "first_axis",
     "kinds_of",
+    "sizes_of",
     "studied",
     "study_file",
+    "with_value",
 ]
 
 NEEDS = {"sweep": (1, 3), "size": (1, 1), "tolerance": (1, 8), "map": (0, 2), "corners": (0, 0), "design": (0, 0)}
@@ -37,6 +41,9 @@ NEEDS = {"sweep": (1, 3), "size": (1, 1), "tolerance": (1, 8), "map": (0, 2), "c
 
 WIDE, NARROW = 2.0, 1.05
 """First ends of an axis: what the case has over this, and times this; the narrow one for tolerances."""
+
+MEAN = "clearance.mean"
+"""The clearance as a number."""
 
 RELATIVE_CLEARANCES = ("0.5 permille", "3 permille")
 """First ends of a clearance that the case gives by a fit (assumption: the usual range)."""
@@ -101,7 +108,7 @@ def axes_of(document: CaseDocument, kind: str) -> dict[str, Axis]:
         if tolerance:
             found["clearance"] = Axis("clearance", law="fit", law_of=fit)
         else:
-            found["clearance.mean"] = Axis("clearance.mean", *RELATIVE_CLEARANCES)
+            found[MEAN] = Axis(MEAN, *RELATIVE_CLEARANCES)
             found |= {
                 path: Axis(path, choices=standard_choices(path))
                 for path in ("clearance.bore", "clearance.journal")
@@ -149,11 +156,40 @@ def block_of(kind: str, axes: Sequence[Axis], samples: int = 1000) -> dict[str, 
 def asked_text(given: Mapping[str, Any], block: Mapping[str, Any]) -> str:
     """The text of a case with a study; a clearance that varies as a number takes the place of a fit."""
     asked = with_changed(given, ("study",), dict(block))
-    clearance = given.get("clearance")
-    values = dict(block.get("vary", {})).get("clearance.mean")
-    if values is not None and isinstance(clearance, Mapping) and "mean" not in clearance:
-        asked["clearance"] = {"kind": "relative", "mean": values["range"][0]}
+    if MEAN in block.get("vary", {}) and MEAN.partition(".")[2] not in given.get("clearance", {}):
+        asked = with_value(asked, MEAN, _mean_of(given) or block["vary"][MEAN]["range"][0])
     return case_text(asked)
+
+
+def with_value(given: Mapping[str, Any], path: str, value: str) -> dict[str, Any]:
+    """What a case gives with a value that a study found; a mean clearance takes the place of a fit."""
+    steps = path_in(path)
+    if path == MEAN and steps[-1] not in given.get("clearance", {}):
+        return with_changed(given, steps[:1], {"kind": "relative", steps[1]: value})
+    return with_changed(given, steps, value)
+
+
+def _mean_of(given: Mapping[str, Any]) -> str:
+    """The mean clearance of a case with a fit; empty where the case cannot be read."""
+    try:
+        bearing = read(case_text(dict(given))).problems()[0].bearing
+    except (CaseError, InputError, AttributeError, IndexError):
+        return ""
+    return f"{1e3 * bearing.mean_relative_clearance:.6g} permille"
+
+
+def sizes_of(study: Study, axis: Axis) -> tuple[str, ...]:
+    """Values that keep all limits, as a case file has them: ends and best of each interval, or choices."""
+    size = size_of(study)
+    if size.choices:
+        return tuple(str(choice) for choice, one in size.choices.items() if one.permitted)
+    unit = axis.first.partition(" ")[2]
+    found = [
+        f"{rounded(from_si(trial.value, unit), upward=upward)} {unit}".strip()
+        for one in size.intervals
+        for trial, upward in ((one.lower, True), (one.upper, False), (one.best, one.best is one.lower))
+    ]
+    return tuple(dict.fromkeys(found))
 
 
 def _values(axis: Axis, kind: str) -> Any:

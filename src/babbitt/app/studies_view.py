@@ -20,11 +20,15 @@ from babbitt.app.studies import (
     block_of,
     first_axis,
     kinds_of,
+    sizes_of,
     studied,
     study_file,
+    with_value,
 )
 from babbitt.app.words import word
+from babbitt.case.with_units import case_text
 from babbitt.core.notices import InputError
+from babbitt.study.study import Study
 
 __all__ = ["StudiesView"]
 
@@ -160,9 +164,25 @@ class StudiesView:
         with ui.row():
             for ending, says in FILES.items():
                 ui.button(word(says), on_click=lambda _, e=ending: self._download(e)).props("flat dense no-caps")
+        if found.study.kind == "size" and self._kind == "size":
+            self._offer(found.study)
         for table in found.tables:
             show_table(table)
         show_figures(found.figures)
+
+    def _offer(self, study: Study) -> None:
+        """Buttons that put a value which keeps all limits into the case."""
+        (axis,) = self._axes.values()
+        found = sizes_of(study, axis)
+        with ui.row().classes("items-center"):
+            ui.label(word("take_size" if found else "no_size"))
+            for text in found:
+                ui.button(text, on_click=lambda _, text=text: self._take(axis.path, text)).props("outline no-caps")
+
+    def _take(self, path: str, text: str) -> None:
+        self.document.write(case_text(with_value(self.document.given, path, text)))
+        self._changed()
+        ui.notify(word("taken", name=text))
 
     async def _download(self, ending: str) -> None:
         ui.notify(word("working"))

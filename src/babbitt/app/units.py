@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from babbitt.core.units import KINDS
 
-__all__ = ["SYSTEMS", "in_unit", "is_number", "shown_in", "split"]
+__all__ = ["SYSTEMS", "from_si", "in_unit", "is_number", "shown_in", "split"]
 
 SYSTEMS = ("si", "inch")
 """Systems of units of the form."""
@@ -46,6 +46,16 @@ def in_unit(number: str, unit: str, other: str) -> str:
             si = float(number) * kind.everyday[unit] + kind.offsets.get(unit, 0.0)
             return f"{kind.from_si(si, other):.6g}"
     return number
+
+
+def from_si(value: float, unit: str) -> float:
+    """A value in SI in an everyday unit; as it is where there is no such unit.
+
+    >>> from_si(0.12, "mm"), round(from_si(323.15, "degC"), 9), from_si(3.0, "")
+    (120.0, 50.0, 3.0)
+    """
+    kinds = (kind for kind in KINDS.values() if unit and unit in kind.everyday)
+    return next((kind.from_si(value, unit) for kind in kinds), value)
 
 
 def shown_in(system: str, number: str, unit: str, units: Sequence[str]) -> tuple[str, str]:

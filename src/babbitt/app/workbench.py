@@ -9,11 +9,12 @@ from typing import Any
 
 from nicegui import background_tasks, context, events, ui
 
-from babbitt.app import answer_view
 from babbitt.app.answer import Answer, answer, compared, figures
+from babbitt.app.answer_view import AnswerView, DrawingView, ResultsView
 from babbitt.app.catalogue_view import CatalogueView
+from babbitt.app.coefficients_view import CoefficientsView
 from babbitt.app.designs_view import DesignsView
-from babbitt.app.document import CaseDocument
+from babbitt.app.document import CaseDocument, path_in
 from babbitt.app.figures import all_figures
 from babbitt.app.form_view import FormView
 from babbitt.app.head import Head
@@ -59,11 +60,11 @@ class Workbench:
                 self._case()
             with ui.element("section").classes("bearing").props(f'aria-label="{word("bearing")}"'):
                 self._compiling = ui.label("").classes("small").props('role="status"')
-                self._drawing = ui.column().classes("w-full")
+                self._drawing = DrawingView()
             with ui.element("section").classes("more").props(f'aria-label="{word("more")}"'):
                 self._tabs()
             with ui.element("section").classes("answer").props(f'aria-label="{word("results")}" id="answer"'):
-                self._cards = ui.column().classes("w-full")
+                self._view = AnswerView(self._chosen)
         ui.on("turned", self._turned, args=["field", "angle"])
         ui.on("linked", self._linked)
         ui.timer(0.1, self._begin, once=True)
@@ -89,6 +90,7 @@ class Workbench:
             "compare": lambda: on_request(word("run_comparison"), self._compare),
             "designs": self._designs_tab,
             "studies": self._studies_tab,
+            "coefficients": self._coefficients_tab,
             "catalogue": lambda: CatalogueView(self.document, self._set_elsewhere),
             "validation": lambda: PublishedView(self.service.slow),
         }
@@ -103,7 +105,7 @@ class Workbench:
         self._slider = Slider(self.document, self._slid, self._changed)
 
     def _result_table(self) -> None:
-        self._results = ui.column().classes("w-full")
+        self._results = ResultsView()
 
     def _figures(self) -> None:
         on_request(word("draw_figures"), self._draw_figures)
@@ -119,6 +121,14 @@ class Workbench:
 
     def _studies_tab(self) -> None:
         self._studies = StudiesView(self.document, self.service.slow, self._set_elsewhere)
+
+    def _coefficients_tab(self) -> None:
+        self._coefficients = CoefficientsView(self.document, self.service.slow, self._bearing_shown)
+
+    def _bearing_shown(self) -> str | None:
+        """Name of the bearing that is shown; None where the case has one alone."""
+        bearings = self.found.bearings
+        return bearings[self.place].name if len(bearings) > 1 else None
 
     async def _begin(self) -> None:
         """Take the case of the draft or of the link, if there is one, and answer."""
@@ -162,6 +172,7 @@ class Workbench:
         self._form.draw()
         self._slider.draw()
         self._studies.draw()
+        self._coefficients.draw()
         self._editor.set_value(self.document.text)
         self._ask(False)
 
@@ -189,7 +200,7 @@ class Workbench:
     def _turned(self, event: events.GenericEventArguments) -> None:
         """A hand turned the load or a feed."""
         field, angle = event.args["field"], float(event.args["angle"])
-        path = tuple(int(step) if step.isdecimal() else step for step in str(field).split("."))
+        path = path_in(str(field))
         if len(path) > 1 and not self.document.has(path[:-1]):
             return
         self.document.change(path, f"{angle:.1f} deg")
@@ -214,35 +225,26 @@ class Workbench:
             return
         if found is None:
             return
+        if found.faults or self.found.faults:
+            self._form.blame(found.faults)
         self.found = found
-        self._form.blame(found.faults)
         self.place = min(self.place, max(len(found.bearings) - 1, 0))
         self._show()
 
     def _show(self) -> None:
         if not (self.found.bearings or self.found.faults):
             return
-        self._cards.clear()
-        with self._cards:
-            if len(self.found.bearings) > 1:
-                names = {number: one.name for number, one in enumerate(self.found.bearings)}
-                ui.select(names, value=self.place, label=word("bearing"), on_change=self._chosen).props("dense")
-            answer_view.cards(self.found, self.place, self._designs.of(self.place))
+        self._view.show(self.found, self.place, self._designs.of(self.place))
         if self.found.faults:
-            self._drawing.classes(add="stale")  # what is drawn is what was solved last
+            self._drawing.fade()
             return
-        self._drawing.classes(remove="stale")
         shown = self.found.bearings[self.place]
-        self._drawing.clear()
-        with self._drawing:
-            answer_view.drawing(shown)
+        self._drawing.show(shown)
         if not self.found.quick:
-            self._results.clear()
-            with self._results:
-                answer_view.results(shown)
+            self._results.show(shown)
 
-    def _chosen(self, event: events.ValueChangeEventArguments[Any]) -> None:
-        self.place = event.value
+    def _chosen(self, place: int) -> None:
+        self.place = place
         self._show()
 
     async def _draw_figures(self, box: ui.column) -> None:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import itertools
 import math
+import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
@@ -37,7 +38,20 @@ STROKE, BOLD = 0.008, ("load", "reaction", "flow", "tilt", "curve")
 PRINTED = 300.0
 """Width of a drawing on paper, in points of SVG."""
 
-PAPER = Path(__file__).parent / "templates" / "picture.css"
+STYLE = Path(__file__).parent / "templates" / "picture.css"
+"""Of every drawing, its colours by the names that a page gives values."""
+
+PAPER = {
+    "ink": "#222", "quiet": "#777", "paper": "#fff", "metal": "#dcdcdc", "steel": "#98a4b0", "oil": "#2f6090",
+    "bad": "#a02020", "good": "#207040", "near": "#9a6a10",
+}  # fmt: skip
+"""Values of the colours on paper, for programs that know no names of colours."""
+
+LETTERS = 'text { font-family: "Libertinus Serif", serif; }'
+"""On paper."""
+
+CYCLE = "6s"
+"""Time that a motion takes until it begins anew."""
 
 BANDS = (0.02, 0.2, 0.4, 0.6, 0.8)
 """Shares of the highest value at which a shade more begins."""
@@ -70,6 +84,22 @@ class Canvas:
         """A canvas with an origin and lengths of its own, so many of this one to each of its units."""
         moved = f"translate({_number(x)} {_number(-y)}) scale({_number(scale)})"
         return Canvas(ElementTree.SubElement(self._root, "g", {"transform": moved}), self.reach / scale)
+
+    def moving(self, points: Points, times: ArrayLike) -> Canvas:
+        """A canvas whose origin goes through points at times from 0 to 1, again and again."""
+        x, y = (np.asarray(one, dtype=np.float64) for one in points)
+        places = [f"{_number(a)} {_number(-b)}" for a, b in zip(x, y, strict=True)]
+        moved = ElementTree.SubElement(self._root, "g", {"transform": f"translate({places[0]})"})
+        ElementTree.SubElement(moved, "animateTransform", {
+            "attributeName": "transform", "type": "translate", "values": ";".join(places), "dur": CYCLE,
+            "keyTimes": ";".join(map(_number, np.asarray(times, dtype=np.float64))), "repeatCount": "indefinite",
+        })  # fmt: skip
+        return Canvas(moved, self.reach)
+
+    @property
+    def moves(self) -> bool:
+        """Whether something in it moves."""
+        return self._root.find(".//animateTransform") is not None
 
     @property
     def letter(self) -> float:
@@ -199,10 +229,14 @@ class Picture(Canvas):
     def printed(self) -> str:
         """The drawing as a text of SVG in the style of paper."""
         style = ElementTree.Element("style")
-        style.text = PAPER.read_text(encoding="utf-8")
+        named = STYLE.read_text(encoding="utf-8")
+        style.text = re.sub(r"var\(--(\w+)\)", lambda name: PAPER[name[1]], named) + LETTERS
         size = {"width": f"{PRINTED:g}", "height": f"{PRINTED * 0.5 * (self.high - self.low) / self.reach:.5g}"}
         page = ElementTree.Element("svg", self._root.attrib | size)
         page.extend((style, *self._root))
+        for moved in page.iter("g"):
+            for motion in moved.findall("animateTransform"):
+                moved.remove(motion)
         return ElementTree.tostring(page, encoding="unicode")
 
 

@@ -62,6 +62,7 @@ def film_case(inputs: Inputs, at: Point, thermal: str | None = None) -> FilmCase
         rotor_mass=bearing.rotor_mass,
         shaft_stiffness=bearing.shaft_stiffness,
         error_estimate=bearing.error_estimate,
+        limiting_speeds=bearing.limiting_speeds,
         changing_load=bearing.dynamic_load.changing_load() if bearing.dynamic_load is not None else None,
         moving_mass=bearing.dynamic_load.moving_mass if bearing.dynamic_load is not None else 0.0,
         search=Search[bearing.equilibria.upper()],

@@ -86,6 +86,11 @@ class FilmChoices(MethodChoices):
         description="Whether the film method looks for further equilibrium positions: always, never, "
         "or in lobed bores and between grooves whose pressure rivals that of the wedge.",
     )
+    limiting_speeds: bool = Field(
+        True,
+        description="Whether the film method finds the speed of transition to mixed friction and the threshold "
+        "speed of whirl, for each of which it solves about ten films.",
+    )
     tilt_coefficients: bool = Field(
         False, description="Stiffness and damping against tilt of the journal, too, by the film method."
     )

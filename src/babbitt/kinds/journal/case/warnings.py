@@ -15,7 +15,9 @@ from babbitt.kinds.journal.case.load_direction import DOWNWARD
 from babbitt.kinds.journal.case.operating_point import OperatingPoint
 from babbitt.kinds.journal.case.supply_element import GrooveElement, UnevenPockets
 
-OF_THE_FILM = ("cavitation", "cavitation_pressure", "film_start", "error_estimate", "equilibria")
+OF_THE_FILM = (
+    "cavitation", "cavitation_pressure", "film_start", "error_estimate", "equilibria", "limiting_speeds",
+)  # fmt: skip
 OF_THE_ROTOR = ("rotor_mass", "shaft_stiffness")
 OF_THE_STANDARD = ("span", "supply_element", "characteristics", "friction.model")
 OF_THE_FEED = ("supply.pressure", "supply.tubes", "supply.holes")

@@ -88,6 +88,16 @@ AT_A_LINE = 1e-6
 OF_TILT = ("tilt_stiffness", "tilt_damping", "film_moment_x", "film_moment_y")
 """What `tilt_coefficients` asks for."""
 
+LIMITING_SPEEDS = {
+    "transition_speed": "transition_film_thickness",
+    "threshold_speed": "whirl_frequency_ratio",
+    "threshold_speed_elastic": "shaft_stiffness",
+}
+"""Speeds that a case may leave out, each with the result beside which it stands."""
+
+SPEED_NOT_ASKED = "not looked for, as limiting_speeds: false asks"
+"""Why such a speed is missing."""
+
 NO_CALM_FILM = "no film was found at this position without the supply pressure; only their sum is known"
 """Why the flows by film pressure and by supply pressure are missing."""
 
@@ -223,6 +233,7 @@ def film_solution(case: FilmCase, watch: ProgressCallback = no_progress) -> Solu
         {name: NO_CALM_FILM for name in ("side_flow", "supply_flow") if math.isnan(values.get(name, 0.0))}
         | ({"critical_mass": no_mass.message} if no_mass else {})
         | (dict.fromkeys(OF_TILT, no_tilt.message) if no_tilt else {})
+        | _missing_speeds(case, values)
         | missing_without_load(case, found.film),
         failed,
     )
@@ -265,11 +276,18 @@ def _without_tilt(case: FilmCase, arrays: Mapping[str, Matrix]) -> Notice | None
 
 def _running_values(case: FilmCase, state: FilmState, whirl: Whirl | None) -> dict[str, float]:
     values = {} if whirl is None else whirl_values(case, whirl)
-    contact = contact_film(case)
+    contact = contact_film(case) if case.limiting_speeds else None
     slow = transition_speed(case, state, contact) if contact is not None else None
     if slow is not None:
         values["transition_speed"] = slow
     return values
+
+
+def _missing_speeds(case: FilmCase, values: Mapping[str, float]) -> dict[str, str]:
+    """The speeds that were not looked for, each with the reason."""
+    if case.limiting_speeds:
+        return {}
+    return {name: SPEED_NOT_ASKED for name, known_by in LIMITING_SPEEDS.items() if known_by in values}
 
 
 def _limit_checks(case: FilmCase, values: dict[str, float]) -> Iterator[Check]:
@@ -323,8 +341,10 @@ def _warnings(
     elif case.oil_supply is not None:
         supplied = case.oil_supply.temperature
         yield from warnings_about_kept_limits(checks, checks_of_metal(case.limits), supplied)
-    solved = {"W109"} if whirl is not None else set()  # the dynamics of the film are solved for
-    yield from (warning for warning in warnings_about_running(case, values, checks) if warning.code not in solved)
+    unfit = {"W109"} if whirl is not None else set()  # the dynamics of the film are solved for
+    if not case.limiting_speeds:
+        unfit.add("W112")  # a speed of transition that was not looked for
+    yield from (warning for warning in warnings_about_running(case, values, checks) if warning.code not in unfit)
 
 
 def _about_margins_on_orbit(

@@ -102,7 +102,7 @@ def run_over_speed(case: FilmCase, speeds: Iterable[float]) -> SpeedRun:
     -------
     SpeedRun
         With a status and warnings at every speed, and the stiffness that the case asks for. What is asked for
-        besides (an orbit, stiffness against tilt, the error of the grid) is left out.
+        besides (an orbit, stiffness against tilt, the error of the grid, limiting speeds) is left out.
 
     Raises
     ------
@@ -118,7 +118,9 @@ def run_over_speed(case: FilmCase, speeds: Iterable[float]) -> SpeedRun:
             "E004", f"{case.name}: the bearing turns, too; no table over the journal speed holds for it"
         )
     sense = case.rotation.sense
-    needed = replace(case, changing_load=None, tilt_coefficients=False, error_estimate=False)
+    needed = replace(
+        case, changing_load=None, tilt_coefficients=False, error_estimate=False, limiting_speeds=False
+    )
     return SpeedRun(
         case, taken, tuple(film_solution(replace(needed, journal_speed=sense * speed)) for speed in taken)
     )

@@ -26,8 +26,8 @@ def whirl_of(case: FilmCase, state: FilmState) -> Whirl:
     """Stability at the operating point, and the speed at which the rotor begins to whirl.
 
     The coefficients of `state` are those of a quick motion: temperatures, if the film has its own, are frozen.
-    The threshold keeps load, viscosity and clearance of the operating point. Without a mass of the rotor, the
-    load is taken as its weight.
+    The threshold keeps load, viscosity and clearance of the operating point; it is None, too, where the case does
+    not ask for it. Without a mass of the rotor, the load is taken as its weight.
     """
     from babbitt.reynolds.stability.routh import whirl_frequency
 
@@ -85,9 +85,10 @@ def at_speed(case: FilmCase, state: FilmState, speed: float) -> FilmSolution:
 def threshold_speed(case: FilmCase, state: FilmState, mass: float, shaft_stiffness: float = RIGID) -> float | None:
     """Hydrodynamic speed in rad/s above which a rotor whirls, nearest to that here; None if none is in sight.
 
-    Nor is one where the film carries nothing: no load holds the journal at another place at another speed.
+    Nor is one where the film carries nothing: no load holds the journal at another place at another speed. None
+    is looked for where the case does not ask.
     """
-    if is_unloaded(case, state):
+    if not case.limiting_speeds or is_unloaded(case, state):
         return None
 
     @cache

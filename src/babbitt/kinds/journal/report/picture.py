@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from babbitt.core.quantities import QUANTITIES
+from babbitt.core.result import Matrix
 from babbitt.core.solution import Solution
 from babbitt.kinds.journal.film.field import Array, field_of, inside, step_patches
 from babbitt.kinds.journal.film.isothermal import under_found_load
@@ -64,8 +65,11 @@ def film_picture(solution: Solution) -> Picture | None:
     for number, feed in enumerate(case.bearing.feeds):
         if feed.width is None or abs(feed.axial_position) <= 0.5 * feed.width:
             _feed(picture, field.theta, radius, feed, _field_of(case.bearing.feeds, number))
-    x, y = PLAY * film.position / film.film.clearance
-    _journal(picture, float(x), float(y))
+    if "orbit" in solution.result.arrays:
+        _orbit(picture, solution.result.arrays["orbit"], case, film.film.clearance)
+    else:
+        x, y = PLAY * film.position / film.film.clearance
+        _journal(picture, float(x), float(y))
     picture.load(case.load_angle, film.load, case.rotation.sense, Handle("load_angle", case.load_angle))
     return picture
 
@@ -155,3 +159,16 @@ def _journal(picture: Picture, x: float, y: float) -> None:
     picture.circle(0.0, 0.0, 0.018, "centre bearing")
     picture.circle(x, y, 0.022, "centre")
     picture.outline(([0.0, x], [0.0, y]), "centres")
+
+
+def _orbit(picture: Picture, rows: Matrix, case: FilmCase, clearance: float) -> None:
+    """The path of the centre, and the journal on its way, as long at each place as it stays there."""
+    assert case.changing_load is not None, "an orbit is due to a changing load"
+    turned, x, y = np.array(rows).T[:3]
+    drawn = PLAY / clearance * np.array([np.append(x, x[0]), np.append(y, y[0])])
+    path = drawn[0], drawn[1]
+    times = np.append(turned / case.changing_load.cycle, 1.0)
+    picture.moving(path, times).circle(0.0, 0.0, 1.0, "journal")
+    picture.outline(path, "curve")
+    picture.circle(0.0, 0.0, 0.018, "centre bearing")
+    picture.moving(path, times).circle(0.0, 0.0, 0.022, "centre")

@@ -1,0 +1,93 @@
+"""The answer as markup: one text for each part of it, so that an answer costs the server little.
+
+Elements are made as a tree, which escapes every text of a case.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from xml.etree import ElementTree
+
+from babbitt.app.answer import Answer, Card, Finding, Shown
+from babbitt.app.words import word
+
+__all__ = ["cards_markup", "findings_markup", "verdict_markup"]
+
+ICONS = {"pass": "check_circle", "remarks": "info", "fail": "cancel", "no_verdict": "help", "no_solution": "error"}
+"""Of verdicts, so that none is told by colour alone."""
+
+Element = ElementTree.Element
+
+
+def verdict_markup(shown: Shown, answer: Answer) -> str:
+    """Verdict, method and governing check of one bearing."""
+    row = _part(f"verdict {shown.verdict_key}")
+    _within(row, "q-icon material-icons", ICONS[shown.verdict_key], "i", {"aria-hidden": "true"})
+    _within(row, "word", shown.verdict)
+    if answer.quick:
+        _within(row, "quick", word("quick"))
+    made = [row, _part("small", shown.method)]
+    if shown.governing:
+        made.append(_part("small", f"{word('governing')}: {shown.governing}"))
+    return _text(made)
+
+
+def cards_markup(cards: Iterable[Card], kept: Shown | None = None) -> str:
+    """Numbers with their limits, those of a design that was kept under them."""
+    before = {card.label: card for card in kept.cards} if kept is not None else {}
+    return _text(_card(card, before.get(card.label)) for card in cards)
+
+
+def findings_markup(findings: Iterable[Finding]) -> str:
+    """Warnings and what was not checked, each to be opened."""
+    return _text(map(_finding, findings))
+
+
+def _card(card: Card, before: Card | None) -> Element:
+    made = _part(f"card {card.word}".strip())
+    line = _within(made, "line")
+    _within(line, "name", card.label)
+    _within(line, "number", f"{card.symbol} = {card.value}")
+    if before is not None:
+        _within(made, "small kept", f"A: {before.value}")
+    if card.limit:
+        used = min(card.share, 1.0) if math.isfinite(card.share) else 1.0
+        bar = _within(made, "bar", attributes={"role": "img", "aria-label": _used(card)})
+        _within(bar, "used", attributes={"style": f"width: {100.0 * used:.0f}%"})
+        line = _within(made, "line small")
+        _within(line, "word", card.word)
+        _within(line, "", f"{card.limit} ({card.margin})")
+    return made
+
+
+def _used(card: Card) -> str:
+    share = f"{100.0 * card.share:.0f} %" if math.isfinite(card.share) else "over 100 %"
+    return f"{share} {word('used')}"
+
+
+def _finding(finding: Finding) -> Element:
+    made = _part("finding grave" if finding.grave else "finding", tag="details")
+    _within(made, "", f"{finding.code} {finding.title}".strip(), "summary")
+    _within(made, "", finding.message)
+    if finding.remedy:
+        _within(made, "", f"{word('what_to_do')}: {finding.remedy}")
+    return made
+
+
+def _part(style: str, text: str = "", tag: str = "div", attributes: dict[str, str] | None = None) -> Element:
+    made = ElementTree.Element(tag, {**({"class": style} if style else {}), **(attributes or {})})
+    made.text = text
+    return made
+
+
+def _within(
+    outer: Element, style: str, text: str = "", tag: str = "div", attributes: dict[str, str] | None = None
+) -> Element:
+    made = _part(style, text, tag, attributes)
+    outer.append(made)
+    return made
+
+
+def _text(parts: Iterable[Element]) -> str:
+    return "".join(ElementTree.tostring(part, encoding="unicode", method="html") for part in parts)

@@ -1,0 +1,129 @@
+"""Coefficients over speed as a file for a rotor program, as `babbitt export` writes them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import numpy as np
+
+from babbitt.app.answer import NAME, Fault, faults_of, read
+from babbitt.app.document import CaseDocument
+from babbitt.app.form import as_text
+from babbitt.app.progress import followed
+from babbitt.app.slider import quantities
+from babbitt.app.units import split
+from babbitt.case import CaseError, located
+from babbitt.core.notices import InputError
+from babbitt.core.units import QuantityError, si
+from babbitt.export import FORMATS, OVER_FREQUENCY, CoefficientTable, export, mirrored
+from babbitt.export.frame import declaration
+from babbitt.report.questioned_coefficients import warnings_lines
+from babbitt.study.table_target import chosen_problem
+
+__all__ = ["FEWEST", "CoefficientFile", "Speeds", "coefficient_file", "first_speeds"]
+
+FEWEST = max(one.fewest_speeds for one in FORMATS.values())
+"""Speeds that every format takes."""
+
+SPEED = si("rad/s")
+
+RANGE = (0.5, 1.5)
+"""First ends of the speeds, over that of the case."""
+
+
+@dataclass(frozen=True)
+class Speeds:
+    """First and last speed as a case file has them, and how many."""
+
+    first: str
+    last: str
+    number: int = 10
+
+
+@dataclass(frozen=True)
+class CoefficientFile:
+    """What is wrong with a case, or a file for a rotor program and what to know of it."""
+
+    faults: tuple[Fault, ...] = ()
+    name: str = ""
+    content: bytes = b""
+    remarks: tuple[str, ...] = ()
+
+
+def first_speeds(document: CaseDocument) -> Speeds:
+    """The speeds to begin with: about that of the case."""
+    for entry in quantities(document.items):
+        number, unit = split(as_text(entry.value), entry.units)
+        if entry.path[-1] == "speed" and (value := abs(float(number))):
+            first, last = (f"{share * value:.6g} {unit}" for share in RANGE)
+            return Speeds(first, last)
+    return Speeds("500 rpm", "5000 rpm")
+
+
+def coefficient_file(
+    text: str, bearing: str | None, speeds: Speeds, format_name: str, progress: str
+) -> CoefficientFile:
+    """Solve a bearing over speed and write its coefficients, never raising for what stands in the case.
+
+    Parameters
+    ----------
+    text : str
+    bearing : str or None
+        Which one, where the case has several.
+    speeds : Speeds
+    format_name : str
+        One of `babbitt.export.FORMATS`. A table of a journal that turns clockwise is seen from the other end of
+        the shaft where the format has no place for the sense.
+    progress : str
+        File for `babbitt.app.progress`.
+    """
+    try:
+        case = read(text)
+    except CaseError as error:
+        return CoefficientFile(faults_of(error))
+    wanted = FORMATS[format_name]
+    try:
+        problem, method = chosen_problem(case, Path(NAME), bearing)
+        turned = method.is_clockwise(problem) and not wanted.either_rotation
+        (run,) = (method.coefficients_over_speed(problem, one) for one in followed([_spaced(speeds)], progress))
+        table = mirrored(run.table()) if turned else run.table()
+    except InputError as error:
+        return CoefficientFile(faults_of(located(error, case, NAME)))
+    name = f"coefficients{wanted.suffixes[0]}"
+    with TemporaryDirectory(prefix="babbitt-") as folder:
+        file = Path(folder) / name
+        export(table, file, format_name)
+        return CoefficientFile((), name, file.read_bytes(), tuple(_remarks(table, turned, format_name)))
+
+
+def _remarks(table: CoefficientTable, turned: bool, format_name: str) -> list[str]:
+    """What the terminal says of a table, too."""
+    said = [f"{table.speeds.size} speeds; {declaration(table.frame)}; temperatures: {table.temperatures}"]
+    if turned:
+        said.append("The bearing is seen from the other end of the shaft: build the rotor from that end.")
+    if table.over_frequency is not None and format_name not in OVER_FREQUENCY:
+        said.append("The format has no axis of frequency: the coefficients are synchronous.")
+    if "following" in table.temperatures:
+        said.append("The stiffness holds for slow changes; for whirl and vibration take frozen temperatures.")
+    return [*said, *warnings_lines(table)]
+
+
+def _spaced(speeds: Speeds) -> list[float]:
+    """In rad/s.
+
+    Raises
+    ------
+    InputError
+        E003 for what is no speed, or for speeds that do not rise.
+    """
+    try:
+        first, last = SPEED(speeds.first), SPEED(speeds.last)
+    except QuantityError as error:
+        raise InputError("E003", f"speeds: {error}; allowed: such as 500 rpm") from None
+    if not 0.0 < first < last:
+        raise InputError("E003", f"speeds: {speeds.first} to {speeds.last} do not rise from above zero")
+    if speeds.number < FEWEST:
+        raise InputError("E003", f"speeds: {speeds.number} are given; at least {FEWEST} are needed")
+    return [float(one) for one in np.linspace(first, last, speeds.number)]

@@ -1,0 +1,155 @@
+"""A designer without a terminal: a template, another oil, the largest clearance within the limits, the report.
+
+Once with the mouse, once on the keyboard alone.
+"""
+
+import pytest
+from browsing import IN_BROWSER, film_thickness, tab, text_of, until
+
+from babbitt.app.answer import read, solved
+
+pytestmark = IN_BROWSER
+
+MOST_STEPS = 200
+"""Presses of a key within which everything is to be reached."""
+
+NAME = """() => {
+  const here = document.activeElement, copy = here.cloneNode(true);
+  copy.querySelectorAll("i").forEach((icon) => icon.remove());
+  return (here.getAttribute("aria-label") || here.labels?.[0]?.innerText || copy.textContent).trim();
+}"""
+"""What is focused, by its name."""
+
+MARKED = "() => document.querySelector('.q-menu .q-manual-focusable--focused')?.innerText ?? ''"
+"""The option that the arrow keys have come to."""
+
+PASSED = ("pass", "pass with remarks")
+
+
+def press_until(page, key, reached):
+    for _ in range(MOST_STEPS):
+        page.keyboard.press(key)
+        if reached():
+            return
+        page.wait_for_timeout(50)
+    raise AssertionError(f"{key} does not lead there")
+
+
+def reach(page, name):
+    press_until(page, "Tab", lambda: page.evaluate(NAME) == name)
+
+
+def type_in(page, name, text):
+    reach(page, name)
+    page.keyboard.press("Control+A")
+    page.keyboard.type(text)
+
+
+def menu(page, name, entry):
+    reach(page, name)
+    page.keyboard.press("Enter")
+    page.wait_for_selector("[role=menuitem]")
+    press_until(page, "ArrowDown", lambda: page.evaluate(NAME) == entry)
+
+
+def option(page, name, wanted):
+    reach(page, name)
+    page.keyboard.press("Enter")
+    page.wait_for_selector(".q-menu [role=option]")
+    press_until(page, "ArrowDown", lambda: page.evaluate(MARKED).startswith(wanted))
+    page.keyboard.press("Enter")
+
+
+def drafts(page):
+    """What the browser keeps of the case."""
+    return page.evaluate("Object.values(sessionStorage).join()")
+
+
+def diameter_is(page, value):
+    until(page, lambda: page.get_by_label("Diameter", exact=True).input_value() == value)
+
+
+def largest_offered(page):
+    return page.locator(".more button", has_text="permille").last.inner_text()
+
+
+def check(page, oil, clearance, report):
+    """The case has what was chosen, it keeps its limits, and the report is one."""
+    assert page.locator(".verdict .word").inner_text() in PASSED
+    text = text_of(page)
+    assert f"lubricant: {oil}" in text
+    assert f"mean: {clearance}" in text
+    (result,) = solved(text).results
+    assert result.within_limits
+    assert read(text).clearance.mean == pytest.approx(1e-3 * float(clearance.split()[0]))
+    assert report.startswith(b"%PDF-")
+
+
+def test_with_the_mouse(page):
+    page.get_by_label("Diameter", exact=True).fill("125")
+    until(page, lambda: "125 mm" in drafts(page))
+    page.get_by_role("button", name="New").click()
+    page.get_by_role("menuitem", name="one journal bearing").click()
+    diameter_is(page, "120")
+    page.get_by_label('Expand "Oil"').click()
+    before = film_thickness(page)
+    page.get_by_label("Lubricant", exact=True).fill("ISO VG 100")
+    until(page, lambda: film_thickness(page) > before)
+    tab(page, "Studies")
+    page.get_by_label("What is asked").click()
+    page.get_by_role("option", name="size").click()
+    page.get_by_label("Fields that vary").click()
+    page.get_by_role("option", name="clearance mean").click()
+    page.keyboard.press("Escape")
+    page.get_by_label("clearance.mean to").fill("4 permille")
+    page.get_by_role("button", name="Run the study").click()
+    page.get_by_text("Take into the case:").wait_for()
+    clearance = largest_offered(page)
+    page.get_by_role("button", name=clearance).click()
+    until(page, lambda: page.get_by_label("Mean", exact=True).input_value() == clearance)
+    page.get_by_role("button", name="Report").click()
+    with page.expect_download() as began:
+        page.get_by_role("menuitem", name="PDF").click()
+    check(page, "ISO VG 100", clearance, began.value.path().read_bytes())
+
+
+def test_on_the_keyboard_alone(page):
+    type_in(page, "Diameter", "125")
+    until(page, lambda: "125 mm" in drafts(page))
+    menu(page, "New", "one journal bearing, by ISO 7902 or its film")
+    page.keyboard.press("Enter")
+    diameter_is(page, "120")
+    before = film_thickness(page)
+    reach(page, 'Expand "Oil"')
+    page.keyboard.press("Enter")
+    page.wait_for_selector("input[aria-label=Lubricant]")
+    type_in(page, "Lubricant", "ISO VG 100")
+    until(page, lambda: film_thickness(page) > before)
+    reach(page, "Vary a value")
+    press_until(page, "ArrowRight", lambda: page.evaluate(NAME) == "Studies")
+    page.keyboard.press("Enter")
+    option(page, "What is asked", "size")
+    option(page, "Fields that vary (1 to 1)", "clearance mean")
+    page.get_by_label("clearance.mean to").wait_for()
+    page.keyboard.press("Escape")
+    type_in(page, "clearance.mean to", "4 permille")
+    reach(page, "Run the study")
+    page.keyboard.press("Enter")
+    page.get_by_text("Take into the case:").wait_for()
+    clearance = largest_offered(page)
+    reach(page, clearance)
+    page.keyboard.press("Enter")
+    until(page, lambda: page.get_by_label("Mean", exact=True).input_value() == clearance)
+    menu(page, "Report", "PDF")
+    with page.expect_download() as began:
+        page.keyboard.press("Enter")
+    check(page, "ISO VG 100", clearance, began.value.path().read_bytes())
+
+
+def test_a_slider_that_keys_move_comes_to_a_settled_answer(page):
+    """While it moves a draft answers, then the grid of the case."""
+    before = film_thickness(page)
+    page.locator(".slider .q-slider__track-container").first.focus()
+    for _ in range(10):
+        page.keyboard.press("ArrowRight")
+    until(page, lambda: film_thickness(page) < before and page.locator(".quick").count() == 0)
