@@ -239,7 +239,9 @@ def _columns(task: RowTask, rows: Columns, name: str, result: Result, verdict: V
         kept, margin = advisories if check.advisory else margins, column(check.margin)
         kept[check.code] = np.minimum(margin, kept.get(check.code, margin))
     values = {one: column(result.values.get(one, np.nan)) for one in task.outputs}
-    return answers_of_arrays(task, rows, name, values, margins, np.full(count, verdict.key, object), advisories)
+    codes = " ".join(result.questioning_codes) if verdict is Verdict.REMARKS else ""
+    verdicts, remarks = (np.full(count, word, object) for word in (verdict.key, codes))
+    return answers_of_arrays(task, rows, name, values, margins, verdicts, advisories, remarks)
 
 
 def _lanes_in(answers: Sequence[tuple[Index, Columns]]) -> Index:
