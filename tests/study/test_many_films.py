@@ -124,7 +124,8 @@ UNKNOWN = {
     "all equilibria": ({"equilibria": "all"}, KEPT),
     "threshold": ({}, ["threshold_speed"]),
     "heat": (
-        {"effective_temperature": None, **HEATED, "supply": {"temperature": "45 degC", "pressure": "0.1 MPa"}}, KEPT
+        {"effective_temperature": None, "supply": {"temperature": "45 degC", "pressure": "0.1 MPa"}, **HEATED},
+        KEPT,
     ),
 }  # fmt: skip
 

@@ -15,6 +15,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,17 +29,22 @@ def threshold_stiffness(stiffness: Matrix, damping: Matrix) -> float:
     """Stiffness m Omega^2 of the journal on the threshold, N/m."""
     (kxx, kxy), (kyx, kyy) = stiffness
     (cxx, cxy), (cyx, cyy) = damping
-    return (kxx * cyy + kyy * cxx - kxy * cyx - kyx * cxy) / (cxx + cyy)  # type: ignore[no-any-return]
+    return _number((kxx * cyy + kyy * cxx - kxy * cyx - kyx * cxy) / (cxx + cyy))
+
+
+def _number(value: Any) -> Any:
+    """A plain number, or the lanes that take its place."""
+    return value if np.ndim(value) else float(value)
 
 
 def _determinant(matrix: Matrix) -> float:
     (xx, xy), (yx, yy) = matrix
-    return xx * yy - xy * yx  # type: ignore[no-any-return]
+    return _number(xx * yy - xy * yx)  # type: ignore[no-any-return]
 
 
 def _trace(matrix: Matrix) -> float:
     (xx, _), (_, yy) = matrix
-    return xx + yy  # type: ignore[no-any-return]
+    return _number(xx + yy)  # type: ignore[no-any-return]
 
 
 def whirl_frequency(stiffness: Matrix, damping: Matrix) -> float:
@@ -49,7 +55,7 @@ def whirl_frequency(stiffness: Matrix, damping: Matrix) -> float:
     k0 = threshold_stiffness(stiffness, damping)
     (kxx, kxy), (kyx, kyy) = stiffness
     squared = ((k0 - kxx) * (k0 - kyy) - kxy * kyx) / _determinant(damping)
-    return np.sqrt(squared) if squared > 0.0 else 0.0
+    return _number(np.sqrt(squared)) if squared > 0.0 else 0.0
 
 
 @dataclass(frozen=True)
