@@ -134,15 +134,17 @@ def _candidate(
     remarks = [
         code for line in lines if line["verdict"] == Verdict.REMARKS.key for code in line["message"].split()
     ]
+    power, flow = (float(np.max([line[name] for line in lines])) for name in ("friction_power", "total_flow"))
     return Candidate(
-        lines[0]["row"],
-        {path: worst[path] for path in paths if path != METHOD},
-        max((line["verdict"] for line in lines), key=ORDER.index),
-        worst["governing_check"],
-        worst["margin"],
-        *(float(np.max([line[name] for line in lines])) for name in ("friction_power", "total_flow")),
-        tuple(lines),
-        tuple(dict.fromkeys(remarks)),
-        tuple(dict.fromkeys((*missed, *rules))),
-        round(-sum(missed.values()), 1),
+        row=lines[0]["row"],
+        fields={path: worst[path] for path in paths if path != METHOD},
+        verdict=max((line["verdict"] for line in lines), key=ORDER.index),
+        code=worst["governing_check"],
+        margin=worst["margin"],
+        power=power,
+        flow=flow,
+        lines=tuple(lines),
+        remarks=tuple(dict.fromkeys(remarks)),
+        departures=tuple(dict.fromkeys((*missed, *rules))),
+        short=round(-sum(missed.values()), 1),
     )

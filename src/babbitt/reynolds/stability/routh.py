@@ -29,7 +29,7 @@ def threshold_stiffness(stiffness: Matrix, damping: Matrix) -> float:
     """Stiffness m Omega^2 of the journal on the threshold, N/m."""
     (kxx, kxy), (kyx, kyy) = stiffness
     (cxx, cxy), (cyx, cyy) = damping
-    return _number((kxx * cyy + kyy * cxx - kxy * cyx - kyx * cxy) / (cxx + cyy))
+    return _number((kxx * cyy + kyy * cxx - kxy * cyx - kyx * cxy) / (cxx + cyy))  # type: ignore[no-any-return]
 
 
 def _number(value: Any) -> Any:

@@ -225,13 +225,17 @@ def _solved(case: FilmCase, at: _Conditions, count: int) -> BatchSolution:
         case.journal_speed,
         duty.load,
     )
-    *sizes, load = (np.broadcast_to(_rounded(one), (count,)) for one in numbers)
+    diameter, width, clearance, viscosity, speed, load = (
+        np.broadcast_to(_rounded(one), (count,)) for one in numbers
+    )
     first, conditions = chooser((case, at))(0)  # type: ignore[arg-type]
     film = _film_of(first, conditions)
-    frame = LoadFrame.of(film, load_vector(first, first.duty.load))
+    frame = LoadFrame.of(film, load_vector(first, cast(PrescribedLoad, first.duty).load))
     lands = tuple(Land(one.start_angle, one.end_angle) for one in frame.film.lands)  # all round, of one clearance
+    down = np.outer(load, (0.0, -1.0))
+    grid = resolution_of(case)
     found = solve_batch(
-        *sizes, np.outer(load, (0.0, -1.0)), lands, case.cavitation, resolution_of(case), workers=1
+        diameter, width, clearance, viscosity, speed, down, lands, case.cavitation, grid, workers=1
     )
     return _turned(found, frame.angle)
 
@@ -264,7 +268,9 @@ def _is_simple(found: BatchSolution) -> NDArray[np.bool_]:
     (xx, xy), (yx, yy) = np.moveaxis(found.stiffness, 0, -1)
     leaving = found.side_flow + found.side_inflow
     finite = np.isfinite(found.stiffness).all(axis=(1, 2)) & np.isfinite(found.damping).all(axis=(1, 2))
-    return found.solved & finite & (xx * yy - xy * yx >= 0.0) & ~(found.side_inflow > NOTHING * leaving)
+    drawn: NDArray[np.bool_] = found.side_inflow > NOTHING * leaving
+    stays: NDArray[np.bool_] = xx * yy - xy * yx >= 0.0
+    return found.solved & finite & stays & ~drawn
 
 
 def _chosen(found: BatchSolution, lanes: Index) -> BatchSolution:
