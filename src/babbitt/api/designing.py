@@ -29,6 +29,7 @@ def design_bearing(
     supply_temperature: float | str | None = None,
     supply_pressure: float | str | None = None,
     metal: str | None = None,
+    name: str | None = None,
     reserve: float = 0.1,
     proposals: int = 5,
     out: str | Path | None = None,
@@ -49,6 +50,8 @@ def design_bearing(
         45 °C and 0.2 MPa are assumed without them.
     metal : str, optional
         Bearing metal of the catalogue.
+    name : str, optional
+        Of the bearing; what the duty says without it.
     reserve : float
         Margin to every limit from which designs are ranked by their friction power.
     proposals : int
@@ -79,7 +82,6 @@ def design_bearing(
         name: quantity_text(float(value), KINDS[UNITS[name]]) if isinstance(value, int | float) else value
         for name, value in numbers.items()
     }
-    case, block = duty_study(
-        kind, {**given, "metal": metal}, lubricants, fits, reserve=reserve, proposals=proposals
-    )
+    duty = {**given, "metal": metal, "name": name}
+    case, block = duty_study(kind, duty, lubricants, fits, reserve=reserve, proposals=proposals)
     return run(case, plan(case, block), out, workers, public_case)

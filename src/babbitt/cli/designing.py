@@ -30,6 +30,9 @@ def design(
         typer.Option(metavar="FIT", help="A fit such as H7/e8; several times. By the speed if left out."),
     ] = None,
     kind: Annotated[str, typer.Option(metavar="KIND", help="Of bearing.")] = "journal",
+    name: Annotated[
+        str | None, typer.Option(metavar="NAME", help="Of the bearing; what the duty says if left out.")
+    ] = None,
     supply_temperature: Annotated[
         str | None, typer.Option(metavar="T", help="Of the oil that is supplied; 45 degC are assumed.")
     ] = None,
@@ -71,6 +74,7 @@ def design(
         "supply_temperature": supply_temperature,
         "supply_pressure": supply_pressure,
         "metal": metal,
+        "name": name,
     }
     oils = [one for one in lubricant or () if one != "any"]
     case, block = duty_study(kind, given, oils, fit or (), reserve=least, proposals=proposals)
@@ -78,8 +82,8 @@ def design(
     with displayed_in(units):
         write_study(found, xlsx, report, plots)
         print_study(found)
-    if out_dir is not None:
-        for path in write_designs(found, out_dir):
-            print(f"wrote {path}")
+        if out_dir is not None:
+            for path in write_designs(found, out_dir):
+                print(f"wrote {path}")
     if not designs_of(found).proposals:
         raise typer.Exit(NO_SOLUTION)

@@ -18,7 +18,16 @@ from numpy.typing import NDArray
 
 from babbitt.core.picklable_error import PicklableError
 
-__all__ = ["DividedLanesError", "Lanes", "assembled", "chooser", "in_branches", "lanes_at", "lanes_of"]
+__all__ = [
+    "DividedLanesError",
+    "Lanes",
+    "assembled",
+    "chooser",
+    "holds_lanes",
+    "in_branches",
+    "lanes_at",
+    "lanes_of",
+]
 
 Index = NDArray[np.intp]
 Answer = TypeVar("Answer")
@@ -86,6 +95,15 @@ def chooser(value: Answer) -> Callable[[Index], Answer]:
     """
     found = _chooser(value)
     return found if found is not None else lambda index: value
+
+
+def holds_lanes(value: Any) -> bool:
+    """Whether a value is lanes, or holds some.
+
+    >>> holds_lanes((1.0, {"a": lanes_of(np.ones(2))})), holds_lanes((1.0, "a"))
+    (True, False)
+    """
+    return _chooser(value) is not None
 
 
 def _chooser(value: Any) -> Callable[[Index], Any] | None:

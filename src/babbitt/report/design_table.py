@@ -7,10 +7,12 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from babbitt.core.check_text import number
+from babbitt.core.quantities import QUANTITIES
 from babbitt.report.study_values import DASH, StudyTable, check_title, percent
 from babbitt.report.text import plain_text
-from babbitt.study.best_designs import reasons_of
-from babbitt.study.design import CRITERION, Candidate, designs_of, rules_of
+from babbitt.study.best_designs import edges, reasons_of, recommendation, verdict_said
+from babbitt.study.candidates import CRITERION, Candidate
+from babbitt.study.design import designs_of, rules_of
 from babbitt.study.study import Study
 
 __all__ = ["design_tables"]
@@ -32,9 +34,11 @@ def design_tables(study: Study) -> Iterator[StudyTable]:
         rows = [_pair(study, place, pair) for place, pair in enumerate(found.proposals, 1)]
         kept = f"{counts}; each proposal is solved again by {second}, at all clearances of its fit."
         worst = "Margin, P_f and Q: the worst of the clearances; all other numbers are those of the mean one."
-        yield _table("Proposals", rows, (criterion, worst, kept))
+        recommended = f"Recommended: {recommendation(study)}."
+        yield _table("Proposals", rows, (recommended, *edges(study), criterion, worst, kept))
         reasons = tuple((str(place), *_reasons(study, one)) for place, (one, _) in enumerate(found.proposals, 1))
         yield StudyTable("Why", (("no.", ""), ("governed by", ""), ("rules", "")), reasons, 3)
+        yield from _meanings(found.proposals)
     else:
         rows = [_single(study, place, one) for place, one in enumerate(found.nearest, 1)]
         codes = dict.fromkeys(one.code for one in found.nearest if one.code)
@@ -49,6 +53,15 @@ def design_tables(study: Study) -> Iterator[StudyTable]:
         yield StudyTable("Assumptions", (("assumption", ""),), tuple((plain_text(str(one)),) for one in assumed))
 
 
+def _meanings(proposals: Sequence[tuple[Candidate, Candidate]]) -> Iterator[StudyTable]:
+    """What remarks and missed recommendations of the proposals mean."""
+    codes = dict.fromkeys(code for pair in proposals for one in pair for code in (*one.remarks, *one.departures))
+    rows = tuple((code, title) for code in codes if (title := check_title(code).removeprefix(code).strip()))
+    if rows:
+        note = "`babbitt explain CODE` says what each means, and what to do."
+        yield StudyTable("Remarks and missed recommendations", (("code", ""), ("title", "")), rows, 2, (note,))
+
+
 def _table(title: str, rows: Sequence[Cells], notes: tuple[str, ...]) -> StudyTable:
     heads = tuple(rows[0]) if rows else (("", ""),)
     return StudyTable(title, heads, tuple(tuple(row.values()) for row in rows), 4, notes)
@@ -59,9 +72,11 @@ def _single(study: Study, place: int, one: Candidate) -> Cells:
     return {
         ("no.", ""): str(place),
         **{head: plain_text(cell) for head, cell in shown.items()},
-        ("P_f", "kW"): number("friction_power", one.power),
-        ("Q", "L/min"): number("total_flow", one.flow),
+        ("P_f", _unit("friction_power")): number("friction_power", one.power),
+        ("Q", _unit("total_flow")): number("total_flow", one.flow),
         ("margin", ""): _margin(one),
+        ("verdict", ""): verdict_said(one),
+        ("misses", ""): ", ".join(one.departures),
     }
 
 
@@ -71,10 +86,15 @@ def _pair(study: Study, place: int, pair: tuple[Candidate, Candidate]) -> Cells:
     film = number("minimum_film_thickness", again.values.get("minimum_film_thickness", math.nan))
     return {
         **_single(study, place, one),
-        (f"{second}: h_min", "µm"): film,
-        ("P_f", f"kW ({second})"): number("friction_power", again.power),
+        (f"{second}: h_min", _unit("minimum_film_thickness")): film,
+        (f"P_f by {second}", _unit("friction_power")): number("friction_power", again.power),
         (f"margin by {second}", ""): _margin(again),
+        (f"verdict by {second}", ""): verdict_said(again),
     }
+
+
+def _unit(quantity: str) -> str:
+    return QUANTITIES[quantity].display.label
 
 
 def _margin(one: Candidate) -> str:

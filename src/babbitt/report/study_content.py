@@ -193,7 +193,7 @@ def _table(study: Study) -> Iterator[StudyTable]:
 def _refused(study: Study) -> Iterator[StudyTable]:
     """Rows without an answer, each with its reason."""
     columns = study.columns
-    without = np.flatnonzero(columns["message"] != "")[:MOST_ROWS]
+    without = np.flatnonzero(columns["verdict"] == Verdict.NO_SOLUTION.key)[:MOST_ROWS]
     names = _names(columns)
     rows = tuple(
         (

@@ -2,14 +2,24 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Iterator
 from pathlib import Path
 
 from babbitt.case.with_units import case_text
 from babbitt.core.files.writing import replace_synced
+from babbitt.core.quantities import QUANTITIES
+from babbitt.core.result import Verdict
 from babbitt.study import design, optimum
+from babbitt.study.candidates import Candidate
 from babbitt.study.study import Study, case_of
 
-__all__ = ["DESIGNS", "reasons_of", "write_designs"]
+__all__ = ["DESIGNS", "edges", "reasons_of", "recommendation", "verdict_said", "write_designs"]
+
+SAME = 1e-6
+"""Relative difference of what counts as one value."""
+
+ALL_KEPT = "keeps every recommendation and usual rule"
 
 DESIGNS = "designs"
 """Folder of the best designs, in that of their study."""
@@ -47,11 +57,63 @@ def _best_rows(study: Study) -> dict[str, tuple[int, tuple[str, ...]]] | None:
             return {f"design-row-{row}": (row, ()) for row in optimum.optimum_of(study).rows}
         case "design":
             found = enumerate(design.designs_of(study).proposals, 1)
-            return {f"proposal-{place}": (one.row, reasons_of(study, one)) for place, (one, _) in found}
+            return {f"proposal-{place}": (one.row, _heads(study, place, one, by)) for place, (one, by) in found}
     return None
 
 
-def reasons_of(study: Study, one: design.Candidate) -> tuple[str, ...]:
+def _heads(study: Study, place: int, one: Candidate, again: Candidate) -> tuple[str, ...]:
+    """What stands above the case of a proposal: whether it is the recommended one, verdicts, and reasons."""
+    first, second = design.rules_of(study.description["kind"]).METHODS
+    head = (f"Recommended: {recommendation(study)}",) if place == 1 else ()
+    verdicts = f"by {first}: {verdict_said(one)}; by {second}: {verdict_said(again)}"
+    return (*head, verdicts, *reasons_of(study, one))
+
+
+def recommendation(study: Study) -> str:
+    """The first proposal in one line: its margins, its power, its remarks."""
+    (one, again), *_ = design.designs_of(study).proposals
+    first, second = design.rules_of(study.description["kind"]).METHODS
+    values = QUANTITIES["friction_power"].with_unit(one.power)
+    margins = " and ".join(
+        f"{100.0 * each.margin:.0f} % ({each.code}) by {method}"
+        for each, method in ((one, first), (again, second))
+    )
+    remarks = tuple(dict.fromkeys((*one.remarks, *again.remarks)))
+    passes = f"passes with remarks ({', '.join(remarks)})" if remarks else "passes without remarks"
+    missed = f"misses {', '.join(one.departures)}" if one.departures else ALL_KEPT
+    return f"no. 1 {passes}, margin {margins}, friction {values}; it {missed}"
+
+
+def verdict_said(one: Candidate) -> str:
+    """The verdict of a design, with the codes of its remarks.
+
+    >>> verdict_said(Candidate(0, {}, "remarks", "C104", 0.2, 1.0, 1.0, ({},), ("W190",), ()))
+    'pass with remarks W190'
+    """
+    said = Verdict[one.verdict.upper()].value
+    return f"{said} {', '.join(one.remarks)}".strip() if one.within else said
+
+
+def edges(study: Study) -> Iterator[str]:
+    """Which proposals lie at an end of what was tried, and what sets that end."""
+    found = design.designs_of(study)
+    reasons = {one["path"]: one["reason"] for one in study.inputs}
+    for path, (quantity, least, most) in design.rules_of(study.description["kind"]).EDGES.items():
+        tried = [value for one in found.tried if math.isfinite(value := one.values[quantity])]
+        if path not in reasons or not tried or math.isclose(min(tried), max(tried), rel_tol=SAME):
+            continue
+        for word, end in ((least, min(tried)), (most, max(tried))):
+            at = [
+                str(place)
+                for place, (one, _) in enumerate(found.proposals, 1)
+                if math.isclose(one.values[quantity], end, rel_tol=SAME)
+            ]
+            if at:
+                name = path.rpartition(".")[2].replace("_", " ")
+                yield f"No. {', '.join(at)}: the {word} {name} that was tried ({reasons[path]})"
+
+
+def reasons_of(study: Study, one: Candidate) -> tuple[str, ...]:
     """Why a proposed design is as it is."""
     limits = {check["code"]: check["limit"] for check in study.description["checks"]}
-    return tuple(design.rules_of(study.description["kind"]).reasons(one.values, limits))
+    return tuple(design.rules_of(study.description["kind"]).reasons(one.lines, limits))

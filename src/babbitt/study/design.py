@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, Protocol
@@ -23,6 +23,7 @@ from babbitt.case.with_units import case_text
 from babbitt.core.kind import find_kind, kinds
 from babbitt.core.notices import InputError
 from babbitt.core.result import Verdict
+from babbitt.study.candidates import METHOD, Candidate, candidates_of, key_of, ranked
 from babbitt.study.inputs import Input
 from babbitt.study.rows import Columns, RowTask, joined
 
@@ -31,8 +32,6 @@ if TYPE_CHECKING:
     from babbitt.study.study import Study
 
 __all__ = [
-    "CRITERION",
-    "Candidate",
     "Designs",
     "FirstDesign",
     "designed",
@@ -57,20 +56,8 @@ MOST_CONFIRMED = 3
 ALTERNATIVES = 2
 """Designs of one oil that are solved by the second method until one is confirmed."""
 
-METHOD = "method"
-
 DIFFERENT = ("lubricant", "clearance")
 """Fields of which proposals differ in the first that has several values."""
-
-CRITERION = (
-    "all limits kept at the smallest, mean and largest clearance with the oil that the feed delivers, first "
-    "without remarks; with a margin of at least {0} to each limit; then least friction power, then least "
-    "flow. Designs with less margin follow, by their margin"
-)
-"""How designs are ranked."""
-
-WITHIN = (Verdict.PASS.key, Verdict.REMARKS.key)
-ORDER = [verdict.key for verdict in Verdict]
 
 
 class FirstDesign(Protocol):
@@ -81,6 +68,9 @@ class FirstDesign(Protocol):
 
     REASONS: Mapping[str, str]
     """By the path of a field why its values are tried."""
+
+    EDGES: Mapping[str, tuple[str, str, str]]
+    """By the path of a field with an order the quantity that has it, and words for its smallest and largest."""
 
     METHODS: tuple[str, ...]
     """A quick method, and one that confirms what it finds."""
@@ -94,44 +84,14 @@ class FirstDesign(Protocol):
     def shown(self, fields: Mapping[str, Any], values: Mapping[str, float]) -> dict[tuple[str, str], str]:
         """The cells of a design in a table, by heading and unit."""
 
-    def fit_together(self, values: Mapping[str, Any]) -> bool:
-        """Whether values of fields, as the case has them, belong together."""
+    def fit_together(self, values: Mapping[str, Any], stated: Collection[str]) -> bool:
+        """Whether values of fields, as the case has them, belong together; paths of `stated` are not by rules."""
 
-    def reasons(self, values: Mapping[str, float], limits: Mapping[str, float]) -> Iterator[str]:
-        """Why a design is as it is, by its worst values in SI and the limits by their code."""
+    def departures(self, line: Mapping[str, Any]) -> Iterator[str]:
+        """Usual rules that a line of a design, its columns in SI, does not keep; without numbers."""
 
-
-@dataclass(frozen=True)
-class Candidate:
-    """A design that was computed, by its worst clearance.
-
-    Attributes
-    ----------
-    row : int
-    fields : mapping
-        By path what was tried: SI numbers, or words.
-    verdict, code : str
-        Of the worst bearing, operating point or clearance; the check with the least margin.
-    margin : float
-    power, flow : float
-        Largest friction power in W and oil flow in m3/s.
-    values : mapping
-        By name the quantities of the mean clearance, in SI.
-    """
-
-    row: int
-    fields: Mapping[str, Any]
-    verdict: str
-    code: str
-    margin: float
-    power: float
-    flow: float
-    values: Mapping[str, float]
-
-    @property
-    def within(self) -> bool:
-        """Whether it keeps all limits."""
-        return self.verdict in WITHIN
+    def reasons(self, lines: Sequence[Mapping[str, Any]], limits: Mapping[str, float]) -> Iterator[str]:
+        """Why a design is as it is, by its lines of each clearance in SI and the limits by their code."""
 
 
 @dataclass(frozen=True)
@@ -227,7 +187,7 @@ def designed(task: RowTask, block: StudyBlock, engine: Engine) -> Columns:
         parts.append(engine.answers(_columns(inputs, finer, rules.METHODS[0]), REFINED))
     confirmed: dict[Any, int] = {}
     solved = 0
-    for one in _ranked(_lines(joined(parts), task), block):
+    for one in ranked(_lines(joined(parts), task), block.reserve):
         key = _distinct(one, inputs)
         enough = sum(count < 0 for count in confirmed.values()) >= block.proposals
         if enough or not one.within or solved >= MOST_CONFIRMED * block.proposals:
@@ -245,40 +205,29 @@ def designs_of(study: Study) -> Designs:
     """The proposals of a study, best first, and what was not confirmed."""
     block, inputs = study.block, study.inputs
     paths = [one["path"] for one in inputs]
-    found = {group: _candidates(study.of(group), paths, study.outputs) for group in (TRIED, REFINED, CONFIRMED)}
-    second = {_key(one.fields): one for one in found[CONFIRMED]}
-    ranked = _ranked([*found[TRIED], *found[REFINED]], block)
-    pairs = [(one, second[_key(one.fields)]) for one in ranked if _key(one.fields) in second]
-    proposals = tuple(pair for pair in pairs if pair[1].within)
-    nearest = () if proposals else tuple(one for one in ranked if math.isfinite(one.margin))[: block.proposals]
+    advisories = [one["code"] for one in study.description["advisories"]]
+    departures = rules_of(study.description["kind"]).departures
+    found = {
+        group: candidates_of(study.of(group), paths, advisories, departures)
+        for group in (TRIED, REFINED, CONFIRMED)
+    }
+    second = {key_of(one.fields): one for one in found[CONFIRMED]}
+    tried = ranked([*found[TRIED], *found[REFINED]], block.reserve)
+    pairs = [(one, second[key_of(one.fields)]) for one in tried if key_of(one.fields) in second]
+    proposals = sorted((pair for pair in pairs if pair[1].within), key=lambda pair: bool(pair[1].remarks))
+    nearest = () if proposals else tuple(one for one in tried if math.isfinite(one.margin))[: block.proposals]
     return Designs(
-        proposals,
+        tuple(proposals),
         tuple(pair for pair in pairs if not pair[1].within),
         nearest,
-        tuple(ranked),
+        tuple(tried),
     )
-
-
-def _ranked(candidates: Sequence[Candidate], block: StudyBlock) -> list[Candidate]:
-    """By the criterion (`CRITERION`); what has no reserve is ranked by its margin."""
-
-    def standing(one: Candidate) -> tuple[float, ...]:
-        margin = one.margin if math.isfinite(one.margin) else -math.inf
-        if margin < block.reserve:
-            return (not one.within, ORDER.index(one.verdict), 1.0, -margin, one.power)
-        return (not one.within, ORDER.index(one.verdict), 0.0, one.power, one.flow)
-
-    return sorted(candidates, key=standing)
 
 
 def _distinct(one: Candidate, inputs: Sequence[Input]) -> Any:
     """What two proposals differ in: the oil, where one oil is tried the clearance, else any field."""
     paths = [each.path for each in inputs if each.path in DIFFERENT and each.listed.size > 1]
-    return one.fields[paths[0]] if paths else _key(one.fields)
-
-
-def _key(fields: Mapping[str, Any]) -> tuple[Any, ...]:
-    return tuple(value for path, value in fields.items() if path != METHOD)
+    return one.fields[paths[0]] if paths else key_of(one.fields)
 
 
 def _coarse(inputs: Sequence[Input]) -> dict[str, list[Any]]:
@@ -298,10 +247,11 @@ def _grid(
 ) -> list[dict[str, Any]]:
     """Every combination of values that fits together."""
     varied = [one for one in inputs if one.path != METHOD]
+    stated = {one.path for one in inputs if one.reason != rules.REASONS.get(one.path)}
     made = []
     for combined in itertools.product(*(values[one.path] for one in varied)):
         given = {one.path: one.in_case(value) for one, value in zip(varied, combined, strict=True)}
-        if rules.fit_together(given):
+        if rules.fit_together(given, stated):
             made.append(dict(zip((one.path for one in varied), combined, strict=True)))
     return made
 
@@ -314,9 +264,9 @@ def _finer(
     tried: Sequence[Mapping[str, Any]],
 ) -> list[dict[str, Any]]:
     """Around the best design of each oil the numbers between those that were tried, its other choices held."""
-    known = {_key(one) for one in tried}
+    known = {key_of(one) for one in tried}
     coarse, made, seen = _coarse(inputs), [], set()
-    for best in _ranked(found, block):
+    for best in ranked(found, block.reserve):
         key = _distinct(best, inputs)
         if key in seen or best.verdict == Verdict.NO_SOLUTION.key:
             continue
@@ -327,8 +277,8 @@ def _finer(
                 values[one.path] = _between(one, coarse[one.path], best.fields[one.path])
             elif one.path not in DIFFERENT:
                 values[one.path] = coarse[one.path]
-        finer = [row for row in _grid(inputs, rules, values) if _key(row) not in known]
-        known |= {_key(row) for row in finer}
+        finer = [row for row in _grid(inputs, rules, values) if key_of(row) not in known]
+        known |= {key_of(row) for row in finer}
         made += finer
     return made
 
@@ -349,40 +299,8 @@ def _columns(inputs: Sequence[Input], rows: Sequence[Mapping[str, Any]], method:
 
 
 def _lines(columns: Columns, task: RowTask) -> list[Candidate]:
-    return _candidates(columns, [one.path for one in task.inputs], task.outputs)
-
-
-def _candidates(columns: Columns, paths: Sequence[str], outputs: Sequence[str]) -> list[Candidate]:
-    """One candidate for the lines of each row."""
-    places: dict[int, list[int]] = {}
-    for place, row in enumerate(columns["row"].tolist()):
-        places.setdefault(row, []).append(place)
-    return [_candidate(columns, row, own, paths, outputs) for row, own in places.items()]
-
-
-def _candidate(
-    columns: Columns,
-    row: int,
-    places: Sequence[int],
-    paths: Sequence[str],
-    outputs: Sequence[str],
-) -> Candidate:
-    margins = [float(columns["margin"][place]) for place in places]
-    worst = min(range(len(places)), key=lambda at: margins[at] if math.isfinite(margins[at]) else -math.inf)
-    verdict = max((str(columns["verdict"][place]) for place in places), key=ORDER.index)
-    middle = places[len(places) // 2]  # smallest, mean and largest clearance, in this order
-    values = {name: float(columns[name][middle]) for name in outputs}
-    power, flow = (float(np.max(columns[name][list(places)])) for name in ("friction_power", "total_flow"))
-    return Candidate(
-        row,
-        {path: columns[path][middle : middle + 1].tolist()[0] for path in paths if path != METHOD},
-        verdict,
-        str(columns["governing_check"][places[worst]]),
-        margins[worst],
-        power,
-        flow,
-        values,
-    )
+    paths = [one.path for one in task.inputs]
+    return candidates_of(columns, paths, task.advisories, rules_of(task.kind).departures)
 
 
 def duty_study(

@@ -137,7 +137,7 @@ class Engine:
                 done[number] = found
                 self._tell(found)
         self._compute({number: chunk for number, chunk in chunks.items() if number not in done}, done, count)
-        return joined([done[number] for number in chunks]) if chunks else empty_answers(self.task)
+        return _taken_together([done.pop(number) for number in chunks]) if chunks else empty_answers(self.task)
 
     def _chunks(self, rows: Columns) -> dict[int, Columns]:
         """The rows in pieces, by the number of their chunk."""
@@ -205,6 +205,11 @@ class Engine:
     def _tell(self, found: Columns) -> None:
         without = found["verdict"] == Verdict.NO_SOLUTION.key
         self.watch.advances(np.unique(found["row"]).size, np.unique(found["row"][without]).size)
+
+
+def _taken_together(parts: list[Columns]) -> Columns:
+    """What `joined` gives, each column taken out of the tables, so that a million rows are in memory once."""
+    return {name: np.concatenate([part.pop(name) for part in parts]) for name in list(parts[0])}
 
 
 def _require_same(rows: Columns, found: Columns, task: RowTask) -> None:

@@ -80,7 +80,8 @@ class RowTask:
         Recommendations and screening indicators whose margins are kept.
     limits : tuple of str
         What counts (`babbitt.study.appraisal.appraised`), where the study says so: messages then tell why a row
-        does not pass. All limits where it does not, and messages of rows without an answer alone.
+        does not pass. All limits where it does not: messages of rows without an answer, and of those that pass
+        with remarks the codes of these.
     """
 
     kind: str
@@ -241,7 +242,11 @@ def _answer(task: RowTask, result: Result) -> dict[str, Any]:
     for check in (*found.checks, *advisories):
         name = advisory_name(check.code) if check in advisories else margin_name(check.code)
         margins[name] = min(check.margin, margins.get(name, math.inf))
-    explained = f"{found.code} {found.reason}".strip() if task.limits else "" if solved else found.reason
+    explained = found.reason
+    if task.limits:
+        explained = f"{found.code} {found.reason}".strip()
+    elif solved and found.verdict is not Verdict.REMARKS:
+        explained = ""
     return {
         **values,
         **margins,
@@ -275,6 +280,7 @@ def answers_of_arrays(
     margins: Mapping[str, NDArray[Any]],
     verdicts: NDArray[Any],
     advisories: Mapping[str, NDArray[Any]] | None = None,
+    remarks: NDArray[Any] | None = None,
 ) -> Columns:
     """The columns of rows that were solved as arrays, one bearing a row; what `SolvesMany` gives back.
 
@@ -295,6 +301,8 @@ def answers_of_arrays(
         elsewhere: such a chunk is better left to the rows one by one.
     advisories : mapping, optional
         By the code of each recommendation or screening indicator its margin, shape (n,).
+    remarks : ndarray of str, optional
+        Codes of the remarks with which rows pass, shape (n,).
     """
     count = rows["row"].size
     codes = np.array([*margins, ""], object)
@@ -313,7 +321,7 @@ def answers_of_arrays(
         missed = margin < -ROUND_OFF
         failed[missed] = [f"{before} {code}".strip() for before in failed[missed]]
     found["failed_checks"] = failed
-    found["message"] = np.full(count, "", object)
+    found["message"] = np.full(count, "", object) if remarks is None else remarks
     nothing = np.full(count, np.nan)
     for short, name in _films_short_of_oil(task):
         limited = np.asarray(found.get(short, nothing), float)

@@ -17,7 +17,15 @@ from babbitt.reynolds.bore import check_lands
 from babbitt.reynolds.lands._batch import HEAD, find_equilibria
 from babbitt.reynolds.lands._equilibrium import CONVERGED
 from babbitt.reynolds.lands._forces import RESULT_SIZE
-from babbitt.reynolds.lands._integrals import INFLOW, JOURNAL_TORQUE, OUTFLOW, SIDE_FLOW, TOTALS
+from babbitt.reynolds.lands._integrals import (
+    IMBALANCE,
+    INFLOW,
+    JOURNAL_TORQUE,
+    OUTFLOW,
+    SIDE_FLOW,
+    SIDE_INFLOW,
+    TOTALS,
+)
 from babbitt.reynolds.lands.operators import kernel_operator
 from babbitt.reynolds.model import ENGINEERING, Cavitation, Land, Resolution
 
@@ -47,6 +55,12 @@ class BatchSolution:
     supply_flow : ndarray, shape (bearings, lands)
         What the groove before each land adds: what it sends into the land less what it gets from the land before
         it, m3/s.
+    side_inflow, inlet_flow : ndarray, shape (bearings,)
+        What the sides draw in, and what enters all lands from their grooves, m3/s.
+    mass_balance_error : ndarray, shape (bearings,)
+        Over the flow that enters the lands.
+    force : ndarray, shape (bearings, 2)
+        Of the film on the journal, N.
     stiffness, damping : ndarray, shape (bearings, 2, 2)
         N/m and N s/m.
     iterations : ndarray of int, shape (bearings,)
@@ -65,6 +79,10 @@ class BatchSolution:
     friction_torque: Array
     side_flow: Array
     supply_flow: Array
+    side_inflow: Array
+    inlet_flow: Array
+    mass_balance_error: Array
+    force: Array
     stiffness: Array
     damping: Array
     iterations: NDArray[np.int64]
@@ -175,6 +193,7 @@ def solve_batch(
     before = _lands_before(lands)
     flow, torque = omega * 0.5 * d * c * b, eta * omega * (0.5 * d) ** 3 * b / c
     per_length = (unit / c)[:, None, None]
+    entering = totals[:, :, INFLOW].sum(axis=1)
     return BatchSolution(
         solved=found[:, 2] == CONVERGED,
         position=found[:, :2] * c[:, None],
@@ -184,6 +203,10 @@ def solve_batch(
         friction_torque=totals[:, :, JOURNAL_TORQUE].sum(axis=1) * torque,
         side_flow=totals[:, :, SIDE_FLOW].sum(axis=1) * flow,
         supply_flow=(totals[:, :, INFLOW] - totals[:, before, OUTFLOW]) * flow[:, None],
+        side_inflow=totals[:, :, SIDE_INFLOW].sum(axis=1) * flow,
+        inlet_flow=entering * flow,
+        mass_balance_error=np.abs(totals[:, :, IMBALANCE]).sum(axis=1) / np.maximum(np.abs(entering), 1e-300),
+        force=found[:, HEAD : HEAD + 2] * unit[:, None],
         stiffness=found[:, HEAD + 2 : HEAD + 6].reshape(count, 2, 2) * per_length,
         damping=found[:, HEAD + 6 :].reshape(count, 2, 2) * (per_length / omega[:, None, None]),
         iterations=found[:, 3].astype(np.int64),

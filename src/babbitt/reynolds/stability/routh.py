@@ -7,13 +7,15 @@ of Routh for that quartic asks for tr C > 0, det K > 0, k0 > 0 and
     det C k0 > m (k0^2 - k0 tr K + det K)
 
 with k0 the threshold stiffness. Where det C is positive it bounds the mass from above; where det C is negative, as
-that of mass-conserving films with one groove behind the load may be, from below.
+that of mass-conserving films with one groove behind the load may be, from below. Matrices may hold
+`babbitt.numerics.lanes.Lanes` in place of numbers.
 """
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,7 +29,22 @@ def threshold_stiffness(stiffness: Matrix, damping: Matrix) -> float:
     """Stiffness m Omega^2 of the journal on the threshold, N/m."""
     (kxx, kxy), (kyx, kyy) = stiffness
     (cxx, cxy), (cyx, cyy) = damping
-    return float((kxx * cyy + kyy * cxx - kxy * cyx - kyx * cxy) / (cxx + cyy))
+    return _number((kxx * cyy + kyy * cxx - kxy * cyx - kyx * cxy) / (cxx + cyy))  # type: ignore[no-any-return]
+
+
+def _number(value: Any) -> Any:
+    """A plain number, or the lanes that take its place."""
+    return value if np.ndim(value) else float(value)
+
+
+def _determinant(matrix: Matrix) -> float:
+    (xx, xy), (yx, yy) = matrix
+    return _number(xx * yy - xy * yx)  # type: ignore[no-any-return]
+
+
+def _trace(matrix: Matrix) -> float:
+    (xx, _), (_, yy) = matrix
+    return _number(xx + yy)  # type: ignore[no-any-return]
 
 
 def whirl_frequency(stiffness: Matrix, damping: Matrix) -> float:
@@ -37,8 +54,8 @@ def whirl_frequency(stiffness: Matrix, damping: Matrix) -> float:
     """
     k0 = threshold_stiffness(stiffness, damping)
     (kxx, kxy), (kyx, kyy) = stiffness
-    squared = ((k0 - kxx) * (k0 - kyy) - kxy * kyx) / np.linalg.det(damping)
-    return math.sqrt(squared) if squared > 0.0 else 0.0
+    squared = ((k0 - kxx) * (k0 - kyy) - kxy * kyx) / _determinant(damping)
+    return _number(np.sqrt(squared)) if squared > 0.0 else 0.0
 
 
 @dataclass(frozen=True)
@@ -73,10 +90,10 @@ def stable_masses(stiffness: Matrix, damping: Matrix) -> StableMasses:
         it off, or where the film feeds its motion.
     """
     k0 = threshold_stiffness(stiffness, damping)
-    of_k, of_c = float(np.linalg.det(stiffness)), float(np.linalg.det(damping))
-    if not (np.trace(damping) > 0.0 and of_k > 0.0 and k0 > 0.0):
+    of_k, of_c = _determinant(stiffness), _determinant(damping)
+    if not (_trace(damping) > 0.0 and of_k > 0.0 and k0 > 0.0):
         return NO_MASS
-    slope = k0 * k0 - k0 * float(np.trace(stiffness)) + of_k
+    slope = k0 * k0 - k0 * _trace(stiffness) + of_k
     if of_c > 0.0:
         return StableMasses(0.0, of_c * k0 / slope if slope > 0.0 else math.inf)
     return StableMasses(of_c * k0 / slope, math.inf) if slope < 0.0 else NO_MASS

@@ -6,6 +6,8 @@ import math
 from collections.abc import Iterator
 from typing import Protocol
 
+import numpy as np
+
 from babbitt.core.notices import Notice
 from babbitt.core.result import Bound, Check
 from babbitt.reynolds.stability.whirl_limits import Whirl
@@ -28,7 +30,7 @@ class CarriesRotor(Protocol):
 def whirl_values(case: CarriesRotor, whirl: Whirl) -> dict[str, float]:
     """Stable masses, whirl frequency and threshold speed, for a rigid rotor and on its elastic shaft, SI."""
     values = {"rotor_mass": whirl.rotor_mass, "whirl_frequency_ratio": whirl.frequency_ratio}
-    values["stable_at_any_mass"] = float(whirl.stable.least == 0.0 and math.isinf(whirl.stable.greatest))
+    values["stable_at_any_mass"] = 1.0 if whirl.stable.least == 0.0 and np.isinf(whirl.stable.greatest) else 0.0
     values |= _bounds(whirl)
     if whirl.threshold_speed is not None:
         values["threshold_speed"] = whirl.threshold_speed
@@ -79,7 +81,7 @@ def warnings_about_whirl(whirl: Whirl) -> Iterator[Notice]:
 def _bounds(whirl: Whirl) -> dict[str, float]:
     """Bounds of the stable masses that there are, kg; 0 as critical mass where no mass is stable."""
     bounds = {}
-    if math.isfinite(whirl.stable.greatest):
+    if np.isfinite(whirl.stable.greatest):
         bounds["critical_mass"] = whirl.stable.greatest
     if 0.0 < whirl.stable.least < math.inf:
         bounds["least_stable_mass"] = whirl.stable.least

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 from babbitt.case.parts.turbulence import LAWS_OF_TURBULENCE
 from babbitt.kinds.journal.case.as_given import words_of
 from babbitt.kinds.journal.case.assumptions import common_assumptions_of
@@ -43,7 +41,7 @@ def film_case(inputs: Inputs, at: Point, thermal: str | None = None) -> FilmCase
         if bearing.mixed_friction is None or thermal not in (None, "global")
         else asperities_of(bearing.mixed_friction, bearing.surfaces, inputs.materials)
     )
-    layout = film_layout(bearing, point, inputs.width, math.copysign(1.0, speed))
+    layout = film_layout(bearing, point, inputs.width, 1.0 if speed >= 0.0 else -1.0)
     return FilmCase(
         name=at.name,
         bearing=_film_bearing(inputs, at, layout.feeds),

@@ -182,18 +182,18 @@ def film_solution(case: FilmCase, watch: ProgressCallback = no_progress) -> Solu
             places = equilibrium_points(case, state) if case.heat is None else None
             values |= equilibrium_values(places)
             no_mass = without_critical_mass(whirl)
-            limits = (*_limit_checks(case, values), *equilibrium_checks(case, values))
+            limits = (*film_limits(case, values), *equilibrium_checks(case, values))
             flattered = flattered_by_equilibrium(case, state.solution)
             checks = (*certain(limits, flattered), *whirl_checks(case, whirl), clearance_check(case, values))
             not_made = (
                 *checks_not_made(case, values),
-                *_pressure_not_checked(case),
+                *pressure_not_checked(case),
                 *undecided(limits, flattered),
                 *slope_not_asked(frozen, slope),
                 *((no_mass,) if no_mass else ()),
             )
             warnings = (
-                *_warnings(case, state, values, checks, whirl),
+                *film_warnings(case, state, values, checks, whirl),
                 *warnings_about_slope(case, slope),
                 *((no_tilt,) if no_tilt else ()),
             )
@@ -290,7 +290,7 @@ def _missing_speeds(case: FilmCase, values: Mapping[str, float]) -> dict[str, st
     return {name: SPEED_NOT_ASKED for name, known_by in LIMITING_SPEEDS.items() if known_by in values}
 
 
-def _limit_checks(case: FilmCase, values: dict[str, float]) -> Iterator[Check]:
+def film_limits(case: FilmCase, values: dict[str, float]) -> Iterator[Check]:
     """Those of every method; a film that was solved as turbulent need not be laminar."""
     yield from (one for one in limit_checks(case, values) if one.code != "C110" or case.turbulence is None)
     if case.bearing.metal is None:
@@ -299,15 +299,16 @@ def _limit_checks(case: FilmCase, values: dict[str, float]) -> Iterator[Check]:
         yield Check("C116", "maximum_pressure", pressure, PLAIN_BEARING_UP_TO, Bound.AT_MOST, source)
 
 
-def _pressure_not_checked(case: FilmCase) -> Iterator[Notice]:
+def pressure_not_checked(case: FilmCase) -> Iterator[Notice]:
     """Say why the largest pressure of the film was not compared, where a bearing metal is given."""
     if case.bearing.metal is not None:
         yield Notice("C116", values={"metal": case.bearing.metal.name})
 
 
-def _warnings(
+def film_warnings(
     case: FilmCase, state: FilmState, values: dict[str, float], checks: tuple[Check, ...], whirl: Whirl | None
 ) -> Iterator[Notice]:
+    """What is to be remarked on a film that was found, its values and its checks."""
     yield from case.warnings
     yield from (
         warning

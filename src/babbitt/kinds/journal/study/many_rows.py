@@ -1,4 +1,4 @@
-"""Rows of a study of journal bearings by ISO 7902, solved as arrays.
+"""Rows of a study of journal bearings by ISO 7902, and of plain films of one temperature, solved as arrays.
 
 The case is read once for each combination of words. Its numbers that vary become `Lanes`, are held against the
 ranges of their fields as arrays, and pass the rules of the case, its design cases and the procedure as a single
@@ -20,6 +20,8 @@ from babbitt.case.part import Part, broken_rules
 from babbitt.core.notices import InputError
 from babbitt.core.result import Result, Verdict
 from babbitt.core.units import SiField
+from babbitt.kinds.journal.film.many import PRODUCED, films_many
+from babbitt.kinds.journal.film.model import FilmCase
 from babbitt.kinds.journal.iso7902.many import check_many
 from babbitt.kinds.journal.iso7902.model import DesignCase
 from babbitt.numerics.lanes import assembled, in_branches, lanes_of
@@ -29,6 +31,7 @@ __all__ = ["solve_many"]
 
 Index = NDArray[np.intp]
 Steps = tuple[str, ...]
+Problem = DesignCase | FilmCase
 
 FEWEST = 16
 """Rows from which arrays are faster."""
@@ -103,7 +106,7 @@ def _solved(task: RowTask, rows: Columns, index: Index) -> list[_Part]:
         return []
     read, values = case
     calculations = read.calculations()
-    if any(not isinstance(one.problem, DesignCase) or _has_ducts(one.problem) for one in calculations):
+    if not all(_is_known(one.problem, task) for one in calculations):
         return []
     varied = _varied(task, own, read, values)
     if varied is None:
@@ -126,9 +129,9 @@ def _solved(task: RowTask, rows: Columns, index: Index) -> list[_Part]:
 
 def _in_few_groups(
     case: CaseFile, varied: Mapping[Steps, NDArray[np.float64]], count: int
-) -> list[tuple[Index, Sequence[DesignCase]]]:
-    """Rows that the case takes, with their design cases, those together that differ in numbers alone."""
-    found = in_branches(lambda chosen: _design_cases(case, varied, chosen), np.arange(count))
+) -> list[tuple[Index, Sequence[Problem]]]:
+    """Rows that the case takes, with their problems, those together that differ in numbers alone."""
+    found = in_branches(lambda chosen: _problems(case, varied, chosen), np.arange(count))
     groups = [(index, cases) for index, cases in found if cases]
     try:
         every = np.concatenate([index for index, _ in groups] or [np.empty(0, np.intp)])
@@ -151,6 +154,13 @@ def _read(task: RowTask, rows: Columns) -> tuple[CaseFile, dict[str, Any]] | Non
         except InputError:
             continue
     return None
+
+
+def _is_known(problem: Any, task: RowTask) -> bool:
+    """Whether a problem is one that may be solved as arrays, and has all results that are kept."""
+    if isinstance(problem, FilmCase):
+        return set(task.outputs) <= PRODUCED
+    return isinstance(problem, DesignCase) and not _has_ducts(problem)
 
 
 def _has_ducts(case: DesignCase) -> bool:
@@ -180,10 +190,8 @@ def _at(case: Any, steps: Steps) -> Any:
     return case
 
 
-def _design_cases(
-    case: CaseFile, varied: Mapping[Steps, NDArray[np.float64]], chosen: Index
-) -> Sequence[DesignCase]:
-    """Design cases of some rows, their numbers in lanes; none for rows that the case does not take."""
+def _problems(case: CaseFile, varied: Mapping[Steps, NDArray[np.float64]], chosen: Index) -> Sequence[Problem]:
+    """Problems of some rows, their numbers in lanes; none for rows that the case does not take."""
     for steps, column in varied.items():
         values = lanes_of(column[chosen])
         if not _in_range(type(_at(case, steps[:-1])), steps[-1], values):
@@ -193,7 +201,7 @@ def _design_cases(
     parts = [part for steps in above if isinstance(part := _at(case, steps), Part)]
     if any(True for part in parts for _ in broken_rules(part)):
         return ()
-    return tuple(one.problem for one in case.calculations() if isinstance(one.problem, DesignCase))
+    return tuple(one.problem for one in case.calculations() if isinstance(one.problem, Problem))
 
 
 def _in_range(part: type[Part], name: str, values: Any) -> bool:
@@ -217,10 +225,11 @@ def _with(case: Any, steps: Steps, value: Any) -> Any:
     return case.model_copy(update={first: _with(getattr(case, first), rest, value)})
 
 
-def _answers(task: RowTask, rows: Columns, lanes: Index, case: DesignCase) -> list[tuple[Index, Columns]]:
+def _answers(task: RowTask, rows: Columns, lanes: Index, case: Problem) -> list[tuple[Index, Columns]]:
     """Places of rows with their columns, of one bearing."""
     made = []
-    for index, result, verdict in check_many(case, lanes.size):
+    solve = films_many if isinstance(case, FilmCase) else check_many
+    for index, result, verdict in solve(case, lanes.size):  # type: ignore[arg-type]
         places = lanes[index]
         own = {name: column[places] for name, column in rows.items()}
         made.append((places, _columns(task, own, str(case.name), result, verdict)))
@@ -239,7 +248,9 @@ def _columns(task: RowTask, rows: Columns, name: str, result: Result, verdict: V
         kept, margin = advisories if check.advisory else margins, column(check.margin)
         kept[check.code] = np.minimum(margin, kept.get(check.code, margin))
     values = {one: column(result.values.get(one, np.nan)) for one in task.outputs}
-    return answers_of_arrays(task, rows, name, values, margins, np.full(count, verdict.key, object), advisories)
+    codes = " ".join(result.questioning_codes) if verdict is Verdict.REMARKS else ""
+    verdicts, remarks = (np.full(count, word, object) for word in (verdict.key, codes))
+    return answers_of_arrays(task, rows, name, values, margins, verdicts, advisories, remarks)
 
 
 def _lanes_in(answers: Sequence[tuple[Index, Columns]]) -> Index:
