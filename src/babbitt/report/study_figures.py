@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.core.files.writing import write_files
+from babbitt.core.limited_flow import whole
 from babbitt.core.result import Verdict
 from babbitt.report.design_figure import design_figures
 from babbitt.report.drawing import GREY, INK, PALE, Drawing, Sheet, mathematics, rendered, style
@@ -32,6 +33,7 @@ from babbitt.report.study_panels import (
 from babbitt.report.study_values import input_scale, output_scale
 from babbitt.report.text import plain_text
 from babbitt.study.grids import SAMPLE
+from babbitt.study.held_film import as_read
 from babbitt.study.indices import Indices, indices_of
 from babbitt.study.optimum import optimum_of
 from babbitt.study.rows import Columns
@@ -58,13 +60,14 @@ LEGEND_LINE, MM_PER_INCH = 3.5, 25.4
 
 
 def study_drawings(study: Study, image_format: str) -> tuple[Drawing, ...]:
-    """All figures of a study.
+    """All figures of a study, of the films that limits are held against.
 
     Raises
     ------
     InputError
         E007 when matplotlib is not installed.
     """
+    study = as_read(study)
     with style():
         return tuple(
             Drawing(name, caption, rendered(figure, image_format), wide=True)
@@ -118,7 +121,7 @@ def _histograms(study: Study, own: Columns) -> Figure:
     for panel, name in zip(panels, names, strict=False):
         scale = output_scale(name)
         values = scale.shown(own[name][np.isfinite(own[name])])
-        limits = [one for one in study.description["checks"] if one["quantity"].removeprefix("starved_") == name]
+        limits = [one for one in study.description["checks"] if whole(one["quantity"]) == name]
         counts, edges = np.histogram(values, CLASSES)
         middle = 0.5 * (edges[1:] + edges[:-1])
         beyond = np.zeros(CLASSES, bool)

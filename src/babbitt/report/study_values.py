@@ -10,12 +10,28 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from babbitt.core.check_text import distance
 from babbitt.core.notices import explanations
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.units import KINDS
 from babbitt.report.text import plain_text
+from babbitt.study.rows import Columns, kelvin_name
 
-__all__ = ["DASH", "Scale", "StudyTable", "check_title", "input_scale", "output_scale", "percent", "significant"]
+__all__ = [
+    "DASH",
+    "MARGIN_DECIMALS",
+    "Scale",
+    "StudyTable",
+    "check_title",
+    "input_scale",
+    "margin_text",
+    "output_scale",
+    "percent",
+    "significant",
+]
+
+MARGIN_DECIMALS = 1
+"""Of margins in percent."""
 
 DASH = "–"
 """Stands where a table has no value."""
@@ -104,6 +120,12 @@ def significant(value: float, digits: int = 4) -> str:
         return f"{value:.{digits - 1}e}"
     text = f"{value:.{digits}g}"
     return f"{value:.0f}" if "e" in text else text
+
+
+def margin_text(columns: Columns, place: int) -> str:
+    """The margin of the governing check of a line, in K for temperatures."""
+    kelvin = columns.get(kelvin_name(str(columns["governing_check"][place])))
+    return distance(columns["margin"][place], math.nan if kelvin is None else kelvin[place], MARGIN_DECIMALS)
 
 
 def percent(share: float, digits: int = 1) -> str:

@@ -16,6 +16,7 @@ from babbitt.case.case_hash import case_hash
 from babbitt.case.kinds import KINDS
 from babbitt.case.named_files import NamedFiles
 from babbitt.case.parts.study import StudyBlock
+from babbitt.core.limited_flow import limited, may_be_short
 from babbitt.core.nearest_name import unknown_name
 from babbitt.core.notices import InputError
 from babbitt.core.quantities import QUANTITIES
@@ -27,7 +28,7 @@ from babbitt.study.examples import Example, first_solved, nominal_example
 from babbitt.study.inputs import Input, inputs_of
 from babbitt.study.laws import Choices, Listed
 from babbitt.study.maps import FROM, TO, default_axes
-from babbitt.study.rows import SHORT_OF_OIL, RowTask
+from babbitt.study.rows import RowTask
 from babbitt.study.sampling import batch_sizes
 from babbitt.study.store import FORMAT
 from babbitt.study.table_cells import BearingTable
@@ -189,7 +190,8 @@ def _planned(case: CaseFile, block: StudyBlock, task: RowTask, rows: int, exampl
         if check.advisory and check.code not in checks
     }
     lacks = {notice.code: notice.message for result in results for notice in result.not_checked}
-    task = replace(task, outputs=outputs, codes=tuple(checks), advisories=tuple(advisories))
+    warm = tuple(code for code, check in checks.items() if check.is_in_kelvin)
+    task = replace(task, outputs=outputs, codes=tuple(checks), advisories=tuple(advisories), temperatures=warm)
     seconds = timed(task, {"row": np.array([0]), "group": np.array([grids.NOMINAL], object), **example.values})
     not_checked = tuple({"code": code, "message": said} for code, said in lacks.items() if code not in checks)
     limits, advised = (tuple(map(_described, each.values())) for each in (checks, advisories))
@@ -267,17 +269,15 @@ def _outputs(block: StudyBlock, results: Sequence[Result]) -> tuple[str, ...]:
             where = "minimise" if name in block.minimise else "maximise" if name in block.maximise else "outputs"
             raise InputError("E005", f"study.{where}: {unknown_name(name, there, 'a quantity of these results')}")
     if block.outputs:
-        return _with_judged(asked, results)
+        return _with_held(asked, results)
     wanted = corners.CORNER_RESULTS if block.kind == "corners" else KEY_RESULTS
     key = [name for name in wanted if name in there]
     if len(key) < FEWEST_KEY_RESULTS:
         key = [name for name in there if name not in ("wall_time", "iterations")][:MOST_OUTPUTS]
-    return _with_judged((*key, *asked), results)
+    return _with_held((*key, *asked), results)
 
 
-def _with_judged(names: Sequence[str], results: Sequence[Result]) -> tuple[str, ...]:
-    """Quantities, each with that of the film short of oil where limits are held against it."""
-    judged = {check.quantity for result in results for check in result.checks}
-    short = {name: f"{SHORT_OF_OIL}{name}" for name in names}
-    both = ((name, short[name]) if short[name] in judged else (name,) for name in names)
+def _with_held(names: Sequence[str], results: Sequence[Result]) -> tuple[str, ...]:
+    """Quantities, each with the reading that limits are held against where a row may be short of oil."""
+    both = ((name, limited(name)) if may_be_short(results, name) else (name,) for name in names)
     return tuple(dict.fromkeys(one for pair in both for one in pair))

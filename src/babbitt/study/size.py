@@ -18,7 +18,7 @@ from babbitt.core.result import Verdict
 from babbitt.study.appraisal import ALL_LIMITS
 from babbitt.study.fields import numbers_of, present_quantity
 from babbitt.study.permitted import Interval, Trial, find_permitted
-from babbitt.study.rows import Columns, RowTask, joined
+from babbitt.study.rows import Columns, RowTask, joined, kelvin_name
 from babbitt.study.size_choices import preferred_numbers, standard_choices
 
 if TYPE_CHECKING:
@@ -254,8 +254,10 @@ def _of_line(columns: Columns, place: int, value: float) -> Trial:
     permitted, bearing = verdict in PERMITTED, str(columns["bearing"][place])
     if permitted or verdict == Verdict.FAIL.key:
         code, margin = str(columns["governing_check"][place]), float(columns["margin"][place])
-        remarks = tuple(message.split()) if permitted else ()
-        return Trial(value, permitted, margin, code, bearing, "" if permitted else message, remarks)
+        remarks = tuple(str(columns["codes"][place]).split()) if permitted else ()
+        warm = columns.get(kelvin_name(code))
+        kelvin = math.nan if warm is None else float(warm[place])
+        return Trial(value, permitted, margin, code, bearing, "" if permitted else message, remarks, kelvin)
     code = found[0] if (found := re.match(r"[A-Z]\d{3}\b", message)) else ""
     return Trial(value, False, math.nan, code, bearing, message)
 
