@@ -77,9 +77,8 @@ def solve(
         from babbitt.cli.solving_table import require_table, solve_rows
 
         unread: dict[str, object] = {"--json": json, "--plots": plots, "--fields": fields, "--document": document}
-        unread["--units"] = None if units is System.SI else units
         rows = require_table(table, files, unread)
-        solve_rows(files[0], rows, (csv, xlsx, report), workers, strict, reach(allow_outside))
+        solve_rows(files[0], rows, (csv, xlsx, report), workers, strict, reach(allow_outside), units)
         return
     from babbitt.case import CaseError, Problem, load_cases, located
     from babbitt.core.notices import InputError

@@ -196,7 +196,7 @@ def _sweep(study: Study) -> Iterator[StudyTable]:
 
 def _table(study: Study) -> Iterator[StudyTable]:
     """The bearings of a table by their names, with their results; what was given stands in the table itself."""
-    columns = study.columns | {"bearing": _names(study.columns)}
+    columns = study.columns | {"bearing": _names(study)}
     found = line_table(study, columns, "Bearings", "bearing")
     left_out = len(study.inputs) + (1 if _several(study) else 0)
     kept = [place for place in range(len(found.columns)) if not 1 <= place <= left_out]
@@ -216,23 +216,25 @@ def _refused(study: Study) -> Iterator[StudyTable]:
     """Rows without an answer, each with its reason."""
     columns = study.columns
     without = np.flatnonzero(columns["message"] != "")[:MOST_ROWS]
-    names = _names(columns)
+    names = _names(study)
     rows = tuple(
         (
-            *(plain_text(names[place]), str(columns["row"][place]), str(columns["status"][place])),
+            *(plain_text(names[place]), str(study.lines[place]), str(columns["status"][place])),
             plain_text(str(columns["message"][place])),
         )
         for place in without
     )
     if rows:
         heads = (("bearing", ""), ("row", ""), ("status", ""), ("reason", ""))
-        yield StudyTable("Rows without an answer", heads, rows, 4, ("Rows count from 0, below the headings.",))
+        counted_from = "in the table that was given, from 0" if 0 in study.lines else "as in the sheet, headings counted"
+        yield StudyTable("Rows without an answer", heads, rows, 4, (f"Rows are numbered {counted_from}.",))
 
 
-def _names(columns: Columns) -> NDArray[np.object_]:
+def _names(study: Study) -> NDArray[np.object_]:
     """The bearing of each line: that of its result, else its name in the table, else the number of its row."""
+    columns = study.columns
     given = columns.get("name", np.full(columns["row"].size, "", object))
-    lines = zip(columns["bearing"], given, columns["row"], strict=True)
+    lines = zip(columns["bearing"], given, study.lines, strict=True)
     return np.array([str(one) or str(name) or f"row {row}" for one, name, row in lines], object)
 
 

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from babbitt.core.check_text import distance
 from babbitt.core.notices import explanations
 from babbitt.core.quantities import QUANTITIES
+from babbitt.core.quantities.display import SI, in_system, written_in_system
 from babbitt.core.units import KINDS
 from babbitt.report.text import plain_text
 from babbitt.study.rows import Columns, kelvin_name
@@ -24,6 +25,7 @@ __all__ = [
     "StudyTable",
     "check_title",
     "input_scale",
+    "kelvin_scale",
     "margin_text",
     "output_scale",
     "percent",
@@ -36,7 +38,7 @@ MARGIN_DECIMALS = 1
 DASH = "–"
 """Stands where a table has no value."""
 
-SHOWN = {"um": "µm", "degC": "°C", "deg": "°", "mm2/s": "mm²/s", "m2": "m²", "m3": "m³", "": ""}
+SHOWN = {"um": "µm", "degC": "°C", "degF": "°F", "deg": "°", "mm2/s": "mm²/s", "m2": "m²", "m3": "m³", "": ""}
 
 USUAL = {"rad/s": "rpm", "Pa": "MPa", "K": "degC", "m2/s": "mm2/s", "rad": "deg", "m3/s": "L/min", "Pa s": "mPa s"}
 """Units that are taken whatever the size of the number."""
@@ -149,6 +151,7 @@ def input_scale(one: Mapping[str, Any], values: NDArray[Any] | None = None) -> S
         (each for each, factor in kind.everyday.items() if 1.0 <= largest / factor < 1e4),
         next(iter(kind.everyday)),
     )
+    wanted = written_in_system(wanted)
     factor = 1.0 / kind.everyday[wanted]
     return Scale(name, SHOWN.get(wanted, wanted), factor, -kind.offsets.get(wanted, 0.0) * factor)
 
@@ -159,6 +162,12 @@ def output_scale(name: str) -> Scale:
         return Scale(name, "")
     known = QUANTITIES[name]
     return Scale(known.symbol, known.display.label, known.display.scale, known.display.offset, name)
+
+
+def kelvin_scale(name: str) -> Scale:
+    """How the column of margins in K is shown."""
+    unit = in_system(SI["K"])
+    return Scale(name, unit.label, unit.scale)
 
 
 def check_title(code: str) -> str:

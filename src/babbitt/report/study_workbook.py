@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 from babbitt.core.files.spreadsheet import Cell, workbook
 from babbitt.core.result import Verdict
 from babbitt.report.study_content import StudyTable, overview, study_tables
-from babbitt.report.study_values import Scale, input_scale, output_scale
+from babbitt.report.study_values import Scale, input_scale, kelvin_scale, output_scale
 from babbitt.report.text import plain_text
+from babbitt.study.rows import kelvin_name
 from babbitt.study.study import Study
 
 __all__ = ["study_rows", "study_workbook"]
@@ -52,14 +53,16 @@ def _inputs(study: Study) -> list[list[Cell]]:
 
 def study_rows(study: Study) -> list[list[Cell]]:
     """A line for each row and bearing under a heading, in engineers' units."""
-    columns = study.columns
+    columns = study.columns | {"row": study.lines}
     scales = {one["path"]: input_scale(one) for one in study.inputs}
     scales |= {name: output_scale(name) for name in study.outputs}
-    words = ("group", "bearing", "verdict", "governing_check", "failed_checks", "status", "message")
-    names = ["row", *scales, *(name for name in columns if name.startswith(("margin", "advisory"))), *words]
+    warm = {name: kelvin_scale(name) for name in columns if name.startswith(kelvin_name(""))}
+    words = ("group", "bearing", "verdict", "governing_check", "failed_checks", "codes", "status", "message")
+    names = ["row", *scales, *(name for name in columns if name.startswith(("margin", "kelvin", "advisory"))), *words]
     count = min(columns["row"].size, MOST_LINES)
-    made = [_column(name, columns[name][:count], scales.get(name)) for name in names]
-    heading: list[Cell] = [_heading(name, scales.get(name)) for name in names]
+    shown = scales | warm
+    made = [_column(name, columns[name][:count], shown.get(name)) for name in names]
+    heading: list[Cell] = [_heading(name, shown.get(name)) for name in names]
     lines: list[list[Cell]] = [list(line) for line in zip(*made, strict=True)]
     left_out = columns["row"].size - count
     more: list[list[Cell]] = [[f"{left_out} more lines: babbitt.open_study"]] if left_out else []

@@ -32,7 +32,7 @@ from babbitt.study.rows import RowTask
 from babbitt.study.sampling import batch_sizes
 from babbitt.study.store import FORMAT
 from babbitt.study.table_cells import BearingTable
-from babbitt.study.table_rows import inputs_of_table, table_in
+from babbitt.study.table_rows import rows_of_table, table_in
 from babbitt.study.workers import Alone, Processes, Workers
 
 __all__ = ["Plan", "inputs_of_study", "plan", "plan_table", "require_possible", "task_of"]
@@ -80,6 +80,8 @@ class Plan:
         Code and message of the checks for which the nominal case lacks data.
     given : mapping
         By the path of each input of a table its values; of other studies nothing.
+    lines : tuple of int
+        Where the rows of a table stand in it.
     """
 
     case: CaseFile
@@ -91,6 +93,7 @@ class Plan:
     advisories: tuple[dict[str, Any], ...]
     not_checked: tuple[dict[str, str], ...]
     given: Mapping[str, NDArray[Any]] = field(default_factory=dict)
+    lines: tuple[int, ...] = ()
 
     @property
     def work(self) -> float:
@@ -116,6 +119,7 @@ class Plan:
             "advisories": list(self.advisories),
             "not_checked": list(self.not_checked),
             "rows": self.rows,
+            **({"lines": list(self.lines)} if self.lines else {}),
             "rows_in_chunk": chunk_size(self.seconds_a_row),
             "batches": batch_sizes(grids.samples_of(self.block), self.block.sampling),
             "kind": self.case.kind,
@@ -171,10 +175,11 @@ def plan_table(case: CaseFile, table: BearingTable, outputs: Sequence[str] = ())
 
 
 def _plan_of_table(case: CaseFile, block: StudyBlock, table: BearingTable) -> Plan:
-    inputs, values = inputs_of_table(case, table)
-    grids.require_bearable(table.count, 12 + len(inputs) + len(block.outputs))
-    task = task_of(case, block, inputs)
-    return replace(_planned(case, block, task, table.count, first_solved(case, task, values)), given=values)
+    found = rows_of_table(case, table)
+    grids.require_bearable(table.count, 12 + len(found.inputs) + len(block.outputs))
+    task = replace(task_of(case, block, found.inputs), refused=found.refused)
+    made = _planned(case, block, task, table.count, first_solved(case, task, found.values))
+    return replace(made, given=found.values, lines=table.lines)
 
 
 def _planned(case: CaseFile, block: StudyBlock, task: RowTask, rows: int, example: Example) -> Plan:
@@ -208,7 +213,7 @@ def require_possible(case: CaseFile, block: StudyBlock) -> tuple[tuple[Input, ..
     """
     if block.kind == "table":
         table = table_in(case, str(block.rows))
-        return inputs_of_table(case, table)[0], table.count
+        return rows_of_table(case, table).inputs, table.count
     block = _completed(case, block)
     inputs = inputs_of_study(case, block)
     indices.require_numeric(block, inputs)
