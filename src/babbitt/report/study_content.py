@@ -37,7 +37,7 @@ from babbitt.study.optimum import Optimum, optimum_of
 from babbitt.study.rows import Columns
 from babbitt.study.spectrum import spectrum_summary
 from babbitt.study.study import Study
-from babbitt.study.yields import tolerance_summary
+from babbitt.study.yields import Capability, tolerance_summary
 
 __all__ = ["StudyTable", "overview", "study_tables"]
 
@@ -273,7 +273,7 @@ def _tolerance(study: Study) -> Iterator[StudyTable]:
         tuple(
             ((plain_text(one.bearing),) if several else ())
             + (check_title(one.code), str(one.failures), percent(one.failures / max(1, one.samples), 2))
-            + (significant(one.cpk, 3), "about" if one.near_normal else "not: margins far from a normal law")
+            + ((significant(one.cpk, 3) if one.varies else CONSTANT), _cpk_holds(one))
             for one in found.capabilities
         ),
         2 if several else 1,
@@ -282,6 +282,16 @@ def _tolerance(study: Study) -> Iterator[StudyTable]:
     yield _spread_table(study, found.spreads, several)
     yield from _worst_cases(study, found.worst_corner, found.worst_sample)
     yield _tornado_table(study, found.tornado, several)
+
+
+CONSTANT = "does not vary"
+"""Where a margin does not scatter, so that there is no Cpk."""
+
+
+def _cpk_holds(one: Capability) -> str:
+    if not one.varies:
+        return DASH
+    return "about" if one.near_normal else "not: margins far from a normal law"
 
 
 def _spread_table(study: Study, spreads: Sequence[Any], several: bool) -> StudyTable:

@@ -15,20 +15,20 @@ from babbitt.core.notices import InputError
 from babbitt.core.quantities import QUANTITIES
 from babbitt.report.outputs import STANDARD_OUTPUT, inputs_of
 from babbitt.report.sweep_table import Units, in_si, sweep_rows
-from babbitt.study.case_sweep import CaseSweep
+from babbitt.study.case_sweep import CaseSweep, Everywhere
 
 ENDINGS = (".csv", ".xlsx")
 """Of a table of results."""
 
 
 def require_outputs(
-    variation: CaseVariation, table: Path | None, plot: Path | None, chosen: Sequence[str] = ()
+    variation: CaseVariation | Everywhere, table: Path | None, plot: Path | None, chosen: Sequence[str] = ()
 ) -> None:
     """Find out before any work is done whether a sweep can be written.
 
     Parameters
     ----------
-    variation : CaseVariation
+    variation : CaseVariation or Everywhere
         The case, none of whose files is replaced.
     table : Path or None
         Ends in ``.csv`` or ``.xlsx``, or is ``-``.

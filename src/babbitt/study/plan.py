@@ -49,6 +49,12 @@ KEY_RESULTS = (
 )
 """Kept where the study names no outputs, as far as the method gives them."""
 
+_KEPT = {
+    "corners": corners.CORNER_RESULTS,
+    "tolerance": (*KEY_RESULTS, *(one for one in corners.CORNER_RESULTS if one not in KEY_RESULTS)),
+}
+"""Of kinds that keep others: what scatters of a rotor's bearing are its stiffness, damping and thresholds, too."""
+
 FEWEST_KEY_RESULTS, MOST_OUTPUTS = 3, 12
 """Of a method that gives fewer of them its first results are kept, at most so many."""
 
@@ -275,7 +281,7 @@ def _outputs(block: StudyBlock, results: Sequence[Result]) -> tuple[str, ...]:
             raise InputError("E005", f"study.{where}: {unknown_name(name, there, 'a quantity of these results')}")
     if block.outputs:
         return _with_held(asked, results)
-    wanted = corners.CORNER_RESULTS if block.kind == "corners" else KEY_RESULTS
+    wanted = _KEPT.get(block.kind, KEY_RESULTS)
     key = [name for name in wanted if name in there]
     if len(key) < FEWEST_KEY_RESULTS:
         key = [name for name in there if name not in ("wall_time", "iterations")][:MOST_OUTPUTS]
