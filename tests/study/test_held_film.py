@@ -73,7 +73,9 @@ def test_the_films_side_by_side_in_a_report_are_those_of_the_verdict():
     shown = content(found)["overview"]
     enough, short = (row["cells"] for row in shown["rows"])
     assert not any("*" in cell for cell in enough)
-    assert QUANTITIES["minimum_film_thickness"].format(found.results[1].starved_minimum_film_thickness) + "*" in short
+    assert (
+        QUANTITIES["minimum_film_thickness"].format(found.results[1].starved_minimum_film_thickness) + "*" in short
+    )
     assert "with the flow that the supply delivers" in shown["footnote"]
 
 

@@ -12,8 +12,8 @@ from studied_cases import JOURNAL
 
 import babbitt
 from babbitt.core.notices import InputError
-from babbitt.study.table_rows import rows_of_table
 from babbitt.study.table_cells import read_table, table_of_columns, table_of_content
+from babbitt.study.table_rows import rows_of_table
 
 TABLE = """name;diameter [mm];width [mm];load [kN];speed [rpm];lubricant
 Gear;120;60;24;2000;ISO VG 46

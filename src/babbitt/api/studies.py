@@ -94,7 +94,10 @@ class Study:
     def answer(
         self,
     ) -> ToleranceSummary | tuple[Indices, ...] | tuple[SpectrumSummary, ...] | Optimum | Designs | Size | None:
-        """What the study comes to, in SI, of the films that limits are held against; None for a sweep, map and corners, whose answer is the table."""
+        """What the study comes to, in SI, of the films that limits are held against.
+
+        None for a sweep, map and corners, whose answer is the table.
+        """
         study = as_read(self._study)
         match self.kind:
             case "tolerance":

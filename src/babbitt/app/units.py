@@ -12,6 +12,7 @@ __all__ = ["SYSTEMS", "in_unit", "is_number", "shown_in", "split"]
 SYSTEMS = ("si", "inch")
 """Systems of units of the form."""
 
+
 def split(text: str, units: Sequence[str]) -> tuple[str, str]:
     """Number and unit of a quantity, as far as both can be told; else the whole text, and no unit.
 

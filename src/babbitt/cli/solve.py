@@ -190,8 +190,8 @@ def sweep(
         list[str],
         typer.Argument(
             metavar="PATH VALUES ...",
-            help="Fields that change, such as load or clearance.mean, or a quantity by one share wherever it stands, "
-            "as '*.speed' with '0.5:1.5:5', each with its values: '1 kN, 2 kN', "
+            help="Fields that change, such as load or clearance.mean, or '*.speed' (by one share wherever it "
+            "stands: '0.5:1.5:5'), each with its values: '1 kN, 2 kN', "
             "first:last:number as '1 kN:10 kN:10', or at equal ratios '1 kN:100 kN:7:log'.",
         ),
     ],

@@ -173,7 +173,9 @@ def line_table(
         cells = [str(columns[first][place])] if first else []
         cells += [scale.text(columns[path][place]) for path, scale in inputs.items()]
         cells += [plain_text(str(columns["bearing"][place]))] if several else []
-        cells += [scale.text(columns[name][place]) + _mark(columns, name, place) for name, scale in outputs.items()]
+        cells += [
+            scale.text(columns[name][place]) + _mark(columns, name, place) for name, scale in outputs.items()
+        ]
         cells += [margin_text(columns, place)]
         status = str(columns["status"][place])
         verdict = WORDS.get(str(columns["verdict"][place]), "")
@@ -226,7 +228,9 @@ def _refused(study: Study) -> Iterator[StudyTable]:
     )
     if rows:
         heads = (("bearing", ""), ("row", ""), ("status", ""), ("reason", ""))
-        counted_from = "in the table that was given, from 0" if 0 in study.lines else "as in the sheet, headings counted"
+        counted_from = (
+            "in the table that was given, from 0" if 0 in study.lines else "as in the sheet, headings counted"
+        )
         yield StudyTable("Rows without an answer", heads, rows, 4, (f"Rows are numbered {counted_from}.",))
 
 

@@ -58,7 +58,12 @@ def study_rows(study: Study) -> list[list[Cell]]:
     scales |= {name: output_scale(name) for name in study.outputs}
     warm = {name: kelvin_scale(name) for name in columns if name.startswith(kelvin_name(""))}
     words = ("group", "bearing", "verdict", "governing_check", "failed_checks", "codes", "status", "message")
-    names = ["row", *scales, *(name for name in columns if name.startswith(("margin", "kelvin", "advisory"))), *words]
+    names = [
+        "row",
+        *scales,
+        *(name for name in columns if name.startswith(("margin", "kelvin", "advisory"))),
+        *words,
+    ]
     count = min(columns["row"].size, MOST_LINES)
     shown = scales | warm
     made = [_column(name, columns[name][:count], shown.get(name)) for name in names]

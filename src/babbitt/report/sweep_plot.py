@@ -49,7 +49,7 @@ MOST_LIMITS = 6
 NOTE_LINE = 3.5
 """mm."""
 
-LESS_OIL = "Where the supply delivers less oil than the film wants: the film with what it delivers, as limits are held."
+LESS_OIL = "Where the supply delivers less oil than the film wants: the film with what it delivers, as judged."
 
 NOT_STABLE: dict[str, Any] = {"linestyle": (0, (3.5, 1.5))}
 """Where steady states are stable or not, broken lines say just that; colours and markers tell the states."""

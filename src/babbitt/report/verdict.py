@@ -48,7 +48,7 @@ def missed_codes(result: Result) -> list[str]:
 
 
 def governing(result: Result, quantity: str) -> Check | None:
-    """The strictest limit on a quantity, recommendations left aside; it may be held against the film short of oil."""
+    """The strictest limit on a quantity, recommendations left aside; of whichever film it is held against."""
     return strictest(check for check in result.limits if whole(check.quantity) == quantity)
 
 

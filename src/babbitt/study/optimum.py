@@ -88,6 +88,8 @@ def optimised(task: RowTask, block: StudyBlock, engine: Engine) -> Columns:
     pymoo = optional_package("pymoo.core.evaluator", "optimisations", INSTALL)
     for generation in range(block.generations):
         asked = algorithm.ask()
+        if asked is None or not len(asked):  # of few choices every combination has been computed
+            break
         values = _values(task.inputs, [one.X for one in asked])
         found = engine.answers(values, f"generation {generation + 1}")
         parts.append(found)

@@ -10,7 +10,8 @@ JSON       begins with the key ``babbitt`` and the version as text, or with ``ba
            (the version of a case file is a number)
 ROSS       block ``babbitt`` with ``ross_version`` in a bearing element
 CSV        names of the first columns, ``..., bearing, status`` or ``bearing, method``; of a study the first
-           and the last nine (eight without codes, as before); a table with a row of units has the line of its frame above it
+           and the last nine (formerly eight, without codes); a table with a row of units has the line of its
+           frame above it
 Ansys      the second title declares the frame
 HTML       ``<meta name="generator" content="Babbitt ...">`` in the head
 PDF        keyword (report) or creator (figure) ``Babbitt`` in the document information

@@ -24,7 +24,15 @@ from babbitt.core.units import SiField
 from babbitt.kinds.journal.iso7902.many import check_many
 from babbitt.kinds.journal.iso7902.model import DesignCase
 from babbitt.numerics.lanes import assembled, in_branches, lanes_of
-from babbitt.study.rows import Columns, RowTask, answers_of_arrays, is_empty, joined, kelvin_name, solved_one_by_one
+from babbitt.study.rows import (
+    Columns,
+    RowTask,
+    answers_of_arrays,
+    is_empty,
+    joined,
+    kelvin_name,
+    solved_one_by_one,
+)
 
 __all__ = ["solve_many"]
 
