@@ -87,7 +87,7 @@ def test_outputs_in_engineers_units(run, case, tmp_path):
     film = babbitt.load_case(case).solve(diameter="120 mm", width="60 mm", load="24 kN").minimum_film_thickness
     assert float(read["minimum_film_thickness [µm]"]) == pytest.approx(1e6 * film, rel=1e-11)
     book = openpyxl.load_workbook(io.BytesIO((tmp_path / "o.xlsx").read_bytes()))
-    assert book.sheetnames == ["Inputs", "Results", "Summary"]
+    assert book.sheetnames == ["Summary", "Inputs", "Results"]
 
 
 def test_a_workbook_gives_the_same_as_text(case, tmp_path):

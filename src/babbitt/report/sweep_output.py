@@ -14,6 +14,7 @@ from babbitt.core.nearest_name import nearest_names
 from babbitt.core.notices import InputError
 from babbitt.core.quantities import QUANTITIES
 from babbitt.report.outputs import STANDARD_OUTPUT, inputs_of
+from babbitt.report.sheets import sheet_of_rows
 from babbitt.report.sweep_table import Units, in_si, sweep_rows
 from babbitt.study.case_sweep import CaseSweep, Everywhere
 
@@ -82,7 +83,7 @@ def write_outputs(
         if str(table) == STANDARD_OUTPUT:
             sys.stdout.write(rows_text(rows))
         elif table.suffix.lower() == ".xlsx":
-            write_file(table, workbook({"Sweep": rows}, printable(table)))
+            write_file(table, workbook({"Sweep": sheet_of_rows(rows)}, printable(table)))
         else:
             write_file(table, rows_text(rows).encode())
     if plot is not None:
