@@ -95,11 +95,10 @@ def _tolerance(study: Study) -> Iterator[Drawn]:
             f"Scatter of the results{of} over {own['row'].size} samples ({drawn}); limits broken, where one is "
         )
         caption += "the same in all samples that of the medians; hatched: beyond a limit of this result."
-        names = [name for name in study.outputs if np.isfinite(own[name]).any()]
-        for page, first in enumerate(range(0, len(names), MOST_PANELS), 1):
+        names = [name for name in study.outputs if np.isfinite(own[name]).any()] or list(study.outputs[:1])
+        for page, together in enumerate(np.array_split(names, math.ceil(len(names) / MOST_PANELS)), 1):
             what = "histograms" if page == 1 else f"histograms_{page}"
-            figure = _histograms(study, own, names[first : first + MOST_PANELS])
-            yield file_name(what, bearing, bearings), caption, figure
+            yield file_name(what, bearing, bearings), caption, _histograms(study, own, together.tolist())
         shares = {name: by for (of_bearing, name), by in summary.tornado.items() if of_bearing == bearing}
         if any(shares.values()):
             caption = f"What drives the scatter{of}: squared rank correlation of each field with each result; "

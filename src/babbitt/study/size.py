@@ -134,11 +134,14 @@ def scan_of(case: CaseFile, path: str, first: Any = None, last: Any = None, poin
         raise InputError("E003", f"{says} '{path}'; give both ends of a range (--from and --to)")
     low = number(first) if first is not None else (present or 0.0) / DECADE
     high = number(last) if last is not None else (present or 0.0) * DECADE
-    if not low < high:
-        raise InputError("E003", f"'{path}': the range begins at {low:g} and ends at {high:g}; give a larger end")
-    name = "log_range" if low > 0.0 and high >= LOGARITHMIC_FROM * low else "range"
     unit = "" if kind.one_unit else f" {kind.unit}"
-    return Vary.model_validate({name: (f"{low!r}{unit}", f"{high!r}{unit}", points)})
+    begin, end = (
+        given if isinstance(given, str) else f"{value!r}{unit}" for given, value in ((first, low), (last, high))
+    )
+    if not low < high:
+        raise InputError("E003", f"'{path}': the range begins at {begin} and ends at {end}; give a larger end")
+    name = "log_range" if low > 0.0 and high >= LOGARITHMIC_FROM * low else "range"
+    return Vary.model_validate({name: (begin, end, points)})
 
 
 def size_block(

@@ -54,6 +54,8 @@ STARVED = {
         "total_flow",
         "film_reynolds_number",
         "transition_speed",
+        "heat_to_oil",
+        "heat_to_surroundings",
     )
 }
 """Results with the flow limited to what the supply delivers, by those with all the oil that the film wants."""
