@@ -277,7 +277,7 @@ def _tolerance(study: Study) -> Iterator[StudyTable]:
         tuple(
             ((plain_text(one.bearing),) if several else ())
             + (check_title(one.code), str(one.failures), percent(one.failures / max(1, one.samples), 2))
-            + ((significant(one.cpk, 3) if one.varies else CONSTANT), _cpk_holds(one))
+            + ((significant(one.cpk, 3) if one.varies else "does not vary"), _cpk_holds(one))
             for one in found.capabilities
         ),
         2 if several else 1,
@@ -286,10 +286,6 @@ def _tolerance(study: Study) -> Iterator[StudyTable]:
     yield _spread_table(study, found.spreads, several)
     yield from _worst_cases(study, found.worst_corner, found.worst_sample)
     yield _tornado_table(study, found.tornado, several)
-
-
-CONSTANT = "does not vary"
-"""Where a margin does not scatter, so that there is no Cpk."""
 
 
 def _cpk_holds(one: Capability) -> str:
