@@ -85,6 +85,8 @@ def test_a_sweep_as_a_workbook_has_numbers_and_words(run, tmp_path):
     assert found["bearing"].data_type == "s"
     assert lines["bearing"] == "'=1+1"
     assert found["load [kN]"].value == 30.0
+    assert head[0].font.bold
+    assert head[0].parent.freeze_panes == "B2"
     for title, cell in found.items():
         if title not in ("bearing", "status", "verdict", "governing_check", "codes"):
             assert cell.data_type == "n"

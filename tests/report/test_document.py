@@ -144,7 +144,8 @@ def test_the_bearings_of_a_machine_stand_side_by_side_as_in_the_published_tables
     told = page[page.index("side by side") :]
     for result in machine.results:
         row = told[told.index(result.name) :]
-        celsius = f"{result.effective_temperature - 273.15:.1f}"
+        held = result.values.get("starved_effective_temperature")  # of the film that the limits are held against
+        celsius = f"{(held or result.effective_temperature) - 273.15:.1f}{'*' if held else ''}"
         shown = [f"{result.empirical_film_limit * 1e6:.1f}", celsius]
         shown += [f"{value * 1e3:.3f}" for value in (result.recommended_relative_clearance,)]
         shown += [f"{result.stability_relative_clearance * 1e3:.3f}"]

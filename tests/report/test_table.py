@@ -94,12 +94,14 @@ def test_a_machine_shows_the_film_that_its_limits_are_held_against(reverse_gear,
         Check("C101", "starved_minimum_film_thickness", 24.1e-6, 9e-6, Bound.AT_LEAST, "experience"),
         Check("C104", "starved_outlet_temperature", 350.15, 373.15, Bound.AT_MOST, "experience"),
     )
-    short = replace(good, name="Short of oil", checks=checks)
+    values = {**good.values, **{check.quantity: check.value for check in checks}, "starved_friction_power": 21e3}
+    short = replace(good, name="Short of oil", checks=checks, values=values)
     text = shown(replace(reverse_gear, results=(good, short)))
     lines = text.splitlines()
     full, lacking = (next(line for line in lines if line.startswith(name)) for name in (good.name, short.name))
     assert "24.1* / 9.0" in lacking
     assert "→ 77.0*" in lacking
+    assert "21.00*" in lacking  # no limit of its own: of the film that the others are held against
     assert "*" not in full
     assert "* with the flow that the supply delivers: the limits are held against this film" in lines
 

@@ -10,6 +10,8 @@ from scipy import stats
 from slider_cases import slider
 from studied_cases import block, journal
 
+from babbitt.case import parse_case, template
+from babbitt.report.study_content import study_tables
 from babbitt.study.indices import indices_of, slopes_of
 from babbitt.study.inputs import inputs_of
 from babbitt.study.laws import Normal
@@ -260,3 +262,22 @@ def test_a_study_keeps_the_value_that_is_judged(tmp_path):
     assert judged[-1] == wanted[-1]
     # Margins of temperatures are shares of the limit in degrees Celsius.
     assert found["margin_C104"] == pytest.approx((limit - judged) / (limit - 273.15), abs=1e-9)
+
+
+def test_a_margin_that_does_not_scatter_has_a_word_in_place_of_its_cpk():
+    """The specific load hangs on the load alone: under a scatter of the oil it stays."""
+    study = run_study(plan(journal(), block(kind="tolerance", vary={"lubricant": {"scatter": "vg"}}, samples=40)))
+    found = {one.code: one for one in tolerance_summary(study).capabilities}
+    assert not found["C103"].varies
+    assert math.isnan(found["C103"].cpk)
+    assert found["C101"].varies
+    assert math.isfinite(found["C101"].cpk)
+    (checks,) = (one for one in study_tables(study) if one.title == "Checks")
+    (row,) = (row for row in checks.rows if row[0].startswith("C103"))
+    assert row[-2:] == ("does not vary", "–")
+
+
+def test_stiffness_damping_and_decrement_of_tilting_pads_scatter_with_the_others():
+    case = parse_case(template("tilting_pad_journal"))
+    study = plan(case, block(kind="tolerance", vary={"load": {"uniform": ["9 kN", "11 kN"]}}, samples=4))
+    assert {"stiffness_xx", "damping_yy"} <= set(study.task.outputs)

@@ -82,11 +82,23 @@ def test_each_kind_is_one_command_with_table_workbook_report_and_figures(run, tm
     assert (status, err) == (0, "")
     assert TITLES[kind] in out
     book = openpyxl.load_workbook(io.BytesIO((tmp_path / "a.xlsx").read_bytes()))
-    assert book.sheetnames == ["Inputs", "Results", "Summary"]
-    heads = [cell.value for cell in book["Results"][1]]
+    assert book.sheetnames[:3] == ["Summary", "Inputs", "Results"]
+    results = book["Results"]
+    heads = {cell.value: cell.column_letter for cell in results[1]}
     stored = babbitt.open_study(tmp_path / "a.study")
-    assert book["Results"].max_row == 1 + len(stored.table)
-    assert {"verdict", "governing_check"} <= set(heads)
+    assert results.max_row == 2 + len(stored.table)  # names, units
+    assert {"verdict", "governing_check", "codes"} <= set(heads)
+    assert results.freeze_panes == "B3"
+    margins = results[heads["margin"]][2:]
+    assert {cell.number_format for cell in margins if cell.value is not None} == {"0.0%"}
+    assert results[heads["kelvin_C104"]][1].value == "K"
+    own = [name for name in book.sheetnames[3:] if TITLES[kind] in name or name in TITLES[kind]]
+    assert own or kind == "sweep"  # whose table is that of the results
+    for sheet in book:  # every column holds its words, in the width that they need or the largest one
+        for column in sheet.columns:
+            letters = max((len(one.value) for one in column[:2] if isinstance(one.value, str)), default=0)
+            if len(sheet[1]) > 1 or sheet.freeze_panes:
+                assert sheet.column_dimensions[column[0].column_letter].width > min(letters, 60)
     page = (tmp_path / "a.html").read_text()
     assert TITLES[kind] in page
     assert page.count("<img") == len(list((tmp_path / "figures").glob("*.svg"))) > 0
@@ -119,8 +131,8 @@ def test_a_best_design_is_a_case_that_runs(run, tmp_path):
     assert len(designs) == len(study.answer.rows) > 0
     for row, powers in zip(study.answer.rows, study.answer.values, strict=True):
         result = babbitt.load_case(tmp_path / "a.study" / "designs" / f"design-row-{row}.yaml").solve()
-        assert result.friction_power == pytest.approx(powers[0], rel=1e-9)
-        assert result.total_flow == pytest.approx(powers[1], rel=1e-9)
+        held = [result.values.get(f"starved_{name}", result.values[name]) for name in study.answer.objectives]
+        assert held == pytest.approx(powers, rel=1e-9)
 
 
 BAD = {
@@ -247,3 +259,42 @@ def test_a_table_of_values_is_replaced_by_the_next_run_alone(run, tmp_path):
         status, _, err = run(*command, name)
         assert status == 2
         assert "no output of Babbitt" in err
+
+
+def test_the_report_of_a_study_of_its_own_has_the_study(run, tmp_path):
+    """As one beside its case does; a study that stands in the text is not written twice."""
+    (tmp_path / "case.yaml").write_text(yaml.safe_dump(JOURNAL))
+    study = yaml.safe_dump({"case": "case.yaml", "study": STUDIES["tolerance"]}, sort_keys=False)
+    (tmp_path / "study.yaml").write_text(study)
+    assert run("study", "study.yaml", "--workers", 1, "--report", "own.html")[0] == 0
+    page = (tmp_path / "own.html").read_text()
+    assert "The study that was computed" in page
+    assert "kind: tolerance" in page
+    assert "Textbook bearing" in page
+    assert run("study", written(tmp_path / "both.yaml", STUDIES["tolerance"]), "--report", "both.html")[0] == 0
+    assert "The study that was computed" not in (tmp_path / "both.html").read_text()
+
+
+def test_a_quantity_is_swept_in_all_places_at_once(run, tmp_path):
+    """`*.speed` takes the speed of every bearing by one share of what stands there."""
+    shared = ("lubricant", "supply", "materials")
+    alone = {name: value for name, value in JOURNAL.items() if name not in ("name", *shared)}
+    bearings = [alone | {"name": "fast", "speed": "2000 rpm"}, alone | {"name": "slow", "speed": "1000 rpm"}]
+    machine = (
+        {"kind": "machine", "name": "Two"} | {name: JOURNAL[name] for name in shared} | {"bearings": bearings}
+    )
+    (tmp_path / "two.yaml").write_text(yaml.safe_dump(machine, sort_keys=False))
+    status, _, err = run("sweep", "two.yaml", "*.speed", "0.5:1:2", "--csv", "o.csv")
+    assert (status, err) == (0, "")
+    heading, *lines = (line.split(",") for line in (tmp_path / "o.csv").read_text().splitlines())
+    place = {name: at for at, name in enumerate(heading)}
+    found = {
+        (line[place["bearing"]], float(line[0])): float(line[place["surface_speed_m_per_s"]]) for line in lines
+    }
+    assert found["fast", 0.5] == pytest.approx(0.5 * found["fast", 1.0])
+    assert found["fast", 0.5] == pytest.approx(found["slow", 1.0])
+    assert run("sweep", "two.yaml", "*.speed", "50 %, 100 %", "--bearing", "slow", "--csv", "p.csv")[0] == 0
+    assert len((tmp_path / "p.csv").read_text().splitlines()) == 3
+    assert run("sweep", "two.yaml", "*.power", "0.5, 1")[2].startswith(
+        "study.vary.*.power: the case gives no power"
+    )

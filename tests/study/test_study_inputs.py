@@ -23,7 +23,7 @@ BAD = {
     "log of zero": ({"vary": {"load": {"log_range": ["-1 kN", "5 kN", 4]}}}, "above zero"),
     "contradictory limits": ({"vary": {"load": {"uniform": ["5 kN", "2 kN"]}}}, "rising values"),
     "no scatter": ({"vary": {"load": {"normal": ["5 kN", "0 kN"]}}}, "a standard deviation above zero"),
-    "below the field": ({"vary": {"load": {"normal": ["5 kN", "2 kN"]}}}, "the smallest value -1000 N"),
+    "below the field": ({"vary": {"load": {"normal": ["5 kN", "2 kN"]}}}, "the smallest value -1 kN"),
     "above a rule": ({"vary": {"width": {"uniform": ["30 mm", "60 mm"]}}}, "the pocket reaches outside"),
     "no value taken": ({"vary": {"load": ["-1 kN", "-2 kN"]}}, "takes none of its values"),
     "no such fit": ({"vary": {"clearance": {"fit": "H7/z9"}}}, "'z9' is not included"),

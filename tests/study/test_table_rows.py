@@ -13,6 +13,7 @@ from studied_cases import JOURNAL
 import babbitt
 from babbitt.core.notices import InputError
 from babbitt.study.table_cells import read_table, table_of_columns, table_of_content
+from babbitt.study.table_rows import rows_of_table
 
 TABLE = """name;diameter [mm];width [mm];load [kN];speed [rpm];lubricant
 Gear;120;60;24;2000;ISO VG 46
@@ -86,7 +87,7 @@ def test_outputs_in_engineers_units(run, case, tmp_path):
     film = babbitt.load_case(case).solve(diameter="120 mm", width="60 mm", load="24 kN").minimum_film_thickness
     assert float(read["minimum_film_thickness [µm]"]) == pytest.approx(1e6 * film, rel=1e-11)
     book = openpyxl.load_workbook(io.BytesIO((tmp_path / "o.xlsx").read_bytes()))
-    assert book.sheetnames == ["Inputs", "Results", "Summary"]
+    assert book.sheetnames == ["Summary", "Inputs", "Results"]
 
 
 def test_a_workbook_gives_the_same_as_text(case, tmp_path):
@@ -203,3 +204,48 @@ def test_the_example_has_forty_bearings_that_are_solved():
     assert (found["status"] == "converged").all()
     assert np.isfinite(found["margin"]).all()
     assert not math.isclose(found["friction_power"].min(), found["friction_power"].max())
+
+
+def test_one_bad_cell_leaves_the_numbers_of_its_column(run, case, tmp_path):
+    """The row alone is refused, by its number in the sheet; the column stays one of numbers with its unit."""
+    rows = "name,diameter [mm],# checked by\nGood,120,Ann\n\nBad,12O,Ben\nThin,100,\n"
+    table = in_file(tmp_path / "t.csv", rows)
+    _, out, _ = run("solve", case, "--table", table, "--csv", "o.csv", "--workers", 1)
+    heading, *lines = (line.split(",") for line in (tmp_path / "o.csv").read_text().splitlines())
+    place = heading.index("diameter [mm]")
+    assert [line[place] for line in lines] == ["120.0", "", "100.0"]
+    assert [line[0] for line in lines] == ["2.0", "4.0", "5.0"]  # as the sheet counts: headings, and an empty line
+    assert [line[heading.index("status")] for line in lines] == ["converged", "refused", "converged"]
+    assert "12O mm" in lines[1][-1]
+    assert "Ann" not in out
+    refused = next(line for line in out.splitlines() if "refused" in line and "12O" in line)
+    assert refused.split()[:3] == ["Bad", "4", "refused"]
+    assert "headings counted" in out
+    bearing = babbitt.load_case(case)
+    found = bearing.solve_table({"diameter [mm]": ["x", 120.0]}).table
+    assert list(found["row"]) == [0, 1]
+
+
+def test_a_heading_with_its_unit_in_parentheses_says_what_to_write(case):
+    with pytest.raises(InputError, match=r"square brackets, 'diameter \[mm\]'"):
+        rows_of_table(babbitt.load_case(case).complete(), table_of_columns({"diameter (mm)": [120.0]}))
+
+
+def test_a_table_of_remarks_alone_is_refused(case):
+    with pytest.raises(InputError, match="no column names a field"):
+        table_of_columns({"# remark": ["a"]})
+
+
+def test_a_table_in_us_units(run, case, tmp_path):
+    table = in_file(tmp_path / "t.csv", "name,diameter [in],load [lbf]\nGear,4.75,5000\n")
+    status, out, _ = run("solve", case, "--table", table, "--csv", "o.csv", "--units", "us", "--workers", 1)
+    assert status == 0
+    read = dict(zip(*(line.split(",") for line in (tmp_path / "o.csv").read_text().splitlines()), strict=True))
+    assert float(read["diameter [in]"]) == pytest.approx(4.75)
+    assert float(read["load [lbf]"]) == pytest.approx(5000.0)
+    alone = babbitt.load_case(case).solve(diameter="4.75 in", load="5000 lbf")
+    held = alone.result.values.get("starved_minimum_film_thickness", alone.minimum_film_thickness)
+    assert float(read["minimum_film_thickness [mil]"]) == pytest.approx(alone.minimum_film_thickness / 25.4e-6)
+    assert f"{held / 25.4e-6:.3f}" in out
+    gap = min(one.gap for one in alone.result.limits if one.code == "C104")
+    assert float(read["kelvin_C104 [°F]"]) == pytest.approx(1.8 * gap)

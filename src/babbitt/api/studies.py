@@ -25,6 +25,7 @@ from babbitt.study.best_designs import write_designs
 from babbitt.study.design import Designs, designs_of
 from babbitt.study.engine import InterruptedStudyError
 from babbitt.study.fields import types_at
+from babbitt.study.held_film import as_read
 from babbitt.study.indices import Indices, indices_of
 from babbitt.study.optimum import Optimum, optimum_of
 from babbitt.study.plan import Plan, plan, plan_table
@@ -93,20 +94,24 @@ class Study:
     def answer(
         self,
     ) -> ToleranceSummary | tuple[Indices, ...] | tuple[SpectrumSummary, ...] | Optimum | Designs | Size | None:
-        """What the study comes to, in SI; None for a sweep, map and corners, whose answer is the table."""
+        """What the study comes to, in SI, of the films that limits are held against.
+
+        None for a sweep, map and corners, whose answer is the table.
+        """
+        study = as_read(self._study)
         match self.kind:
             case "tolerance":
-                return tolerance_summary(self._study)
+                return tolerance_summary(study)
             case "sensitivity":
-                return indices_of(self._study)
+                return indices_of(study)
             case "spectrum":
-                return spectrum_summary(self._study)
+                return spectrum_summary(study)
             case "optimise":
-                return optimum_of(self._study)
+                return optimum_of(study)
             case "design":
-                return designs_of(self._study)
+                return designs_of(study)
             case "size":
-                return size_of(self._study)
+                return size_of(study)
         return None
 
     def summary(self) -> str:

@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterable, Mapping, Sequence
-from functools import partial
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from babbitt.api.answers import first_answer, solutions_of
+from babbitt.api.answers import first_answer
 from babbitt.api.given import as_given
 from babbitt.case.field_types import attributes_of_field, quantity_in, takes_list
 from babbitt.case.problems import CaseError, Problem
 from babbitt.core.notices import InputError
 from babbitt.core.units import read
 from babbitt.core.units.foreign import as_python
-from babbitt.solving import MachineResult
 from babbitt.study.fields import given_in, types_at
 
 if TYPE_CHECKING:
@@ -111,28 +109,10 @@ def over_points(
     if several is not None:
         says = f"has {len(several.calculations())} bearings, operating points and clearances"
         raise _refused(case, "", says, "one of each in a sweep")
-    found = _mapped(partial(_one, keep=keep), cases, workers)
+    from babbitt.api.many_cases import solved_cases
+
+    found = solved_cases(cases, workers, keep)
     return [first_answer(one, solved) for one, solved in zip(found, cases, strict=True)]
-
-
-def _one(case: Case, keep: str) -> MachineResult:
-    """Solve one case of a sweep: the first of its steady states."""
-    from dataclasses import replace
-
-    found = solutions_of(case)
-    first = replace(found, solutions=found.solutions[:1])
-    return first if keep == "solutions" else first.without_states()
-
-
-def _mapped(function: Any, cases: Sequence[Case], workers: int) -> Iterable[MachineResult]:
-    if workers == 1:
-        return map(function, cases)
-    from concurrent.futures import ProcessPoolExecutor
-    from multiprocessing import get_context
-
-    # Spawned, since a process that is forked while a library holds a lock waits for it for ever.
-    with ProcessPoolExecutor(min(workers, len(cases)), mp_context=get_context("spawn")) as pool:
-        return list(pool.map(function, cases))
 
 
 def _is_array(case: Case, path: str, value: Any) -> bool:

@@ -4,19 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from babbitt.core.quantities.display import us_partner
 from babbitt.core.units import KINDS
 
 __all__ = ["SYSTEMS", "from_si", "in_unit", "is_number", "shown_in", "split"]
 
 SYSTEMS = ("si", "inch")
 """Systems of units of the form."""
-
-INCH = {
-    "mm": "in", "m": "in", "cm": "in", "um": "mil", "micron": "mil", "N": "lbf", "kN": "lbf", "MN": "lbf",
-    "Pa": "psi", "kPa": "psi", "MPa": "psi", "bar": "psi", "mbar": "psi", "degC": "degF", "°C": "degF",
-    "kg": "lb", "t": "lb", "g": "lb", "m/s": "ft/s", "kW": "hp", "L/min": "gal/min",
-}  # fmt: skip
-"""Unit of the inch system in the place of another one, where the kind of quantity has both."""
 
 
 def split(text: str, units: Sequence[str]) -> tuple[str, str]:
@@ -64,8 +58,8 @@ def shown_in(system: str, number: str, unit: str, units: Sequence[str]) -> tuple
     >>> shown_in("inch", "120", "mm", ["mm", "in"]), shown_in("si", "120", "mm", ["mm", "in"])
     (('4.72441', 'in'), ('120', 'mm'))
     """
-    other = INCH.get(unit) if system == "inch" else None
-    if other is None or other not in units:
+    other = us_partner(unit) if system == "inch" else unit
+    if other == unit or other not in units:
         return number, unit
     return in_unit(number, unit, other) if is_number(number) else number, other
 

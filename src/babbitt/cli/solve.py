@@ -77,9 +77,8 @@ def solve(
         from babbitt.cli.solving_table import require_table, solve_rows
 
         unread: dict[str, object] = {"--json": json, "--plots": plots, "--fields": fields, "--document": document}
-        unread["--units"] = None if units is System.SI else units
         rows = require_table(table, files, unread)
-        solve_rows(files[0], rows, (csv, xlsx, report), workers, strict, reach(allow_outside))
+        solve_rows(files[0], rows, (csv, xlsx, report), workers, strict, reach(allow_outside), units)
         return
     from babbitt.case import CaseError, Problem, load_cases, located
     from babbitt.core.notices import InputError
@@ -191,7 +190,8 @@ def sweep(
         list[str],
         typer.Argument(
             metavar="PATH VALUES ...",
-            help="Fields that change, such as load or clearance.mean, each with its values: '1 kN, 2 kN', "
+            help="Fields that change, such as load or clearance.mean, or '*.speed' (by one share wherever it "
+            "stands: '0.5:1.5:5'), each with its values: '1 kN, 2 kN', "
             "first:last:number as '1 kN:10 kN:10', or at equal ratios '1 kN:100 kN:7:log'.",
         ),
     ],
@@ -220,21 +220,20 @@ def sweep(
     allow_outside: AllowOutside = False,
 ) -> None:
     """Solve a case for several values of some fields and print the key results."""
-    from babbitt.case.variation import case_variation
     from babbitt.core.notices import InputError
     from babbitt.core.quantities import displayed_in
     from babbitt.report.outputs import STANDARD_OUTPUT
     from babbitt.report.study_progress import StudyProgress
     from babbitt.report.sweep_output import require_outputs, write_outputs
     from babbitt.report.sweep_table import in_engineers_units, in_si, print_sweep
-    from babbitt.study.case_sweep import sweep_case
+    from babbitt.study.case_sweep import sweep_case, varied_in
     from babbitt.study.sweep_values import values_of
     from babbitt.study.workers import Alone, Processes
 
     if len(fields) % 2:
         raise InputError("E005", f"sweep takes each PATH with its VALUES; '{fields[-1]}' has none")
     given = [values_of(values) for values in fields[1::2]]
-    variations = [case_variation(file, path, bearing, reach(allow_outside)) for path in fields[::2]]
+    variations = [varied_in(file, path, bearing, reach(allow_outside)) for path in fields[::2]]
     chosen = [name.strip() for name in columns.split(",")] if columns is not None else []
     require_outputs(variations[0], csv, plot, chosen)
     try:

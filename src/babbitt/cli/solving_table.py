@@ -44,6 +44,7 @@ def solve_rows(
     workers: int | None,
     strict: bool,
     reach: Reach,
+    units: str,
 ) -> None:
     """Solve the bearings in the rows of a table, print and write them.
 
@@ -61,8 +62,11 @@ def solve_rows(
         Exit with 1 where a bearing fails or has no verdict.
     reach : Reach
         Where the case may name other files.
+    units : str
+        System of units of what is printed and written.
     """
     from babbitt.case import load_case
+    from babbitt.core.quantities import displayed_in
     from babbitt.report.study_output import (
         STANDARD_OUTPUT,
         require_csv,
@@ -90,11 +94,12 @@ def solve_rows(
     except (InterruptedStudyError, KeyboardInterrupt) as error:
         print(f"interrupted: {error}" if str(error) else "interrupted", file=sys.stderr)
         raise typer.Exit(INTERRUPTED) from None
-    write_study(found, xlsx, report, None)
-    if csv is not None:
-        write_study_csv(found, csv)
-    if csv != STANDARD_OUTPUT:
-        print_study(found)
+    with displayed_in(units):
+        write_study(found, xlsx, report, None)
+        if csv is not None:
+            write_study_csv(found, csv)
+        if csv != STANDARD_OUTPUT:
+            print_study(found)
     if not (found.columns["status"] == "converged").all():
         raise typer.Exit(NO_SOLUTION)
     if strict and not set(found.columns["verdict"]) <= set(WITHIN):

@@ -5,9 +5,10 @@ from __future__ import annotations
 import math
 
 from babbitt.core.quantities import QUANTITIES
+from babbitt.core.quantities.display import SI, in_system
 from babbitt.core.result import Bound, Check
 
-__all__ = ["alike", "comparison", "margin", "number", "value_and_limit", "written"]
+__all__ = ["alike", "comparison", "distance", "margin", "number", "value_and_limit", "written"]
 
 LARGEST_MARGIN = 5.0
 """Relative distance to a limit beyond which its size tells nothing more."""
@@ -73,15 +74,21 @@ def value_and_limit(check: Check) -> tuple[str, str]:
 
 
 def margin(check: Check) -> str:
-    """The distance to the limit: in K for a temperature, otherwise relative; positive when it is kept.
+    """The distance to the limit, as `distance` writes it."""
+    return distance(check.margin, check.gap if check.is_in_kelvin else math.nan)
 
-    Relative margins above `LARGEST_MARGIN` say no more than that.
+
+def distance(share: float, kelvin: float = math.nan, decimals: int = 0) -> str:
+    """A distance to a limit: in K for a temperature, otherwise relative; positive when it is kept.
+
+    Relative distances above `LARGEST_MARGIN` say no more than that.
+
+    >>> distance(0.12, 9.64), distance(-0.031), distance(0.0123, decimals=1), distance(7.0)
+    ('+9.6 K', '-3%', '+1.2%', 'over +500%')
     """
-    known = QUANTITIES.get(check.quantity)
-    if not math.isfinite(check.margin):
+    if not math.isfinite(share):
         return "–"
-    if known is not None and known.unit == "K":
-        gap = check.limit - check.value if check.bound is Bound.AT_MOST else check.value - check.limit
-        scale = known.display.scale
-        return f"{gap * scale:+.1f} {'K' if scale == 1.0 else '°F'}"
-    return f"{check.margin:+.0%}" if check.margin <= LARGEST_MARGIN else f"over {LARGEST_MARGIN:+.0%}"
+    if math.isfinite(kelvin):
+        unit = in_system(SI["K"])
+        return f"{kelvin * unit.scale:+.1f} {unit.label}"
+    return f"{share:+.{decimals}%}" if share <= LARGEST_MARGIN else f"over {LARGEST_MARGIN:+.0%}"

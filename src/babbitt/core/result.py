@@ -140,15 +140,25 @@ class Check:
         return self.value <= self.limit + slack if most else self.value >= self.limit - slack
 
     @property
+    def gap(self) -> float:
+        """Distance to the limit in SI, positive when it is kept."""
+        return self.limit - self.value if self.bound is Bound.AT_MOST else self.value - self.limit
+
+    @property
     def margin(self) -> float:
         """Distance to the limit relative to the limit, positive when it is kept; temperatures count in °C.
 
         A limit of zero gives the distance itself.
         """
-        gap = self.limit - self.value if self.bound is Bound.AT_MOST else self.value - self.limit
         known = QUANTITIES.get(self.quantity)
         size = abs(self.limit + known.metric.offset) if known is not None else abs(self.limit)
-        return gap / size if size else gap
+        return self.gap / size if size else self.gap
+
+    @property
+    def is_in_kelvin(self) -> bool:
+        """Whether its distance reads in K: that of temperatures and of differences of them."""
+        known = QUANTITIES.get(self.quantity)
+        return known is not None and known.unit == "K"
 
 
 @dataclass(frozen=True)

@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
+from babbitt.core.limited_flow import quantity_held
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Result
 from babbitt.report.verdict import governing
@@ -59,19 +60,12 @@ def _number(name: str, value: float) -> str:
 
 
 def reading_of(name: str) -> Reading:
-    """The number of a quantity."""
-    return lambda result: _number(name, result.values.get(name, math.nan))
-
-
-def reading_held(name: str) -> Reading:
-    """The number that limits of a quantity are held against, marked where it is that of a film short of oil."""
-    value = reading_of(name)
+    """The number of a quantity of the film that limits are held against, marked where that is short of oil."""
 
     def reading(result: Result) -> str:
-        check = governing(result, name)
-        if check is None or check.quantity == name:
-            return value(result)
-        return _number(name, check.value) + MARK
+        held = quantity_held(result, name)
+        text = _number(name, result.values.get(held, math.nan))
+        return text if held == name or text == ABSENT else text + MARK
 
     return reading
 

@@ -156,6 +156,7 @@ def _overview(results: Sequence[Result]) -> Data:
     columns = overview_columns(shown)
     cells = [column.cells(shown) for column in columns]
     return {
+        **({"footnote": marks} if (marks := footnote(columns, shown)) else {}),
         "columns": [{"heading": _heading(column.heading), "unit": column.unit} for column in columns],
         "rows": [
             {"name": plain_text(one.name), "cells": [each[place] for each in cells]}

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import PurePath
 from typing import TYPE_CHECKING, Any
 
+from babbitt.core.quantities.display import SI, in_system
 from babbitt.core.units import ZERO_CELSIUS
 from babbitt.properties.lubricants import (
     AstmD341,
@@ -109,17 +110,16 @@ def oil_rows(oil: Lubricant) -> Iterator[Row]:
     if isinstance(law, ConstantViscosity):
         yield _constant(law)
     else:
-        for celsius in (40, 100):
-            kelvin = celsius + ZERO_CELSIUS
+        for kelvin in (40.0 + ZERO_CELSIUS, 100.0 + ZERO_CELSIUS):
             if oil.covers(kelvin):
-                viscosity = f"{1e6 * oil.kinematic_viscosity(kelvin):.4g}"
-                yield Row(f"Kinematic viscosity at {celsius} °C", viscosity, None, "mm²/s")
+                viscosity = oil.kinematic_viscosity(kelvin)
+                yield _row(f"Kinematic viscosity at {_temperature(kelvin)}", viscosity, "mm2/s")
     if oil.covers(293.15):
-        yield Row("Density at 20 °C", f"{oil.density(293.15):.4g}", None, "kg/m³")
+        yield _row(f"Density at {_temperature(293.15)}", oil.density(293.15), "kg/m3")
     if oil.fixed_volumetric_heat_capacity is not None:
         yield named_row("volumetric_heat_capacity", oil.fixed_volumetric_heat_capacity)
     else:
-        yield Row("Specific heat at 50 °C", f"{oil.heat_capacity(323.15):.4g}", None, "J/(kg K)")
+        yield _row(f"Specific heat at {_temperature(323.15)}", oil.heat_capacity(323.15), "J/kgK")
     yield Row("Source", plain_text(oil.source))
     if oil.origin:
         yield Row("From the catalogue of the user", plain_text(PurePath(oil.origin).name))
@@ -128,8 +128,19 @@ def oil_rows(oil: Lubricant) -> Iterator[Row]:
 def _constant(law: ConstantViscosity) -> Row:
     """What is constant, once: over a density that falls with temperature the other one would seem to rise."""
     if law.kind is ViscosityKind.DYNAMIC:
-        return Row("Dynamic viscosity", f"{1e3 * law.viscosity:.4g}", None, "mPa s")
-    return Row("Kinematic viscosity", f"{1e6 * law.viscosity:.4g}", None, "mm²/s")
+        return _row("Dynamic viscosity", law.viscosity, "mPas")
+    return _row("Kinematic viscosity", law.viscosity, "mm2/s")
+
+
+def _row(what: str, value: float, unit: str) -> Row:
+    """An input that the vocabulary does not name, in the unit of the system that is spoken."""
+    shown = in_system(SI[unit])
+    return Row(what, f"{value * shown.scale:.4g}", None, shown.label)
+
+
+def _temperature(kelvin: float) -> str:
+    shown = in_system(SI["degC"])
+    return f"{kelvin * shown.scale + shown.offset:.0f} {shown.label}"
 
 
 def metal_rows(metal: BearingMetal | None) -> Iterator[Row]:

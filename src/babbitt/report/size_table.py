@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
+from itertools import groupby
 
-from babbitt.report.study_values import DASH, Scale, StudyTable, input_scale, percent
+from babbitt.core.check_text import distance
+from babbitt.report.study_values import DASH, MARGIN_DECIMALS, Scale, StudyTable, input_scale
 from babbitt.report.text import plain_text
 from babbitt.study.appraisal import ALL_LIMITS, RECOMMENDED
 from babbitt.study.permitted import Trial
@@ -36,9 +38,10 @@ def size_tables(study: Study) -> Iterator[StudyTable]:
         yield _tried(f"Choices of {size.path} {_limits(size)}", "choice", size.choices)
     elif size.intervals:
         yield _intervals(study, size, scale)
+        yield from _remarks(size, scale)
     else:
         miss = size.nearest_miss or size.scan[0]
-        row = (scale.text(miss.value), plain_text(f"{miss.bearing}: {miss.reason}"), percent(miss.margin))
+        row = (scale.text(miss.value), plain_text(f"{miss.bearing}: {miss.reason}"), _margin(miss))
         heads = ((size.path, scale.unit), ("nearest miss", ""), ("margin", ""))
         title = f"No value of the scan is {_limits(size)}"
         yield StudyTable(title, heads, (row,), 2, (_scanned(size, scale),))
@@ -56,15 +59,28 @@ def _intervals(study: Study, size: Size, scale: Scale) -> StudyTable:
             rounded(scale.shown(one.upper.value), upward=False),
             _said(one.below, alone),
             _said(one.above, alone),
-            percent(one.best.margin),
+            _margin(one.best),
             rounded(scale.shown(one.best.value), upward=one.best is one.lower),
         )
         for one in size.intervals
     )
-    codes = dict.fromkeys(code for one in size.scan if one.permitted for code in one.remarks)
-    remarks = (f"Permitted values with remarks: {' '.join(codes)}",) if codes else ()
     columns = (*heads, ("largest margin", ""), ("at", scale.unit))
-    return StudyTable(f"{size.path} {_limits(size)}", columns, rows, 4, (*remarks, _scanned(size, scale)))
+    return StudyTable(f"{size.path} {_limits(size)}", columns, rows, 4, (_scanned(size, scale),))
+
+
+def _remarks(size: Size, scale: Scale) -> Iterator[StudyTable]:
+    """Permitted values of the scan that pass with remarks, next to each other those with the same codes."""
+    if not any(one.permitted and one.remarks for one in size.scan):
+        return
+    alike = groupby(size.scan, lambda one: (one.permitted, one.remarks))
+    runs = [(codes, list(run)) for (permitted, codes), run in alike if permitted]
+    rows = tuple(
+        (scale.text(run[0].value), scale.text(run[-1].value), str(len(run)), " ".join(codes) or "none")
+        for codes, run in runs
+    )
+    heads = (("from", scale.unit), ("to", scale.unit), ("values", ""), ("remarks", ""))
+    note = "Values of the scan, from the first to the last of a kind; babbitt explain says what a code means."
+    yield StudyTable("Remarks on permitted values", heads, rows, 2, (note,))
 
 
 def _tried(title: str, first: str, trials: Mapping[str, Trial]) -> StudyTable:
@@ -77,11 +93,15 @@ def _tried(title: str, first: str, trials: Mapping[str, Trial]) -> StudyTable:
             "yes" if one.permitted else "no",
             plain_text(one.reason or " ".join(one.remarks)),
             one.code or DASH,
-            percent(one.margin),
+            _margin(one),
         )
         for choice, one in trials.items()
     )
     return StudyTable(title, heads, rows, 4)
+
+
+def _margin(one: Trial) -> str:
+    return distance(one.margin, one.kelvin, MARGIN_DECIMALS)
 
 
 def _limits(size: Size) -> str:

@@ -10,27 +10,34 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from babbitt.core.check_text import distance
+from babbitt.core.limited_flow import limited
+from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Verdict
+from babbitt.report.columns import MARK
 from babbitt.report.design_table import design_tables
 from babbitt.report.size_table import size_tables
 from babbitt.report.study_map import map_tables
 from babbitt.report.study_values import (
     DASH,
+    MARGIN_DECIMALS,
     Scale,
     StudyTable,
     check_title,
     input_scale,
+    margin_text,
     output_scale,
     percent,
     significant,
 )
-from babbitt.report.text import plain_text
+from babbitt.report.text import counted, plain_text
+from babbitt.study.held_film import WITH_LIMITED_FLOW, as_read
 from babbitt.study.indices import indices_of, slopes_of
 from babbitt.study.optimum import Optimum, optimum_of
 from babbitt.study.rows import Columns
 from babbitt.study.spectrum import spectrum_summary
 from babbitt.study.study import Study
-from babbitt.study.yields import tolerance_summary
+from babbitt.study.yields import Capability, tolerance_summary
 
 __all__ = ["StudyTable", "overview", "study_tables"]
 
@@ -43,7 +50,16 @@ WORDS = {verdict.key: verdict.value for verdict in Verdict}
 
 
 def overview(study: Study) -> str:
-    """What was computed, in a sentence."""
+    """What was computed, in a sentence, and which films are shown where the supply delivers too little."""
+    read = as_read(study).columns
+    rows = np.unique(read["row"][read[WITH_LIMITED_FLOW]]).size if WITH_LIMITED_FLOW in read else 0
+    if not rows:
+        return _computed(study)
+    said = "the supply delivers less oil than the film wants; readings there are of the film with what it delivers"
+    return f"{_computed(study)} In {counted(rows, 'row')} {said} ({MARK}), against which the limits are held."
+
+
+def _computed(study: Study) -> str:
     block = study.block
     planned = int(study.description["rows"])
     without = _without_solution(study.columns)
@@ -69,7 +85,8 @@ def _without_solution(columns: Columns) -> int:
 
 
 def study_tables(study: Study) -> tuple[StudyTable, ...]:
-    """The tables of a study, what matters most first."""
+    """The tables of a study, what matters most first, of the films that limits are held against."""
+    study = as_read(study)
     made = list(_OF_KIND[study.kind](study))
     if study.kind == "table":
         return tuple(made)
@@ -150,22 +167,29 @@ def line_table(
     heads += [(scale.name, scale.unit) for scale in inputs.values()]
     heads += [("bearing", "")] if several else []
     heads += [(scale.name, scale.unit) for scale in outputs.values()]
-    heads += [("margin", "%"), ("governed by", ""), ("verdict", ""), ("missed", "")]
+    heads += [("margin", ""), ("governed by", ""), ("verdict", ""), ("codes", "")]
     rows = []
     for place in range(min(columns["row"].size, MOST_ROWS)):
         cells = [str(columns[first][place])] if first else []
         cells += [scale.text(columns[path][place]) for path, scale in inputs.items()]
         cells += [plain_text(str(columns["bearing"][place]))] if several else []
-        cells += [scale.text(columns[name][place]) for name, scale in outputs.items()]
-        margin = columns["margin"][place]
-        cells += [f"{100.0 * margin:.1f}" if math.isfinite(margin) else DASH]
+        cells += [
+            scale.text(columns[name][place]) + _mark(columns, name, place) for name, scale in outputs.items()
+        ]
+        cells += [margin_text(columns, place)]
         status = str(columns["status"][place])
         verdict = WORDS.get(str(columns["verdict"][place]), "")
         cells += [str(columns["governing_check"][place]) or DASH, status if status == "refused" else verdict]
-        rows.append((*cells, str(columns["failed_checks"][place])))
+        rows.append((*cells, str(columns["codes"][place])))
     more = columns["row"].size - len(rows)
     said = [f"{more} more rows are not shown; --xlsx or --out has all."] if more > 0 else []
     return StudyTable(title, tuple(heads), tuple(rows), 1 if first else 0, (*notes, *said))
+
+
+def _mark(columns: Columns, name: str, place: int) -> str:
+    """What marks the reading of a film with limited flow."""
+    less = WITH_LIMITED_FLOW in columns and columns[WITH_LIMITED_FLOW][place]
+    return MARK if less and limited(name) in QUANTITIES else ""
 
 
 def _sweep(study: Study) -> Iterator[StudyTable]:
@@ -174,7 +198,7 @@ def _sweep(study: Study) -> Iterator[StudyTable]:
 
 def _table(study: Study) -> Iterator[StudyTable]:
     """The bearings of a table by their names, with their results; what was given stands in the table itself."""
-    columns = study.columns | {"bearing": _names(study.columns)}
+    columns = study.columns | {"bearing": _names(study)}
     found = line_table(study, columns, "Bearings", "bearing")
     left_out = len(study.inputs) + (1 if _several(study) else 0)
     kept = [place for place in range(len(found.columns)) if not 1 <= place <= left_out]
@@ -193,24 +217,28 @@ def _table(study: Study) -> Iterator[StudyTable]:
 def _refused(study: Study) -> Iterator[StudyTable]:
     """Rows without an answer, each with its reason."""
     columns = study.columns
-    without = np.flatnonzero(columns["verdict"] == Verdict.NO_SOLUTION.key)[:MOST_ROWS]
-    names = _names(columns)
+    without = np.flatnonzero(columns["message"] != "")[:MOST_ROWS]
+    names = _names(study)
     rows = tuple(
         (
-            *(plain_text(names[place]), str(columns["row"][place]), str(columns["status"][place])),
+            *(plain_text(names[place]), str(study.lines[place]), str(columns["status"][place])),
             plain_text(str(columns["message"][place])),
         )
         for place in without
     )
     if rows:
         heads = (("bearing", ""), ("row", ""), ("status", ""), ("reason", ""))
-        yield StudyTable("Rows without an answer", heads, rows, 4, ("Rows count from 0, below the headings.",))
+        counted_from = (
+            "in the table that was given, from 0" if 0 in study.lines else "as in the sheet, headings counted"
+        )
+        yield StudyTable("Rows without an answer", heads, rows, 4, (f"Rows are numbered {counted_from}.",))
 
 
-def _names(columns: Columns) -> NDArray[np.object_]:
+def _names(study: Study) -> NDArray[np.object_]:
     """The bearing of each line: that of its result, else its name in the table, else the number of its row."""
+    columns = study.columns
     given = columns.get("name", np.full(columns["row"].size, "", object))
-    lines = zip(columns["bearing"], given, columns["row"], strict=True)
+    lines = zip(columns["bearing"], given, study.lines, strict=True)
     return np.array([str(one) or str(name) or f"row {row}" for one, name, row in lines], object)
 
 
@@ -249,7 +277,7 @@ def _tolerance(study: Study) -> Iterator[StudyTable]:
         tuple(
             ((plain_text(one.bearing),) if several else ())
             + (check_title(one.code), str(one.failures), percent(one.failures / max(1, one.samples), 2))
-            + (significant(one.cpk, 3), "about" if one.near_normal else "not: margins far from a normal law")
+            + ((significant(one.cpk, 3) if one.varies else "does not vary"), _cpk_holds(one))
             for one in found.capabilities
         ),
         2 if several else 1,
@@ -258,6 +286,12 @@ def _tolerance(study: Study) -> Iterator[StudyTable]:
     yield _spread_table(study, found.spreads, several)
     yield from _worst_cases(study, found.worst_corner, found.worst_sample)
     yield _tornado_table(study, found.tornado, several)
+
+
+def _cpk_holds(one: Capability) -> str:
+    if not one.varies:
+        return DASH
+    return "about" if one.near_normal else "not: margins far from a normal law"
 
 
 def _spread_table(study: Study, spreads: Sequence[Any], several: bool) -> StudyTable:
@@ -356,13 +390,13 @@ def _spectrum(study: Study) -> Iterator[StudyTable]:
     ]
     columns["load case"] = np.array(names, object)
     yield line_table(study, columns, "Load cases", "load case")
-    heads = [("bearing", ""), ("governing load case", ""), ("check", ""), ("margin", "%")]
+    heads = [("bearing", ""), ("governing load case", ""), ("check", ""), ("margin", "")]
     scales = {name: output_scale(name) for name in study.outputs}
     heads += [(f"mean {scale.name}", scale.unit) for scale in scales.values()]
     rows = tuple(
         (
             *(plain_text(one.bearing), plain_text(one.governing_case), one.governing_check or DASH),
-            f"{100.0 * one.margin:.1f}" if math.isfinite(one.margin) else DASH,
+            distance(one.margin, one.worst_kelvins.get(one.governing_check, math.nan), MARGIN_DECIMALS),
             *(scale.text(one.means[name]) for name, scale in scales.items()),
             significant(one.yearly_energy / 3.6e6),
         )
@@ -371,11 +405,15 @@ def _spectrum(study: Study) -> Iterator[StudyTable]:
     note = f"Energy of friction in {block.hours_per_year:g} hours."
     yield StudyTable("Over the spectrum", (*heads, ("energy a year", "kWh")), rows, 3, (note,))
     margins = tuple(
-        (plain_text(one.bearing), check_title(code), f"{100.0 * value:.1f}")
+        (
+            plain_text(one.bearing),
+            check_title(code),
+            distance(value, one.worst_kelvins.get(code, math.nan), MARGIN_DECIMALS),
+        )
         for one in spectrum_summary(study)
         for code, value in sorted(one.worst_margins.items(), key=lambda pair: pair[1])
     )
-    yield StudyTable("Worst margins", (("bearing", ""), ("check", ""), ("margin", "%")), margins, 2)
+    yield StudyTable("Worst margins", (("bearing", ""), ("check", ""), ("margin", "")), margins, 2)
 
 
 def _optimise(study: Study) -> Iterator[StudyTable]:

@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+from babbitt.case.loading import STUDY, read_tree
+from babbitt.case.parts.study import StudyBlock
+from babbitt.case.with_units import case_text
 from babbitt.core.files.writing import require_writable, write_file
+from babbitt.core.units import AS_WRITTEN
 from babbitt.report.document import FORMATS, typeset
 from babbitt.report.study_content import StudyTable, overview, study_tables
 from babbitt.report.study_figures import study_drawings
@@ -42,9 +47,20 @@ def study_report(study: Study, suffix: str) -> bytes:
         "notes": plain_text(str(told["case"].get("notes", ""))),
         "tables": [_table(one) for one in study_tables(study)],
         "figures": [{"caption": one.caption, "svg": one.image.decode()} for one in study_drawings(study, "svg")],
-        "text": plain_lines(str(told["text"])).strip("\n"),
+        "text": plain_lines(_text(told)).strip("\n"),
     }
     return typeset(data, "study.typ", FORMATS[suffix])
+
+
+def _text(told: Mapping[str, Any]) -> str:
+    """The case as it was read, and below it the study where that stands elsewhere or was completed."""
+    text = str(told["text"])
+    stated = (read_tree(text, "").plain() if text else {}).get(STUDY)
+    if stated is not None:
+        block = StudyBlock.model_validate(stated, context=AS_WRITTEN)
+        if block.model_dump(exclude_defaults=True, mode="json") == told["study"]:
+            return text
+    return f"{text.rstrip()}\n\n# The study that was computed\n{case_text({STUDY: told['study']})}"
 
 
 def _table(table: StudyTable) -> dict[str, Any]:

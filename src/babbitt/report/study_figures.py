@@ -11,15 +11,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.core.files.writing import write_files
-from babbitt.core.result import Verdict
+from babbitt.core.limited_flow import whole
 from babbitt.report.design_figure import design_figures
-from babbitt.report.drawing import GREY, INK, PALE, Drawing, Sheet, mathematics, rendered, style
+from babbitt.report.drawing import GREY, INK, PALE, Drawing, mathematics, rendered, style
+from babbitt.report.optimum_figures import optimum_figures
 from babbitt.report.size_output import size_figure
 from babbitt.report.size_table import size_scale
 from babbitt.report.study_content import SAMPLING
 from babbitt.report.study_map import map_figures
 from babbitt.report.study_panels import (
-    WIDTH,
     Drawn,
     axis_text,
     bearings_of,
@@ -32,8 +32,8 @@ from babbitt.report.study_panels import (
 from babbitt.report.study_values import input_scale, output_scale
 from babbitt.report.text import plain_text
 from babbitt.study.grids import SAMPLE
+from babbitt.study.held_film import as_read
 from babbitt.study.indices import Indices, indices_of
-from babbitt.study.optimum import optimum_of
 from babbitt.study.rows import Columns
 from babbitt.study.size import size_of
 from babbitt.study.study import Study
@@ -48,9 +48,6 @@ __all__ = ["study_drawings", "write_study_plots"]
 Array = NDArray[np.float64]
 MOST_PANELS = 6
 MOST_CURVES = 8
-MOST_LINES = 400
-"""Designs that parallel coordinates show, the first ones."""
-
 CLASSES = 30
 
 LEGEND_LINE, MM_PER_INCH = 3.5, 25.4
@@ -58,13 +55,14 @@ LEGEND_LINE, MM_PER_INCH = 3.5, 25.4
 
 
 def study_drawings(study: Study, image_format: str) -> tuple[Drawing, ...]:
-    """All figures of a study.
+    """All figures of a study, of the films that limits are held against.
 
     Raises
     ------
     InputError
         E007 when matplotlib is not installed.
     """
+    study = as_read(study)
     with style():
         return tuple(
             Drawing(name, caption, rendered(figure, image_format), wide=True)
@@ -96,11 +94,11 @@ def _tolerance(study: Study) -> Iterator[Drawn]:
         caption = (
             f"Scatter of the results{of} over {own['row'].size} samples ({drawn}); limits broken, where one is "
         )
-        yield (
-            file_name("histograms", bearing, bearings),
-            caption + "the same in all samples that of the medians; hatched: beyond a limit of this result.",
-            _histograms(study, own),
-        )
+        caption += "the same in all samples that of the medians; hatched: beyond a limit of this result."
+        names = [name for name in study.outputs if np.isfinite(own[name]).any()] or list(study.outputs[:1])
+        for page, together in enumerate(np.array_split(names, math.ceil(len(names) / MOST_PANELS)), 1):
+            what = "histograms" if page == 1 else f"histograms_{page}"
+            yield file_name(what, bearing, bearings), caption, _histograms(study, own, together.tolist())
         shares = {name: by for (of_bearing, name), by in summary.tornado.items() if of_bearing == bearing}
         if any(shares.values()):
             caption = f"What drives the scatter{of}: squared rank correlation of each field with each result; "
@@ -112,13 +110,12 @@ def _tolerance(study: Study) -> Iterator[Drawn]:
             yield file_name("pairs", bearing, bearings), caption, _pairs(pairs, own)
 
 
-def _histograms(study: Study, own: Columns) -> Figure:
-    names = [name for name in study.outputs if np.isfinite(own[name]).any()][:MOST_PANELS]
-    figure, panels = panels_for(max(1, len(names)))
+def _histograms(study: Study, own: Columns, names: Sequence[str]) -> Figure:
+    figure, panels = panels_for(len(names))
     for panel, name in zip(panels, names, strict=False):
         scale = output_scale(name)
         values = scale.shown(own[name][np.isfinite(own[name])])
-        limits = [one for one in study.description["checks"] if one["quantity"].removeprefix("starved_") == name]
+        limits = [one for one in study.description["checks"] if whole(one["quantity"]) == name]
         counts, edges = np.histogram(values, CLASSES)
         middle = 0.5 * (edges[1:] + edges[:-1])
         beyond = np.zeros(CLASSES, bool)
@@ -305,71 +302,6 @@ def _spectrum(study: Study) -> Iterator[Drawn]:
     yield "spectrum", "Margin of the governing check in each load case, with its share of time.", figure
 
 
-def _optimise(study: Study) -> Iterator[Drawn]:
-    found = optimum_of(study)
-    if not found.rows:
-        return
-    goals = [output_scale(name) for name in found.objectives]
-    if len(goals) > 1:
-        figure, axes = Sheet(110.0, 76.0, left=16.0, bottom=11.0).panels()
-        panel = axes[0][0]
-        kept = np.isin(study.columns["verdict"], (*WITHIN, Verdict.NO_VERDICT.key))
-        x, y = (scale.shown(study.columns[name]) for scale, name in zip(goals, found.objectives, strict=False))
-        if len(bearings_of(study)) == 1:
-            panel.plot(x[kept], y[kept], ".", color=PALE, markersize=3.0)
-        front = [scale.shown(found.values[:, place]) for place, scale in enumerate(goals[:2])]
-        order = np.argsort(front[0])
-        panel.plot(front[0][order], front[1][order], "o-", color=INK, markersize=3.5, linewidth=0.8)
-        panel.set_xlabel(axis_text(goals[0]))
-        panel.set_ylabel(axis_text(goals[1]))
-        said = f"Pareto front: of {found.feasible} designs within all limits (pale) no other is better in both."
-        yield "pareto", said, figure
-    caption = "Designs within all limits in parallel coordinates, each axis from its least to its largest value; "
-    yield "designs", caption + "black: the best ones.", _parallel(study, found.rows)
-
-
-def _parallel(study: Study, best: tuple[int, ...]) -> Figure:
-    """Parallel coordinates of fields and objectives of the first bearing."""
-    own = lines_of(study.columns, bearings_of(study)[0])
-    kept = np.flatnonzero(np.isin(own["verdict"], (*WITHIN, Verdict.NO_VERDICT.key)))[-MOST_LINES:]
-    scales = {one["path"]: input_scale(one) for one in study.inputs}
-    scales |= {name: output_scale(name) for name in (*study.block.minimise, *study.block.maximise)}
-    heights, ticks = [], []
-    for name, scale in scales.items():
-        column = own[name]
-        if column.dtype == object:
-            known = sorted({str(one) for one in column})
-            values = np.array([known.index(str(one)) for one in column], float)
-            ends = (known[0], known[-1])
-        else:
-            values = column.astype(float)
-            low, high = (float(end) for end in (np.nanmin(values[kept]), np.nanmax(values[kept])))
-            ends = (scale.text(low), scale.text(high))
-        low, high = np.nanmin(values[kept]), np.nanmax(values[kept])
-        heights.append((values - low) / (high - low) if high > low else np.full(values.size, 0.5))
-        ticks.append(ends)
-    figure, axes = Sheet(WIDTH, 70.0, left=10.0, bottom=16.0).panels()
-    panel = axes[0][0]
-    lines = np.array(heights)
-    for place in kept:
-        panel.plot(lines[:, place], color=PALE, linewidth=0.4, zorder=1)
-    for place in np.flatnonzero(np.isin(own["row"], best)):
-        panel.plot(lines[:, place], color=INK, linewidth=1.0, zorder=2)
-    for place, ends in enumerate(ticks):
-        panel.axvline(place, color=GREY, linewidth=0.5, zorder=0)
-        for at, end in ((-0.06, ends[0]), (1.03, ends[1])):
-            panel.annotate(end, (place, at), ha="center", fontsize=6, annotation_clip=False)
-    labels = [
-        f"{mathematics(scale.name) if scale.quantity else scale.name}\n{scale.unit}".strip()
-        for scale in scales.values()
-    ]
-    panel.set_xticks(range(len(scales)), labels)
-    panel.tick_params(axis="x", pad=9, length=0)
-    panel.set_yticks([])
-    panel.set_ylim(0.0, 1.08)
-    return figure
-
-
 _OF_KIND: Mapping[str, Callable[[Study], Iterator[Drawn]]] = {
     "tolerance": _tolerance,
     "map": map_figures,
@@ -378,7 +310,7 @@ _OF_KIND: Mapping[str, Callable[[Study], Iterator[Drawn]]] = {
     "corners": _corners,
     "sensitivity": _sensitivity,
     "spectrum": _spectrum,
-    "optimise": _optimise,
+    "optimise": optimum_figures,
     "table": lambda _: iter(()),
     "design": design_figures,
 }

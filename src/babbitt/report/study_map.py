@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from babbitt.core.check_text import distance
 from babbitt.core.result import ROUND_OFF, Verdict
 from babbitt.report.drawing import GREY, INK, Sheet, mathematics
 from babbitt.report.study_panels import (
@@ -20,9 +21,16 @@ from babbitt.report.study_panels import (
     of_bearing,
     scaled,
 )
-from babbitt.report.study_values import DASH, StudyTable, check_title, input_scale, output_scale
+from babbitt.report.study_values import (
+    DASH,
+    MARGIN_DECIMALS,
+    StudyTable,
+    check_title,
+    input_scale,
+    output_scale,
+)
 from babbitt.report.text import plain_text
-from babbitt.study.rows import Columns, advisory_name, margin_name
+from babbitt.study.rows import Columns, advisory_name, kelvin_name, margin_name
 from babbitt.study.study import Study
 from babbitt.study.yields import WITHIN
 
@@ -97,9 +105,12 @@ def _checks(study: Study, own: Columns, bearing: str) -> StudyTable:
     solved = own["verdict"] != Verdict.NO_SOLUTION.key
     rows = []
     for (code, what), margin in _lines(study, own).items():
-        known = margin[np.isfinite(margin)]
-        ends = (f"{100.0 * float(end):.1f}" for end in (known.min(), known.max()))
-        rows.append((check_title(code), what, str(int((known < -ROUND_OFF).sum())), *ends))
+        known = np.isfinite(margin)
+        kelvin = own.get(kelvin_name(code)) if what == "limit" else None
+        warm = np.full(margin.size, np.nan) if kelvin is None else kelvin
+        order = np.argsort(np.where(known, margin, np.inf))
+        ends = (distance(margin[at], warm[at], MARGIN_DECIMALS) for at in (order[0], order[known.sum() - 1]))
+        rows.append((check_title(code), what, str(int((margin[known] < -ROUND_OFF).sum())), *ends))
     within = int(np.isin(own["verdict"], WITHIN).sum())
     notes = [f"{within} of {solved.size} points within all limits, {int((~solved).sum())} without a solution."]
     if not within:
@@ -107,7 +118,7 @@ def _checks(study: Study, own: Columns, bearing: str) -> StudyTable:
     notes += [
         f"No line of {check_title(one['code'])}: {one['message']}." for one in study.description["not_checked"]
     ]
-    heads = (("check", ""), ("kind", ""), ("missed at", "points"), ("least margin", "%"), ("largest margin", "%"))
+    heads = (("check", ""), ("kind", ""), ("missed at", "points"), ("least margin", ""), ("largest margin", ""))
     return StudyTable(f"Checks over the map of {bearing}", heads, tuple(rows), 2, tuple(notes))
 
 

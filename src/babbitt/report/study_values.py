@@ -10,17 +10,35 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from babbitt.core.check_text import distance
 from babbitt.core.notices import explanations
 from babbitt.core.quantities import QUANTITIES
+from babbitt.core.quantities.display import SI, in_system, written_in_system
 from babbitt.core.units import KINDS
 from babbitt.report.text import plain_text
+from babbitt.study.rows import Columns, kelvin_name
 
-__all__ = ["DASH", "Scale", "StudyTable", "check_title", "input_scale", "output_scale", "percent", "significant"]
+__all__ = [
+    "DASH",
+    "MARGIN_DECIMALS",
+    "Scale",
+    "StudyTable",
+    "check_title",
+    "input_scale",
+    "kelvin_scale",
+    "margin_text",
+    "output_scale",
+    "percent",
+    "significant",
+]
+
+MARGIN_DECIMALS = 1
+"""Of margins in percent."""
 
 DASH = "–"
 """Stands where a table has no value."""
 
-SHOWN = {"um": "µm", "degC": "°C", "deg": "°", "mm2/s": "mm²/s", "m2": "m²", "m3": "m³", "": ""}
+SHOWN = {"um": "µm", "degC": "°C", "degF": "°F", "deg": "°", "mm2/s": "mm²/s", "m2": "m²", "m3": "m³", "": ""}
 
 USUAL = {"rad/s": "rpm", "Pa": "MPa", "K": "degC", "m2/s": "mm2/s", "rad": "deg", "m3/s": "L/min", "Pa s": "mPa s"}
 """Units that are taken whatever the size of the number."""
@@ -106,6 +124,12 @@ def significant(value: float, digits: int = 4) -> str:
     return f"{value:.0f}" if "e" in text else text
 
 
+def margin_text(columns: Columns, place: int) -> str:
+    """The margin of the governing check of a line, in K for temperatures."""
+    kelvin = columns.get(kelvin_name(str(columns["governing_check"][place])))
+    return distance(columns["margin"][place], math.nan if kelvin is None else kelvin[place], MARGIN_DECIMALS)
+
+
 def percent(share: float, digits: int = 1) -> str:
     """A share in percent."""
     return f"{100.0 * share:.{digits}f} %" if math.isfinite(share) else DASH
@@ -127,6 +151,7 @@ def input_scale(one: Mapping[str, Any], values: NDArray[Any] | None = None) -> S
         (each for each, factor in kind.everyday.items() if 1.0 <= largest / factor < 1e4),
         next(iter(kind.everyday)),
     )
+    wanted = written_in_system(wanted)
     factor = 1.0 / kind.everyday[wanted]
     return Scale(name, SHOWN.get(wanted, wanted), factor, -kind.offsets.get(wanted, 0.0) * factor)
 
@@ -137,6 +162,12 @@ def output_scale(name: str) -> Scale:
         return Scale(name, "")
     known = QUANTITIES[name]
     return Scale(known.symbol, known.display.label, known.display.scale, known.display.offset, name)
+
+
+def kelvin_scale(name: str) -> Scale:
+    """How the column of margins in K is shown."""
+    unit = in_system(SI["K"])
+    return Scale(name, unit.label, unit.scale)
 
 
 def check_title(code: str) -> str:

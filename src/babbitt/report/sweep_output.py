@@ -14,21 +14,22 @@ from babbitt.core.nearest_name import nearest_names
 from babbitt.core.notices import InputError
 from babbitt.core.quantities import QUANTITIES
 from babbitt.report.outputs import STANDARD_OUTPUT, inputs_of
+from babbitt.report.sheets import sheet_of_rows
 from babbitt.report.sweep_table import Units, in_si, sweep_rows
-from babbitt.study.case_sweep import CaseSweep
+from babbitt.study.case_sweep import CaseSweep, Everywhere
 
 ENDINGS = (".csv", ".xlsx")
 """Of a table of results."""
 
 
 def require_outputs(
-    variation: CaseVariation, table: Path | None, plot: Path | None, chosen: Sequence[str] = ()
+    variation: CaseVariation | Everywhere, table: Path | None, plot: Path | None, chosen: Sequence[str] = ()
 ) -> None:
     """Find out before any work is done whether a sweep can be written.
 
     Parameters
     ----------
-    variation : CaseVariation
+    variation : CaseVariation or Everywhere
         The case, none of whose files is replaced.
     table : Path or None
         Ends in ``.csv`` or ``.xlsx``, or is ``-``.
@@ -82,7 +83,7 @@ def write_outputs(
         if str(table) == STANDARD_OUTPUT:
             sys.stdout.write(rows_text(rows))
         elif table.suffix.lower() == ".xlsx":
-            write_file(table, workbook({"Sweep": rows}, printable(table)))
+            write_file(table, workbook({"Sweep": sheet_of_rows(rows)}, printable(table)))
         else:
             write_file(table, rows_text(rows).encode())
     if plot is not None:

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.core.files.writing import write_file
+from babbitt.core.limited_flow import quantity_held, whole
 from babbitt.core.notices import InputError
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Result
@@ -44,6 +45,11 @@ MOST_MARKED = 25
 LIMIT: dict[str, Any] = {"color": GREY, "linewidth": 0.7, "linestyle": (0, (1, 1.2)), "zorder": 1}
 MOST_LIMITS = 6
 """Lines of limits in a panel."""
+
+NOTE_LINE = 3.5
+"""mm."""
+
+LESS_OIL = "Where the supply delivers less oil than the film wants: the film with what it delivers, as judged."
 
 NOT_STABLE: dict[str, Any] = {"linestyle": (0, (3.5, 1.5))}
 """Where steady states are stable or not, broken lines say just that; colours and markers tell the states."""
@@ -98,10 +104,13 @@ def sweep_figure(sweep: CaseSweep, chosen: Sequence[str] = ()) -> Figure:
     curves, shows_stability = _curves(sweep), _shows_stability(sweep)
     entries = len(curves) + shows_stability
     legend = 4.5 * math.ceil(entries / 3) if entries > 1 else 0.0
-    height = 100.0 + legend
-    figure, axes = Sheet(166.0, height, 2, 2, across=16.0, between=5.0).panels(sharex=True)
-    figure.subplots_adjust(top=1.0 - (5.0 + legend) / height)
     shown = tuple((name,) for name in chosen[:4]) or panels_of([result for _, result in sweep.rows()])
+    lacks_oil = any(_of_less_oil(result, choice) for _, result in sweep.rows() for choice in shown)
+    below = NOTE_LINE if lacks_oil else 0.0
+    height = 100.0 + legend + below
+    sheet = Sheet(166.0, height, 2, 2, bottom=Sheet.bottom + below, across=16.0, between=5.0)
+    figure, axes = sheet.panels(sharex=True)
+    figure.subplots_adjust(top=1.0 - (5.0 + legend) / height)
     for panel in axes.ravel()[len(shown) :]:
         panel.set_axis_off()
     for panel, choice in zip(axes.ravel(), shown, strict=False):
@@ -110,6 +119,8 @@ def sweep_figure(sweep: CaseSweep, chosen: Sequence[str] = ()) -> Figure:
         field = sweep.fields[0]
         unit = field.values.unit_shown
         panel.set_xlabel(f"{field.path} in {unit}" if unit else field.path)
+    if lacks_oil:
+        figure.text(0.008, 0.006, LESS_OIL, ha="left", va="bottom", fontsize=6, color="0.4")
     if legend:
         from matplotlib.lines import Line2D
 
@@ -123,6 +134,12 @@ def sweep_figure(sweep: CaseSweep, chosen: Sequence[str] = ()) -> Figure:
             labels.append("not stable (broken, open)")
         figure.legend(handles, labels, loc="upper left", ncols=3, frameon=False, fontsize=7, handlelength=3.2)
     return figure
+
+
+def _of_less_oil(result: Result, choice: Sequence[str]) -> bool:
+    """Whether a panel shows the film of a result with the flow that its supply delivers."""
+    name = next((one for one in choice if one in result.values), choice[-1])
+    return result.outcome.solved and quantity_held(result, name) != name
 
 
 def _curves(sweep: CaseSweep) -> list[Curve]:
@@ -219,7 +236,7 @@ def _limits(curve: Curve, name: str) -> dict[str, dict[int, float]]:
     found: dict[str, dict[int, float]] = {}
     for place, result in curve.results.items():
         for check in result.limits:
-            if check.quantity.removeprefix("starved_") == name:
+            if whole(check.quantity) == name:
                 found.setdefault(check.code, {})[place] = check.limit
     return found
 
@@ -239,7 +256,7 @@ def _curve(curve: Curve, name: str, order: Order) -> tuple[Array, Flags]:
     """A result of one curve in the order of the field, and where its state is not said to be unstable."""
     y, lasts = np.full(order.shape, np.nan), np.full(order.shape, True)
     for place, result in curve.results.items():
-        y[place] = result.values.get(name, math.nan)
+        y[place] = result.values.get(quantity_held(result, name), math.nan)
         lasts[place] = result.settings.get("stable") != "no"
     return in_engineers_unit(name, y[order]), lasts[order]
 

@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
+from babbitt.core.limited_flow import quantity_held
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Result
 from babbitt.design.values import pumped_flow
@@ -100,10 +101,10 @@ def totals(results: Sequence[Result]) -> Totals | None:
 
 
 def _value_of(name: str) -> Callable[[Result], float]:
-    """The reading of a quantity; NaN where a result does not know it."""
-    return lambda result: result.values.get(name, math.nan)
+    """The reading of a quantity of the film that limits are held against; NaN where a result does not know it."""
+    return lambda result: result.values.get(quantity_held(result, name), math.nan)
 
 
 def _pumped(result: Result) -> float:
     """Oil in m3/s that a pump brings to a bearing."""
-    return pumped_flow(result.values)
+    return pumped_flow({**result.values, "total_flow": _value_of("total_flow")(result)})

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from enum import Enum
 
+from babbitt.core.limited_flow import whole
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.quantities.display import SI
 from babbitt.core.result import Check, Result, Verdict
@@ -47,8 +48,8 @@ def missed_codes(result: Result) -> list[str]:
 
 
 def governing(result: Result, quantity: str) -> Check | None:
-    """The strictest limit on a quantity, recommendations left aside; it may hold for the starved film."""
-    return strictest(check for check in result.limits if check.quantity.removeprefix("starved_") == quantity)
+    """The strictest limit on a quantity, recommendations left aside; of whichever film it is held against."""
+    return strictest(check for check in result.limits if whole(check.quantity) == quantity)
 
 
 def governing_temperature(result: Result) -> Check | None:

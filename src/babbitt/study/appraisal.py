@@ -28,12 +28,21 @@ class Appraisal:
         Those that count; none where there is no operating point.
     code, reason : str
         What keeps the bearing from passing, or where it passes with remarks the codes of these.
+    questioned : tuple of str
+        Codes of the warnings that question a result that misses no limit, or leave it without a verdict.
     """
 
     verdict: Verdict
     checks: tuple[Check, ...]
     code: str = ""
     reason: str = ""
+    questioned: tuple[str, ...] = ()
+
+    @property
+    def codes(self) -> tuple[str, ...]:
+        """Codes on which the verdict rests: how a search ended, limits that are missed, else what questions."""
+        ended = (self.code,) if self.verdict is Verdict.NO_SOLUTION and self.code else ()
+        return ended or self.failed or self.questioned
 
     @property
     def governing(self) -> Check | None:
@@ -67,9 +76,10 @@ def appraised(result: Result, limits: Sequence[str] = (ALL_LIMITS,)) -> Appraisa
         assert found.governing is not None, "a check that is missed has a margin"
         return Appraisal(Verdict.FAIL, checks, found.governing.code, comparison(found.governing))
     if (undecided := _undecided(result, limits)) is not None:
-        return Appraisal(Verdict.NO_VERDICT, checks, *undecided)
-    codes = " ".join(result.questioning_codes)
-    return Appraisal(Verdict.REMARKS if codes else Verdict.PASS, checks, reason=codes)
+        return Appraisal(Verdict.NO_VERDICT, checks, *undecided, questioned=result.questioning_codes)
+    codes = result.questioning_codes
+    verdict = Verdict.REMARKS if codes else Verdict.PASS
+    return Appraisal(verdict, checks, reason=" ".join(codes), questioned=codes)
 
 
 def counted(result: Result, limits: Sequence[str]) -> tuple[Check, ...]:

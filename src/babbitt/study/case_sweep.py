@@ -4,24 +4,28 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from babbitt.case.case_file import CaseFile
-from babbitt.case.variation import CaseVariation
+from babbitt.case.parts.study import StudyBlock, Vary
+from babbitt.case.variation import CaseVariation, case_variation
+from babbitt.core.files.reading import Reach
 from babbitt.core.notices import InputError
 from babbitt.core.result import Result, Verdict
 from babbitt.solving import solve
 from babbitt.study.engine import Engine, InterruptedStudyError, NoWatch, Watch
 from babbitt.study.grids import product
-from babbitt.study.inputs import Input
+from babbitt.study.inputs import Input, inputs_of
 from babbitt.study.laws import Choices
 from babbitt.study.rows import REFUSED, Columns, RowTask
+from babbitt.study.shares import EVERYWHERE
 from babbitt.study.sweep_values import MOST_VALUES, SweepValues
 from babbitt.study.workers import Alone, Workers
 
-__all__ = ["CaseSweep", "SweepTask", "SweptField", "answers_of", "sweep_case"]
+__all__ = ["CaseSweep", "Everywhere", "SweepTask", "SweptField", "answers_of", "sweep_case", "varied_in"]
 
 
 @dataclass(frozen=True)
@@ -165,8 +169,8 @@ class CaseSweep:
 
     def case(self, row: int) -> CaseFile:
         """The case of a row."""
-        texts = self.texts(row)
-        return self.task.case({one.path: text for one, text in zip(self.fields, texts, strict=True)})
+        inputs = zip(self.task.inputs, self.places(row), strict=True)
+        return self.task.case({one.path: one.listed[place] for one, place in inputs})
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -181,7 +185,7 @@ class CaseSweep:
 
 
 def sweep_case(
-    fields: Sequence[tuple[CaseVariation, SweepValues]],
+    fields: Sequence[tuple[CaseVariation | Everywhere, SweepValues]],
     workers: Workers | None = None,
     watch: Watch | None = None,
 ) -> CaseSweep:
@@ -189,8 +193,8 @@ def sweep_case(
 
     Parameters
     ----------
-    fields : sequence of (CaseVariation, SweepValues)
-        The case file with each field, and its values.
+    fields : sequence of (CaseVariation or Everywhere, SweepValues)
+        The case file with each field, or a quantity in all places where it stands, and its values.
     workers : Workers, optional
         Who computes; this process by itself if not given.
     watch : Watch, optional
@@ -229,8 +233,55 @@ def sweep_case(
     return CaseSweep(name, swept, task, found.results, found.refused, found.interrupted)
 
 
-def _input(variation: CaseVariation, values: SweepValues) -> Input:
+@dataclass(frozen=True)
+class Everywhere:
+    """A quantity of a case that varies in all places by one share of what stands there, such as ``*.speed``.
+
+    Attributes
+    ----------
+    case : CaseFile
+    path : str
+    file : Path
+    given : mapping
+        What stands in the file.
+    reach : Reach
+    inputs : tuple of Path
+        The other files that the case names.
+    """
+
+    case: CaseFile
+    path: str
+    file: Path
+    given: Mapping[str, Any]
+    reach: Reach
+    inputs: tuple[Path, ...]
+
+    @property
+    def present(self) -> float:
+        """The share that the case as it stands has."""
+        return 1.0
+
+    def input_of(self, values: SweepValues) -> Input:
+        """The field with its values; raises InputError where nothing gives the quantity."""
+        vary = {self.path: Vary(values=values.texts)}
+        (found,) = inputs_of(self.case, StudyBlock(kind="sweep", vary=vary))
+        return found
+
+
+def varied_in(
+    file: Path, path: str, bearing: str | None = None, reach: Reach = Reach.FOLDER
+) -> CaseVariation | Everywhere:
+    """Read a case file of which one field, or a quantity everywhere, is to vary; as `case_variation`."""
+    if not path.startswith(EVERYWHERE):
+        return case_variation(file, path, bearing, reach)
+    read = case_variation(file, "name", bearing, reach)
+    return Everywhere(read.unchanged, path, file, read.given, reach, read.inputs)
+
+
+def _input(variation: CaseVariation | Everywhere, values: SweepValues) -> Input:
     """A field whose values stand in the case as they are written."""
+    if isinstance(variation, Everywhere):
+        return variation.input_of(values)
     law = Choices(tuple(values.texts))
     known = {text: text for text in values.texts}
     return Input(variation.path, variation.field, law, form="choice", given=known)

@@ -216,7 +216,7 @@ def _require_same(rows: Columns, found: Columns, task: RowTask) -> None:
     """Refuse a stored chunk that answers other rows."""
     _, first = np.unique(found["row"], return_index=True)
     same = np.array_equal(found["row"][first], rows["row"]) and all(
-        np.array_equal(found[one.path][first], rows[one.path]) for one in task.inputs
+        np.array_equal(found[one.path][first], rows[one.path], equal_nan=not one.is_choice) for one in task.inputs
     )
     if not same:
         says = "the folder of the study holds chunks of other samples"

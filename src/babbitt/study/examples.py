@@ -35,7 +35,8 @@ def nominal_example(case: CaseFile, task: RowTask) -> Example:
 
 def first_solved(case: CaseFile, task: RowTask, values: Columns) -> Example:
     """The first row of a table that is solved; the case as it stands where none of the first ones is."""
-    for place in range(min(MOST_EXAMPLES, next(iter(values.values())).size)):
+    count = next(iter(values.values())).size
+    for place in [one for one in range(count) if one not in task.refused][:MOST_EXAMPLES]:
         row = {path: column[place : place + 1] for path, column in values.items()}
         try:
             results = _results(task.case(grids.first_of(row)))

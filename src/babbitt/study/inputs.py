@@ -18,6 +18,7 @@ from babbitt.case.variation import variation_of
 from babbitt.core.files.spreadsheet import read_rows
 from babbitt.core.notices import InputError
 from babbitt.core.units import KINDS, SiNumber
+from babbitt.core.units.kinds import kind_of
 from babbitt.properties.fits import tolerance_limits
 from babbitt.properties.lubricants import Lubricant, viscosity_index
 from babbitt.study.fields import (
@@ -136,8 +137,8 @@ def inputs_of(case: CaseFile, block: StudyBlock) -> tuple[Input, ...]:
         that reaches beyond what the field takes.
     """
     found = tuple(_input(case, path, given) for path, given in block.vary.items())
-    for one in found:
-        _require_possible(case, one)
+    for one, given in zip(found, block.vary.values(), strict=True):
+        _require_possible(case, one, given)
     return found
 
 
@@ -317,7 +318,18 @@ def _column(case: CaseFile, path: str, name: str, number: FieldReader) -> tuple[
     return found
 
 
-def _require_possible(case: CaseFile, one: Input) -> None:
+def _as_given(value: float, one: Input, given: Vary) -> str:
+    """A value in the unit in which the study writes its numbers."""
+    numbers = given.uniform or given.normal or given.triangular or given.range or given.log_range or ()
+    for text in numbers:
+        unit = str(text).strip().partition(" ")[2].strip()
+        kind = kind_of(unit) if unit else None
+        if kind is not None and one.form == "quantity":
+            return f"{kind.from_si(value, unit):.6g} {unit}"
+    return f"{value:.6g} {one.unit}".strip()
+
+
+def _require_possible(case: CaseFile, one: Input, given: Vary) -> None:
     """Refuse a distribution that reaches beyond what the field takes, and a list of which nothing is taken."""
     first = next(iter(one.given or {})) if one.form == "share" else one.field
     variation = variation_of(case, first)
@@ -335,7 +347,7 @@ def _require_possible(case: CaseFile, one: Input) -> None:
         try:
             require_buildable(variation, one, value)
         except InputError as error:
-            shown = f"{value:.6g} {one.unit}".strip()
+            shown = _as_given(value, one, given)
             says = f"the {side} value {shown} of its distribution ({one.law.words}) is not possible"
             raise refused(one.path, f"{says}: {error.message}") from None
 

@@ -13,6 +13,7 @@ from babbitt.case.parts.study import StudyBlock
 from babbitt.core.notices import InputError
 from babbitt.core.optional_package import how_to_install, optional_package
 from babbitt.core.result import Verdict
+from babbitt.study.held_film import column_held
 from babbitt.study.inputs import Input
 from babbitt.study.laws import Choices, Listed
 from babbitt.study.rows import Columns, RowTask, joined
@@ -60,7 +61,7 @@ class _Problem:
         objectives = np.empty((rows, len(self.names)))
         for place, name in enumerate(self.names):
             sign = -1.0 if name in self.maximise else 1.0
-            value = sign * columns[name]
+            value = sign * column_held(columns, name)
             if name in ADDED:
                 made = np.bincount(places, weights=np.where(np.isfinite(value), value, 0.0), minlength=rows)
             else:
@@ -87,6 +88,8 @@ def optimised(task: RowTask, block: StudyBlock, engine: Engine) -> Columns:
     pymoo = optional_package("pymoo.core.evaluator", "optimisations", INSTALL)
     for generation in range(block.generations):
         asked = algorithm.ask()
+        if asked is None or not len(asked):  # of few choices every combination has been computed
+            break
         values = _values(task.inputs, [one.X for one in asked])
         found = engine.answers(values, f"generation {generation + 1}")
         parts.append(found)

@@ -47,6 +47,8 @@ class Trial:
         Why the value fails, with the code.
     remarks : tuple of str
         Codes of the warnings that question the result.
+    kelvin : float
+        The margin in K where it is that of a temperature; else NaN.
     """
 
     value: float
@@ -56,6 +58,7 @@ class Trial:
     bearing: str = ""
     reason: str = ""
     remarks: tuple[str, ...] = ()
+    kelvin: float = math.nan
 
     @property
     def signed(self) -> float:

@@ -16,6 +16,7 @@ from babbitt.case.case_hash import case_hash
 from babbitt.case.kinds import KINDS
 from babbitt.case.named_files import NamedFiles
 from babbitt.case.parts.study import StudyBlock
+from babbitt.core.limited_flow import limited, may_be_short
 from babbitt.core.nearest_name import unknown_name
 from babbitt.core.notices import InputError
 from babbitt.core.quantities import QUANTITIES
@@ -27,11 +28,11 @@ from babbitt.study.examples import Example, first_solved, nominal_example
 from babbitt.study.inputs import Input, inputs_of
 from babbitt.study.laws import Choices, Listed
 from babbitt.study.maps import FROM, TO, default_axes
-from babbitt.study.rows import SHORT_OF_OIL, RowTask
+from babbitt.study.rows import RowTask
 from babbitt.study.sampling import batch_sizes
 from babbitt.study.store import FORMAT
 from babbitt.study.table_cells import BearingTable
-from babbitt.study.table_rows import inputs_of_table, table_in
+from babbitt.study.table_rows import rows_of_table, table_in
 from babbitt.study.workers import Alone, Processes, Workers
 
 __all__ = ["Plan", "inputs_of_study", "plan", "plan_table", "require_possible", "task_of"]
@@ -47,6 +48,12 @@ KEY_RESULTS = (
     "eccentricity_ratio",
 )
 """Kept where the study names no outputs, as far as the method gives them."""
+
+_KEPT = {
+    "corners": corners.CORNER_RESULTS,
+    "tolerance": (*KEY_RESULTS, *(one for one in corners.CORNER_RESULTS if one not in KEY_RESULTS)),
+}
+"""Of kinds that keep others: what scatters of a rotor's bearing are its stiffness, damping and thresholds, too."""
 
 FEWEST_KEY_RESULTS, MOST_OUTPUTS = 3, 12
 """Of a method that gives fewer of them its first results are kept, at most so many."""
@@ -79,6 +86,8 @@ class Plan:
         Code and message of the checks for which the nominal case lacks data.
     given : mapping
         By the path of each input of a table its values; of other studies nothing.
+    lines : tuple of int
+        Where the rows of a table stand in it.
     """
 
     case: CaseFile
@@ -90,6 +99,7 @@ class Plan:
     advisories: tuple[dict[str, Any], ...]
     not_checked: tuple[dict[str, str], ...]
     given: Mapping[str, NDArray[Any]] = field(default_factory=dict)
+    lines: tuple[int, ...] = ()
 
     @property
     def work(self) -> float:
@@ -115,6 +125,7 @@ class Plan:
             "advisories": list(self.advisories),
             "not_checked": list(self.not_checked),
             "rows": self.rows,
+            **({"lines": list(self.lines)} if self.lines else {}),
             "rows_in_chunk": chunk_size(self.seconds_a_row),
             "batches": batch_sizes(grids.samples_of(self.block), self.block.sampling),
             "kind": self.case.kind,
@@ -170,10 +181,11 @@ def plan_table(case: CaseFile, table: BearingTable, outputs: Sequence[str] = ())
 
 
 def _plan_of_table(case: CaseFile, block: StudyBlock, table: BearingTable) -> Plan:
-    inputs, values = inputs_of_table(case, table)
-    grids.require_bearable(table.count, 12 + len(inputs) + len(block.outputs))
-    task = task_of(case, block, inputs)
-    return replace(_planned(case, block, task, table.count, first_solved(case, task, values)), given=values)
+    found = rows_of_table(case, table)
+    grids.require_bearable(table.count, 12 + len(found.inputs) + len(block.outputs))
+    task = replace(task_of(case, block, found.inputs), refused=found.refused)
+    made = _planned(case, block, task, table.count, first_solved(case, task, found.values))
+    return replace(made, given=found.values, lines=table.lines)
 
 
 def _planned(case: CaseFile, block: StudyBlock, task: RowTask, rows: int, example: Example) -> Plan:
@@ -189,7 +201,8 @@ def _planned(case: CaseFile, block: StudyBlock, task: RowTask, rows: int, exampl
         if check.advisory and check.code not in checks
     }
     lacks = {notice.code: notice.message for result in results for notice in result.not_checked}
-    task = replace(task, outputs=outputs, codes=tuple(checks), advisories=tuple(advisories))
+    warm = tuple(code for code, check in checks.items() if check.is_in_kelvin)
+    task = replace(task, outputs=outputs, codes=tuple(checks), advisories=tuple(advisories), temperatures=warm)
     seconds = timed(task, {"row": np.array([0]), "group": np.array([grids.NOMINAL], object), **example.values})
     not_checked = tuple({"code": code, "message": said} for code, said in lacks.items() if code not in checks)
     limits, advised = (tuple(map(_described, each.values())) for each in (checks, advisories))
@@ -206,7 +219,7 @@ def require_possible(case: CaseFile, block: StudyBlock) -> tuple[tuple[Input, ..
     """
     if block.kind == "table":
         table = table_in(case, str(block.rows))
-        return inputs_of_table(case, table)[0], table.count
+        return rows_of_table(case, table).inputs, table.count
     block = _completed(case, block)
     inputs = inputs_of_study(case, block)
     indices.require_numeric(block, inputs)
@@ -267,17 +280,15 @@ def _outputs(block: StudyBlock, results: Sequence[Result]) -> tuple[str, ...]:
             where = "minimise" if name in block.minimise else "maximise" if name in block.maximise else "outputs"
             raise InputError("E005", f"study.{where}: {unknown_name(name, there, 'a quantity of these results')}")
     if block.outputs:
-        return _with_judged(asked, results)
-    wanted = corners.CORNER_RESULTS if block.kind == "corners" else KEY_RESULTS
+        return _with_held(asked, results)
+    wanted = _KEPT.get(block.kind, KEY_RESULTS)
     key = [name for name in wanted if name in there]
     if len(key) < FEWEST_KEY_RESULTS:
         key = [name for name in there if name not in ("wall_time", "iterations")][:MOST_OUTPUTS]
-    return _with_judged((*key, *asked), results)
+    return _with_held((*key, *asked), results)
 
 
-def _with_judged(names: Sequence[str], results: Sequence[Result]) -> tuple[str, ...]:
-    """Quantities, each with that of the film short of oil where limits are held against it."""
-    judged = {check.quantity for result in results for check in result.checks}
-    short = {name: f"{SHORT_OF_OIL}{name}" for name in names}
-    both = ((name, short[name]) if short[name] in judged else (name,) for name in names)
+def _with_held(names: Sequence[str], results: Sequence[Result]) -> tuple[str, ...]:
+    """Quantities, each with the reading that limits are held against where a row may be short of oil."""
+    both = ((name, limited(name)) if may_be_short(results, name) else (name,) for name in names)
     return tuple(dict.fromkeys(one for pair in both for one in pair))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Protocol, TypeAlias
 
@@ -17,6 +17,7 @@ from babbitt.case.named_files import NamedFiles
 from babbitt.core.files.printing import printable
 from babbitt.core.files.reading import Reach
 from babbitt.core.kind import find_kind, imported
+from babbitt.core.limited_flow import value_kept
 from babbitt.core.notices import InputError
 from babbitt.core.result import ROUND_OFF, Outcome, Result, Verdict
 from babbitt.core.result_name import ResultName
@@ -25,7 +26,6 @@ from babbitt.study.inputs import Input
 from babbitt.study.shares import given_with
 
 __all__ = [
-    "SHORT_OF_OIL",
     "Columns",
     "RowTask",
     "SolvesMany",
@@ -33,8 +33,9 @@ __all__ = [
     "answers_of_arrays",
     "empty_answers",
     "joined",
-    "margin_name",
     "answered",
+    "kelvin_name",
+    "margin_name",
     "solved_as_arrays",
     "solved_one_by_one",
     "solved_rows",
@@ -43,13 +44,10 @@ __all__ = [
 Columns: TypeAlias = "dict[str, NDArray[Any]]"
 """Arrays of one length by the names of their columns: float64, int64, or words (object)."""
 
-SHORT_OF_OIL = "starved_"
-"""How the quantity of a film begins that has no more oil than the supply delivers."""
-
 REFUSED, ERROR = "refused", "error"
 """Status of a row that the case does not take, and of one whose computation broke off."""
 
-WORDS = ("group", "bearing", "status", "verdict", "governing_check", "failed_checks", "message")
+WORDS = ("group", "bearing", "status", "verdict", "governing_check", "failed_checks", "codes", "message")
 """Columns of words that every table has."""
 
 LONGEST_MESSAGE = 300
@@ -80,8 +78,11 @@ class RowTask:
         Recommendations and screening indicators whose margins are kept.
     limits : tuple of str
         What counts (`babbitt.study.appraisal.appraised`), where the study says so: messages then tell why a row
-        does not pass. All limits where it does not: messages of rows without an answer, and of those that pass
-        with remarks the codes of these.
+        does not pass. All limits where it does not, and messages of rows without an answer alone.
+    temperatures : tuple of str
+        Of `codes` those whose margins are kept in K, too.
+    refused : mapping of int to str
+        Rows that are no case, by their numbers, and why.
     """
 
     kind: str
@@ -93,11 +94,14 @@ class RowTask:
     codes: tuple[str, ...] = ()
     advisories: tuple[str, ...] = ()
     limits: tuple[str, ...] = ()
+    temperatures: tuple[str, ...] = ()
+    refused: Mapping[int, str] = field(default_factory=dict)
 
     @property
     def names(self) -> tuple[str, ...]:
         """Names of all columns, in their order."""
         margins = (*map(margin_name, self.codes), *map(advisory_name, self.advisories))
+        margins = (*margins, *map(kelvin_name, self.temperatures))
         inputs = tuple(one.path for one in self.inputs)
         return ("row", "group", "bearing", *inputs, *self.outputs, *margins, "margin", *WORDS[2:])
 
@@ -155,6 +159,11 @@ def advisory_name(code: str) -> str:
     return f"advisory_{code}"
 
 
+def kelvin_name(code: str) -> str:
+    """Name of the column with the margin of a check in K."""
+    return f"kelvin_{code}"
+
+
 def answered(task: RowTask, rows: Columns) -> Columns:
     """Answer rows: what a worker is given to do."""
     return task.answers(rows)
@@ -175,8 +184,21 @@ def solved_rows(task: RowTask, rows: Columns) -> Columns:
         Those of `RowTask.names`, a line for each row and bearing (operating point, clearance) of the case. A row
         that is refused or has no solution says why and stops nothing.
     """
+    if (no_case := np.isin(rows["row"], list(task.refused))).any():
+        return _with_refused(task, rows, no_case)
     found = solved_as_arrays(task, rows)
     return found if found is not None else solved_one_by_one(task, rows)
+
+
+def _with_refused(task: RowTask, rows: Columns, no_case: NDArray[np.bool_]) -> Columns:
+    """Answers of rows some of which are no case, in the order of the rows."""
+    others = {name: column[~no_case] for name, column in rows.items()}
+    parts = [solved_rows(task, others)] if others["row"].size else []
+    lost = (_at(rows, int(place)) for place in np.flatnonzero(no_case))
+    parts.append(_columns(task, [{**row, **_without_answer(REFUSED, task.refused[row["row"]])} for row in lost]))
+    table = joined(parts)
+    order = np.argsort(table["row"], kind="stable")
+    return {name: column[order] for name, column in table.items()}
 
 
 def solved_as_arrays(task: RowTask, rows: Columns) -> Columns | None:
@@ -218,14 +240,8 @@ def _lines(task: RowTask, row: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
             yield {**row, "bearing": name, **_without_answer(ERROR, f"{type(error).__name__}: {error}")}
 
 
-def _films_short_of_oil(task: RowTask) -> list[tuple[str, str]]:
-    """Kept quantities of the film with no more oil than the supply delivers, each with that of the film that it is
-    where the supply delivers enough."""
-    pairs = ((name, name.removeprefix(SHORT_OF_OIL)) for name in task.outputs if name.startswith(SHORT_OF_OIL))
-    return [(short, name) for short, name in pairs if name in task.outputs]
-
-
 def _without_answer(status: str, why: str) -> dict[str, Any]:
+    """What stands in the line of a row that has no result."""
     message = " ".join(why.split())[:LONGEST_MESSAGE]
     return {"status": status, "verdict": Verdict.NO_SOLUTION.key, "message": message}
 
@@ -233,20 +249,16 @@ def _without_answer(status: str, why: str) -> dict[str, Any]:
 def _answer(task: RowTask, result: Result) -> dict[str, Any]:
     found = appraised(result, task.limits or (ALL_LIMITS,))
     governing, solved = found.governing, result.outcome.solved
-    values = {name: result.values.get(name, math.nan) for name in task.outputs} if solved else {}
-    values |= {
-        short: values[name] for short, name in _films_short_of_oil(task) if solved and short not in result.values
-    }
+    values = {name: value_kept(result, name) for name in task.outputs} if solved else {}
     margins: dict[str, float] = {}
     advisories = [one for one in result.checks if solved and one.advisory and one not in found.checks]
     for check in (*found.checks, *advisories):
         name = advisory_name(check.code) if check in advisories else margin_name(check.code)
         margins[name] = min(check.margin, margins.get(name, math.inf))
-    explained = found.reason
-    if task.limits:
-        explained = f"{found.code} {found.reason}".strip()
-    elif solved and found.verdict is not Verdict.REMARKS:
-        explained = ""
+        if check.is_in_kelvin:
+            kelvin = kelvin_name(check.code)
+            margins[kelvin] = min(check.gap, margins.get(kelvin, math.inf))
+    explained = f"{found.code} {found.reason}".strip() if task.limits else "" if solved else found.reason
     return {
         **values,
         **margins,
@@ -255,6 +267,7 @@ def _answer(task: RowTask, result: Result) -> dict[str, Any]:
         "verdict": found.verdict.key,
         "governing_check": governing.code if governing is not None else "",
         "failed_checks": " ".join(found.failed),
+        "codes": " ".join(found.codes),
         "message": " ".join(explained.split())[:LONGEST_MESSAGE],
     }
 
@@ -280,7 +293,7 @@ def answers_of_arrays(
     margins: Mapping[str, NDArray[Any]],
     verdicts: NDArray[Any],
     advisories: Mapping[str, NDArray[Any]] | None = None,
-    remarks: NDArray[Any] | None = None,
+    codes: str | NDArray[Any] = "",
 ) -> Columns:
     """The columns of rows that were solved as arrays, one bearing a row; what `SolvesMany` gives back.
 
@@ -292,7 +305,8 @@ def answers_of_arrays(
     bearing : str
         Name of the result.
     values : mapping
-        By the name of a quantity its values in SI, shape (n,); others than `RowTask.outputs` are left out.
+        By the name of a quantity its values in SI, shape (n,), and by `kelvin_name` margins in K; others than
+        `RowTask.names` are left out.
     margins : mapping
         By the code of each limit its margin, shape (n,); NaN where it was not made. A margin of which no more
         than `babbitt.core.result.ROUND_OFF` is missing is kept.
@@ -301,12 +315,12 @@ def answers_of_arrays(
         elsewhere: such a chunk is better left to the rows one by one.
     advisories : mapping, optional
         By the code of each recommendation or screening indicator its margin, shape (n,).
-    remarks : ndarray of str, optional
-        Codes of the remarks with which rows pass, shape (n,).
+    codes : str or array of str
+        Of the warnings that question the rows that miss no limit.
     """
     count = rows["row"].size
-    codes = np.array([*margins, ""], object)
-    table = np.array([margins[code] for code in codes[:-1]] or np.full((1, count), np.nan), np.float64)
+    names = np.array([*margins, ""], object)
+    table = np.array([margins[code] for code in names[:-1]] or np.full((1, count), np.nan), np.float64)
     made = np.isfinite(table).any(axis=0)
     least = np.where(np.isfinite(table), table, np.inf).argmin(axis=0)
     found: Columns = {**rows, "bearing": np.full(count, bearing, object), **values}
@@ -315,17 +329,15 @@ def answers_of_arrays(
     found["margin"] = np.where(made, table[least, np.arange(count)], np.nan)
     found["status"] = np.full(count, Outcome.CONVERGED.name.lower(), object)
     found["verdict"] = verdicts
-    found["governing_check"] = codes[np.where(made, least, len(margins))]
+    found["governing_check"] = names[np.where(made, least, len(margins))]
     failed = np.full(count, "", object)
     for code, margin in margins.items():
         missed = margin < -ROUND_OFF
         failed[missed] = [f"{before} {code}".strip() for before in failed[missed]]
     found["failed_checks"] = failed
-    found["message"] = np.full(count, "", object) if remarks is None else remarks
+    found["codes"] = np.where(failed == "", codes, failed).astype(object)
+    found["message"] = np.full(count, "", object)
     nothing = np.full(count, np.nan)
-    for short, name in _films_short_of_oil(task):
-        limited = np.asarray(found.get(short, nothing), float)
-        found[short] = np.where(np.isnan(limited), found.get(name, nothing), limited)
     return {name: found.get(name, nothing) for name in task.names}
 
 

@@ -18,7 +18,7 @@ from babbitt.core.result import Verdict
 from babbitt.study.appraisal import ALL_LIMITS
 from babbitt.study.fields import numbers_of, present_quantity
 from babbitt.study.permitted import Interval, Trial, find_permitted
-from babbitt.study.rows import Columns, RowTask, joined
+from babbitt.study.rows import Columns, RowTask, joined, kelvin_name
 from babbitt.study.size_choices import preferred_numbers, standard_choices
 
 if TYPE_CHECKING:
@@ -140,11 +140,14 @@ def scan_of(case: CaseFile, path: str, first: Any = None, last: Any = None, poin
         raise InputError("E003", f"{says} '{path}'; give both ends of a range (--from and --to)")
     low = number(first) if first is not None else (present or 0.0) / DECADE
     high = number(last) if last is not None else (present or 0.0) * DECADE
-    if not low < high:
-        raise InputError("E003", f"'{path}': the range begins at {low:g} and ends at {high:g}; give a larger end")
-    name = "log_range" if low > 0.0 and high >= LOGARITHMIC_FROM * low else "range"
     unit = "" if kind.one_unit else f" {kind.unit}"
-    return Vary.model_validate({name: (f"{low!r}{unit}", f"{high!r}{unit}", points)})
+    begin, end = (
+        given if isinstance(given, str) else f"{value!r}{unit}" for given, value in ((first, low), (last, high))
+    )
+    if not low < high:
+        raise InputError("E003", f"'{path}': the range begins at {begin} and ends at {end}; give a larger end")
+    name = "log_range" if low > 0.0 and high >= LOGARITHMIC_FROM * low else "range"
+    return Vary.model_validate({name: (begin, end, points)})
 
 
 def size_block(
@@ -260,8 +263,10 @@ def _of_line(columns: Columns, place: int, value: float) -> Trial:
     permitted, bearing = verdict in PERMITTED, str(columns["bearing"][place])
     if permitted or verdict == Verdict.FAIL.key:
         code, margin = str(columns["governing_check"][place]), float(columns["margin"][place])
-        remarks = tuple(message.split()) if permitted else ()
-        return Trial(value, permitted, margin, code, bearing, "" if permitted else message, remarks)
+        remarks = tuple(str(columns["codes"][place]).split()) if permitted else ()
+        warm = columns.get(kelvin_name(code))
+        kelvin = math.nan if warm is None else float(warm[place])
+        return Trial(value, permitted, margin, code, bearing, "" if permitted else message, remarks, kelvin)
     code = found[0] if (found := re.match(r"[A-Z]\d{3}\b", message)) else ""
     return Trial(value, False, math.nan, code, bearing, message)
 

@@ -12,6 +12,7 @@ from babbitt.case.parts.study import StudyBlock, Vary
 from babbitt.core.notices import InputError
 from babbitt.study.grids import Rows
 from babbitt.study.inputs import Input, inputs_of
+from babbitt.study.rows import Columns, kelvin_name, margin_name
 
 if TYPE_CHECKING:
     from babbitt.study.study import Study
@@ -69,8 +70,8 @@ class SpectrumSummary:
         Means over time, SI; NaN where a load case has no solution.
     yearly_energy : float
         Of friction, J; NaN where the results have no friction power.
-    worst_margins : dict of str to float
-        By the code of each check.
+    worst_margins, worst_kelvins : dict of str to float
+        By the code of each check; those of temperatures in K, too.
     """
 
     bearing: str
@@ -80,6 +81,13 @@ class SpectrumSummary:
     means: dict[str, float]
     yearly_energy: float
     worst_margins: dict[str, float]
+    worst_kelvins: dict[str, float]
+
+
+def _least(own: Columns, prefix: str) -> dict[str, float]:
+    """The least of each column whose name begins so, by what follows, as far as all lines have a number."""
+    least = {name.removeprefix(prefix): float(np.min(own[name])) for name in own if name.startswith(prefix)}
+    return {code: value for code, value in least.items() if np.isfinite(value)}
 
 
 def spectrum_summary(study: Study) -> tuple[SpectrumSummary, ...]:
@@ -95,8 +103,6 @@ def spectrum_summary(study: Study) -> tuple[SpectrumSummary, ...]:
         whole = own["row"].size == shares.size
         means = {name: float(np.sum(time * own[name])) if whole else np.nan for name in study.outputs}
         energy = means.get("friction_power", np.nan) * block.hours_per_year * SECONDS_PER_HOUR
-        names = [name for name in columns if name.startswith("margin_")]
-        least = {name.removeprefix("margin_"): float(np.min(own[name])) for name in names}
         summaries.append(
             SpectrumSummary(
                 str(bearing),
@@ -105,7 +111,8 @@ def spectrum_summary(study: Study) -> tuple[SpectrumSummary, ...]:
                 float(own["margin"][worst]),
                 means,
                 float(energy),
-                {code: value for code, value in least.items() if np.isfinite(value)},
+                _least(own, margin_name("")),
+                _least(own, kelvin_name("")),
             )
         )
     return tuple(summaries)

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from babbitt.case.case_file import CaseFile
 from babbitt.case.loading import case_from_dict
@@ -73,6 +74,13 @@ class Study:
     def complete(self) -> bool:
         """Whether all rows are finished."""
         return self.rows >= int(self.description["rows"])
+
+    @property
+    def lines(self) -> NDArray[np.int64]:
+        """Where the row of each line stands: in the sheet of a table, else its number."""
+        row: NDArray[np.int64] = self.columns["row"]
+        lines = self.description.get("lines")
+        return row if lines is None else np.array(lines)[row]
 
     def of(self, group: str) -> Columns:
         """The lines of rows that are for one thing."""

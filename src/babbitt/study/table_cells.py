@@ -7,7 +7,7 @@ import io
 import re
 import zipfile
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -21,6 +21,9 @@ __all__ = ["LARGEST_TABLE", "BearingTable", "read_table", "table_of_columns", "t
 
 LARGEST_TABLE = 200_000_000
 """Bytes of a table of bearings."""
+
+REMARK = "#"
+"""With what the heading of a column of remarks begins, which is not read."""
 
 COMMA, SEMICOLON, TAB = ",", ";", "\t"
 
@@ -43,6 +46,8 @@ class BearingTable:
         Paths of fields, with units in brackets.
     columns : tuple of tuple
         The cells below each, all of one length.
+    lines : tuple of int
+        Where the rows stand: in a sheet from 1, the line of the headings counted; of a program from 0.
     separator : str
         What stands between the cells of a line; empty where they come from a workbook or a program.
     """
@@ -50,12 +55,13 @@ class BearingTable:
     name: str
     headings: tuple[str, ...]
     columns: tuple[tuple[Cell, ...], ...]
+    lines: tuple[int, ...]
     separator: str = ""
 
     @property
     def count(self) -> int:
         """Rows."""
-        return len(self.columns[0])
+        return len(self.lines)
 
     def refused(self, says: str) -> InputError:
         """What to raise of the table."""
@@ -218,7 +224,8 @@ def table_of_columns(columns: Mapping[str, Iterable[Any]], name: str = "table") 
         told = ", ".join(f"'{heading}' {count}" for heading, count in counts.items())
         raise InputError("E003", f"{name}: the columns differ in length: {told}")
     rows = [list(cells), *(list(row) for row in zip(*cells.values(), strict=True))]
-    return _table(name, rows, "")
+    made = _table(name, rows, "")
+    return replace(made, lines=tuple(line - FIRST_ROW for line in made.lines))
 
 
 def _given(cell: Any) -> Cell:
@@ -232,8 +239,12 @@ def _given(cell: Any) -> Cell:
         return str(cell)
 
 
+FIRST_ROW = 2
+"""Line of a sheet below that of the headings."""
+
+
 def _table(name: str, rows: Sequence[Sequence[Cell]], separator: str) -> BearingTable:
-    """Rows under their headings, empty ones left out."""
+    """Rows under their headings, empty ones and columns of remarks left out."""
     filled = [(number, row) for number, row in enumerate(rows, 1) if any(map(_is_filled, row))]
     if not filled:
         raise InputError("E003", f"{name}: is empty; its first line names fields, such as 'diameter [mm]'")
@@ -247,10 +258,15 @@ def _table(name: str, rows: Sequence[Sequence[Cell]], separator: str) -> Bearing
             raise InputError("E003", f"{name}: {says}{hint if separator == COMMA else ''}")
     if not all(headings):
         raise InputError("E003", f"{name}: column {headings.index('') + 1} has no heading")
-    padded = [[*row, *[""] * len(headings)][: len(headings)] for _, row in filled[1:]]
+    read = [place for place, heading in enumerate(headings) if not heading.startswith(REMARK)]
+    if not read:
+        raise InputError("E003", f"{name}: no column names a field; head one 'diameter [mm]', for example")
+    padded = [[*row, *[""] * len(headings)] for _, row in filled[1:]]
     if not padded:
         raise InputError("E003", f"{name}: has headings and no rows")
-    return BearingTable(name, tuple(headings), tuple(zip(*padded, strict=True)), separator)
+    columns = tuple(tuple(row[place] for row in padded) for place in read)
+    lines = tuple(number for number, _ in filled[1:])
+    return BearingTable(name, tuple(headings[place] for place in read), columns, lines, separator)
 
 
 def _is_filled(cell: Cell) -> bool:

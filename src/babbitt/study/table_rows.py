@@ -5,22 +5,27 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.case.case_file import CaseFile
+from babbitt.case.loading import build_case
 from babbitt.case.named_files import NamedFiles, TableError
+from babbitt.case.variation import variation_of
 from babbitt.case.with_units import quantity_text
 from babbitt.core.notices import InputError
 from babbitt.core.units import KINDS, QuantityError, SiField, SiNumber, read
 from babbitt.study.fields import meaning_of, numeric_field, path_in, types_at, unknown_field
 from babbitt.study.inputs import Input
 from babbitt.study.laws import Choices, Listed
-from babbitt.study.table_cells import LARGEST_TABLE, BearingTable, Cell, table_of_content
+from babbitt.study.table_cells import LARGEST_TABLE, REMARK, BearingTable, Cell, table_of_content
 
-__all__ = ["inputs_as_told", "inputs_of_table", "table_in"]
+__all__ = ["TableRows", "inputs_as_told", "rows_of_table", "table_in"]
+
+_IN_PARENTHESES = re.compile(r"(.+?)\s*\((.*)\)")
 
 _HEADING = re.compile(r"(.+?)\s*(?:\[(.*)\])?", re.DOTALL)
 
@@ -45,11 +50,31 @@ def table_in(case: CaseFile, name: str) -> BearingTable:
     return table_of_content(name, name[name.rfind(".") :].lower(), content)
 
 
-def inputs_of_table(case: CaseFile, table: BearingTable) -> tuple[tuple[Input, ...], dict[str, NDArray[Any]]]:
-    """The fields that vary, and the values of each, shape (rows,).
+@dataclass(frozen=True, eq=False)
+class TableRows:
+    """What the rows of a table say.
 
-    A column whose cells all are numbers of its field holds SI numbers. Any other holds words as they are written,
-    which the case takes or refuses row by row. An empty cell leaves what the case says: NaN, or an empty word.
+    Attributes
+    ----------
+    inputs : tuple of Input
+        The fields that vary.
+    values : dict of str to ndarray
+        By the path of each its values, shape (rows,).
+    refused : dict of int to str
+        Rows with a cell that its field does not take, from 0, and why.
+    """
+
+    inputs: tuple[Input, ...]
+    values: dict[str, NDArray[Any]]
+    refused: dict[int, str]
+
+
+def rows_of_table(case: CaseFile, table: BearingTable) -> TableRows:
+    """The fields that vary, and the values of each.
+
+    A column of numbers of its field holds SI numbers; a row with a cell that is none, and no other word that the
+    field takes, is refused. Any other column holds words as they are written, which the case takes or refuses row
+    by row. An empty cell leaves what the case says: NaN, or an empty word.
 
     Raises
     ------
@@ -64,11 +89,13 @@ def inputs_of_table(case: CaseFile, table: BearingTable) -> tuple[tuple[Input, .
     numeric = [place for place, (_, form, _, _) in enumerate(fields) if form]
     cells = table.with_points(numeric)
     inputs, values = [], {}
+    refused: dict[int, str] = {}
     for place, (path, form, quantity, unit) in enumerate(fields):
         column = cells.get(place, table.columns[place])
-        one, values[path] = _column(case, table, path, form, quantity, unit, column)
+        one, values[path], lost = _column(case, table, path, form, quantity, unit, column)
         inputs.append(one)
-    return tuple(inputs), values
+        refused = lost | refused
+    return TableRows(tuple(inputs), values, refused)
 
 
 def _field(case: CaseFile, table: BearingTable, heading: str) -> tuple[str, str, SiField | None, str]:
@@ -78,7 +105,7 @@ def _field(case: CaseFile, table: BearingTable, heading: str) -> tuple[str, str,
     path, unit = found.group(1), (found.group(2) or "").strip()
     annotations = types_at(case, path)
     if not annotations:
-        raise table.refused(f"column '{heading}': {unknown_field(case, path_in(case, path))}")
+        raise table.refused(f"column '{heading}': {_unknown(case, path)}")
     form, quantity = numeric_field(annotations)
     if unit:
         if quantity is None:
@@ -90,6 +117,14 @@ def _field(case: CaseFile, table: BearingTable, heading: str) -> tuple[str, str,
     return path, form, quantity, unit
 
 
+def _unknown(case: CaseFile, path: str) -> str:
+    """Say why a heading names no field, and what to write instead."""
+    rounded = _IN_PARENTHESES.fullmatch(path)
+    if rounded is not None and types_at(case, rounded[1]):
+        return f"write the unit in square brackets, '{rounded[1]} [{rounded[2]}]'"
+    return f"{unknown_field(case, path_in(case, path))} (a column of remarks is headed '{REMARK} ...')"
+
+
 def _column(
     case: CaseFile,
     table: BearingTable,
@@ -98,22 +133,47 @@ def _column(
     quantity: SiField | None,
     unit: str,
     cells: Sequence[Cell],
-) -> tuple[Input, NDArray[Any]]:
-    """One field that varies, with its values."""
+) -> tuple[Input, NDArray[Any], dict[int, str]]:
+    """One field that varies, with its values, and the rows whose cell it does not take."""
     field, reason = path_in(case, path), f"column of {table.name}"
     meaning = meaning_of(case, path, field)
     written = [_written(cell, unit, quantity) for cell in cells]
-    try:
-        numbers = [_si(text, quantity) if text else math.nan for text in written] if form else []
-    except QuantityError:
-        numbers = []  # the case refuses the row with its reason
-    if numbers:
+    numbers, strange = _numbers(written, quantity) if form else ([], {})
+    lost: dict[int, str] = {}
+    if strange and len(strange) < sum(map(bool, written)):
+        why = {text: _refusal(case, field, text) for text in dict.fromkeys(strange.values())}
+        lost = {row: why[text] for row, text in strange.items() if why[text]}
+    if form and len(lost) == len(strange):
         si = "" if quantity is None or quantity.unit == "1" else KINDS[quantity.unit].unit
         law = Listed(tuple(one for one in numbers if one == one) or (math.nan,), "column of a table")
-        return Input(path, field, law, si, meaning, reason, table.name, form), np.array(numbers, float)
+        return Input(path, field, law, si, meaning, reason, table.name, form), np.array(numbers, float), lost
     known = {text: WORDS_OF_LOGIC.get(text, text) for text in dict.fromkeys(written) if text}
     words = Choices(tuple(known), "column of a table")
-    return Input(path, field, words, "", meaning, reason, table.name, "choice", known), np.array(written, object)
+    as_words = Input(path, field, words, "", meaning, reason, table.name, "choice", known)
+    return as_words, np.array(written, object), {}
+
+
+def _numbers(written: Sequence[str], quantity: SiField | None) -> tuple[list[float], dict[int, str]]:
+    """The numbers of a column in SI, NaN for what is none, and by their rows the words that are none."""
+    numbers, strange = [], {}
+    for row, text in enumerate(written):
+        try:
+            numbers.append(_si(text, quantity) if text else math.nan)
+        except QuantityError:
+            numbers.append(math.nan)
+            strange[row] = text
+    return numbers, strange
+
+
+def _refusal(case: CaseFile, field: str, text: str) -> str:
+    """Why a case does not take a word in a field; empty where it does."""
+    try:
+        variation = variation_of(case, field)
+        files = NamedFiles(variation.file.parent, variation.reach)
+        build_case(variation.given_with(text), variation.file.name, files)
+    except InputError as error:
+        return error.message
+    return ""
 
 
 def _written(cell: Cell, unit: str, quantity: SiField | None) -> str:

@@ -104,6 +104,8 @@ class Capability:
         Distance of the mean margin from zero over three standard deviations; holds for margins near a normal law.
     near_normal : bool
         Whether skewness and kurtosis are those of one, about.
+    varies : bool
+        Whether the margin scatters at all; NaN is the Cpk of one that does not.
     """
 
     bearing: str
@@ -112,6 +114,7 @@ class Capability:
     samples: int
     cpk: float
     near_normal: bool
+    varies: bool = True
 
 
 @dataclass(frozen=True)
@@ -227,8 +230,10 @@ def _capabilities(own: Columns, bearing: str) -> list[Capability]:
         margins = own.get(f"margin_{code}", np.full(solved.size, np.nan))
         margins = margins[np.isfinite(margins)]
         deviation = float(margins.std(ddof=1)) if margins.size > 1 else 0.0
-        cpk = float(margins.mean()) / (3.0 * deviation) if deviation > 0.0 else math.nan
-        made.append(Capability(bearing, code, failures, max(margins.size, failures), cpk, _near_normal(margins)))
+        varies = margins.size > 1 and deviation > CONSTANT * abs(float(margins.mean()))
+        cpk = float(margins.mean()) / (3.0 * deviation) if varies else math.nan
+        samples = max(margins.size, failures)
+        made.append(Capability(bearing, code, failures, samples, cpk, _near_normal(margins), varies))
     return made
 
 

@@ -10,7 +10,8 @@ JSON       begins with the key ``babbitt`` and the version as text, or with ``ba
            (the version of a case file is a number)
 ROSS       block ``babbitt`` with ``ross_version`` in a bearing element
 CSV        names of the first columns, ``..., bearing, status`` or ``bearing, method``; of a study the first
-           and the last eight; a table with a row of units has the line of its frame above it
+           and the last nine (formerly eight, without codes); a table with a row of units has the line of its
+           frame above it
 Ansys      the second title declares the frame
 HTML       ``<meta name="generator" content="Babbitt ...">`` in the head
 PDF        keyword (report) or creator (figure) ``Babbitt`` in the document information
@@ -45,7 +46,7 @@ _MARKS = tuple(
         rb'\A\{\s*"BearingElement_[^\0]*?"babbitt":\s*\{\s*"ross_version":',
         rb'\A\[(?:"BearingElement_|BearingElement_)[^\0]*?\.babbitt\]\nross_version = ',
         rb"\A(?:" + _START + rb",){1,20}bearing,status[,\n]",
-        rb"\Arow,[^\n]*,margin,group,bearing,verdict,governing_check,failed_checks,status,message\n",
+        rb"\Arow,[^\n]*,margin,group,bearing,verdict,governing_check,failed_checks,(?:codes,)?status,message\n",
         rb"\Abearing,method,(?:temperatures,)?rotation,",
         rb'\ABearing,[^\n]*\nFrame,"' + _FRAME,
         rb"\A[^\n]{0,400}\n" + _FRAME,

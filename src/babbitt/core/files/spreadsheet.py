@@ -7,16 +7,59 @@ import importlib
 import io
 import re
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import Any
 
 from babbitt.core.files.marks import CREATOR
 from babbitt.core.notices import InputError
 from babbitt.core.optional_package import how_to_install
 
-__all__ = ["Cell", "openpyxl_library", "plain_word", "read_rows", "rows_text", "workbook", "written_word"]
+__all__ = [
+    "Cell",
+    "Sheet",
+    "Shown",
+    "openpyxl_library",
+    "plain_word",
+    "read_rows",
+    "rows_text",
+    "workbook",
+    "written_word",
+]
 
-Cell = str | float | None
+
+@dataclass(frozen=True)
+class Shown:
+    """A number with the format in which a spreadsheet program shows it, such as ``0.0%``."""
+
+    value: float
+    format: str
+
+
+Cell = str | float | Shown | None
 """What stands in a cell; a number is never text."""
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """A sheet as it is read: headings that stay in sight, columns as wide as what stands in them.
+
+    Attributes
+    ----------
+    rows : sequence of sequence of Cell
+        The headings among them.
+    headings : int
+        Rows from the top that are headings; 0 for a sheet of words.
+    fixed : int
+        Columns from the left that stay in sight, too.
+    formats : mapping of int to str
+        By the place of a column the format of its numbers.
+    """
+
+    rows: Sequence[Sequence[Cell]]
+    headings: int = 1
+    fixed: int = 0
+    formats: Mapping[int, str] = field(default_factory=dict)
+
 
 _FORMULA = re.compile(r"'*[=+\-@\t\r]")
 _NEUTRAL = re.compile(r"'+[=+\-@\t\r]")
@@ -63,8 +106,10 @@ def read_rows(text: str) -> list[list[str]]:
     return [[plain_word(cell) for cell in row] for row in csv.reader(io.StringIO(text), strict=True)]
 
 
-def workbook(sheets: Mapping[str, Iterable[Sequence[Cell]]], where: object) -> bytes:
+def workbook(sheets: Mapping[str, Sheet | Iterable[Sequence[Cell]]], where: object) -> bytes:
     """A workbook (.xlsx) of the sheets named; words are stored as text, so that none is a formula.
+
+    Rows that are no `Sheet` stand as they are, without a layout, for programs that read them.
 
     Raises
     ------
@@ -73,12 +118,15 @@ def workbook(sheets: Mapping[str, Iterable[Sequence[Cell]]], where: object) -> b
     """
     book = openpyxl_library(where).Workbook()
     book.remove(book.active)
-    for name, rows in sheets.items():
+    for name, given in sheets.items():
         sheet = book.create_sheet(name)
+        rows = given.rows if isinstance(given, Sheet) else given
         for row, cells in enumerate(rows, 1):
             for column, value in enumerate(cells, 1):
                 if value is not None:
                     _fill(sheet.cell(row, column), value)
+        if isinstance(given, Sheet):
+            _lay_out(sheet, given)
     book.properties.creator = CREATOR
     stream = io.BytesIO()
     book.save(stream)
@@ -108,14 +156,49 @@ def _written(cell: Cell) -> str:
         return ""
     if isinstance(cell, str):
         return written_word(cell.replace("\r", " "))  # a return alone would end the row, for it is not quoted
-    return repr(float(cell))
+    return repr(float(cell.value if isinstance(cell, Shown) else cell))
 
 
-def _fill(cell: Any, value: str | float) -> None:
+NARROWEST, WIDEST = 8, 60
+"""Letters in a column; longer words are wrapped."""
+
+MEASURED = 500
+"""Rows from the top by which columns are measured."""
+
+OF_A_NUMBER = 9
+"""Letters for which a column of numbers has room."""
+
+
+def _lay_out(sheet: Any, given: Sheet) -> None:
+    """Freeze and mark the headings, set the widths of the columns and the formats of their numbers."""
+    styles = importlib.import_module("openpyxl.styles")
+    letter_of = importlib.import_module("openpyxl.utils").get_column_letter
+    longest: dict[int, int] = {}
+    for row in given.rows[:MEASURED]:
+        for place, cell in enumerate(row if len(row) > 1 else ()):  # a word alone is a note, which may run on
+            longest[place] = max(longest.get(place, 0), len(cell) if isinstance(cell, str) else OF_A_NUMBER)
+    for place, letters in longest.items():
+        sheet.column_dimensions[letter_of(place + 1)].width = min(max(letters, NARROWEST), WIDEST) + 2
+    for row in sheet.iter_rows(min_row=given.headings + 1):
+        for cell in row:
+            if cell.data_type == "n" and cell.value is not None and cell.column - 1 in given.formats:
+                cell.number_format = given.formats[cell.column - 1]
+            elif cell.data_type == "s" and len(cell.value) > WIDEST and len(given.rows[cell.row - 1]) > 1:
+                cell.alignment = styles.Alignment(wrap_text=True, vertical="top")
+    for row in sheet.iter_rows(max_row=given.headings) if given.headings else ():
+        for cell in row:
+            cell.font = styles.Font(bold=cell.row == 1, italic=cell.row > 1)
+    if given.headings:
+        sheet.freeze_panes = sheet.cell(given.headings + 1, given.fixed + 1)
+
+
+def _fill(cell: Any, value: str | float | Shown) -> None:
     if isinstance(value, str):
         illegal = importlib.import_module("openpyxl.cell.cell").ILLEGAL_CHARACTERS_RE
         cell.value = illegal.sub("", value)
         cell.data_type = "s"
         cell.quotePrefix = True
+    elif isinstance(value, Shown):
+        cell.value, cell.number_format = float(value.value), value.format
     else:
         cell.value = float(value)

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import Literal, get_args
 
 from babbitt.core.units import KINDS, ZERO_CELSIUS
+from babbitt.core.units.kinds import kind_of
 
 __all__ = [
     "LADDERS",
@@ -22,6 +23,8 @@ __all__ = [
     "displayed_in",
     "in_system",
     "ladder_of",
+    "us_partner",
+    "written_in_system",
 ]
 
 
@@ -66,6 +69,7 @@ SI = {
     "pv": DisplayUnit("MPa m/s", 1e-6, decimals=1),
     "kPa": DisplayUnit("kPa", 1e-3, decimals=1),
     "1e-6/K": DisplayUnit("1e-6/K", 1e6, decimals=1),
+    "J/kgK": DisplayUnit("J/(kg K)", decimals=0),
     "s": DisplayUnit("s"),
     "t": DisplayUnit("t", 1e-3),
     "N": DisplayUnit("N", decimals=2),
@@ -149,6 +153,7 @@ US = {
     "mm/s": DisplayUnit("in/s", _INCHES, decimals=3),
     "kg/m3": DisplayUnit("lb/ft³", _POUNDS_PER_CUBIC_FOOT, decimals=2),
     "MJ/m3K": DisplayUnit("Btu/(ft³ °F)", _POUNDS_PER_CUBIC_FOOT / _HEAT),
+    "J/kgK": DisplayUnit("Btu/(lb °F)", 1.0 / _HEAT),
     "pv": DisplayUnit("psi ft/s", _PSI * _FEET, decimals=0),
     "1e-6/K": DisplayUnit("1e-6/°F", 1e6 / _FAHRENHEIT, decimals=2),
     "t": DisplayUnit("lb", _per("kg", "lb"), decimals=1),
@@ -167,6 +172,15 @@ US = {
     "mrad": DisplayUnit("mil/in", 1e3, decimals=4),
 }
 """By the name of a unit of `SI` that of the US; one that is missing is written alike in both."""
+
+LIKE = {
+    "m": "mm", "cm": "mm", "micron": "um", "MN": "kN", "Pa": "MPa", "bar": "MPa", "mbar": "kPa", "°C": "degC",
+    "g": "kg", "mPa s": "mPas", "l/min": "L/min", "K": "",
+}  # fmt: skip
+"""Units of case files that take the partner of another one; K takes none, for it may be that of a difference."""
+
+WRITTEN = {"°F": "degF"}
+"""Units of tables that case files write otherwise."""
 
 _PARTNERS = {SI[name]: unit for name, unit in US.items()}
 _BY_LABEL = {(SI[name].label, SI[name].scale): unit for name, unit in reversed(US.items())}
@@ -209,6 +223,24 @@ def in_system(unit: DisplayUnit) -> DisplayUnit:
     if _SYSTEM.get() == "si":
         return unit
     return _PARTNERS.get(unit) or _BY_LABEL.get((unit.label, unit.scale), unit)
+
+
+def us_partner(unit: str) -> str:
+    """The unit of the US that stands for one of the SI, both as case files write them; the same where none does.
+
+    >>> [us_partner(unit) for unit in ("mm", "um", "kN", "degC", "mPa s", "L/min", "rpm")]
+    ['in', 'mil', 'lbf', 'degF', 'cP', 'gpm', 'rpm']
+    """
+    shown, kind = US.get(LIKE.get(unit, unit)), kind_of(unit)
+    if shown is None or kind is None:
+        return unit
+    written = WRITTEN.get(shown.label, shown.label)
+    return written if written in kind.everyday else unit
+
+
+def written_in_system(unit: str) -> str:
+    """The unit of the system that is spoken now which stands for one of the SI, as case files write them."""
+    return unit if _SYSTEM.get() == "si" else us_partner(unit)
 
 
 def ladder_of(unit: DisplayUnit) -> tuple[str, ...]:

@@ -90,6 +90,10 @@ JOURNAL: tuple[Quantity, ...] = (
         "starved_minimum_film_thickness", "h_min,st", "m", "um", 3, "Minimum film thickness with the limited flow"
     ),
     quantity("starved_friction_power", "P_f,st", "W", "kW", 4, "Friction power with the limited flow"),
+    quantity("starved_heat_to_oil", "P_oil,st", "W", "kW", 4, "Heat carried away by the limited flow"),
+    quantity(
+        "starved_heat_to_surroundings", "P_amb,st", "W", "kW", 4, "Heat to the surroundings with the limited flow"
+    ),
     quantity("starved_film_reynolds_number", "Re_st", "1", "count", 3, "Reynolds number with the limited flow"),
     quantity("starved_transition_speed", "ω_tr,st", "rad/s", "rpm", 4, "Transition speed with the limited flow"),
     quantity("given_flow", "Q_given", "m3/s", "L/min", 3, "Oil flow that the supplies are given"),

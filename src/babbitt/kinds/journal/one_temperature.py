@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from functools import reduce
 from typing import Any
 
+from babbitt.core.limited_flow import is_limited, limited
 from babbitt.core.notices import Notice
 from babbitt.core.result import Check
 from babbitt.design.bounds import FILM_CHECKS
@@ -184,8 +185,8 @@ def thinner_oil(check: Check, values: Mapping[str, float], viscosity: Callable[[
 
 def one_temperature(check: Check, values: Mapping[str, float]) -> float:
     """Temperature in K of a checked film, with the flow that the supply delivers where the check asks for that."""
-    limited = check.quantity.startswith("starved_")
-    return values.get("starved_effective_temperature" if limited else "effective_temperature", math.inf)
+    name = "effective_temperature"
+    return values.get(limited(name) if is_limited(check.quantity) else name, math.inf)
 
 
 def loaded_temperature(check: Check, values: Mapping[str, float]) -> float:

@@ -19,6 +19,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from functools import partial
 
+from babbitt.core.limited_flow import limited
 from babbitt.core.notices import Notice
 from babbitt.core.result import Bound, Check
 from babbitt.design.failure import failure_of
@@ -42,7 +43,7 @@ __all__ = [
 Values = Mapping[str, float]
 
 STARVED = {
-    name: f"starved_{name}"
+    name: limited(name)
     for name in (
         "effective_temperature",
         "outlet_temperature",
@@ -53,6 +54,8 @@ STARVED = {
         "total_flow",
         "film_reynolds_number",
         "transition_speed",
+        "heat_to_oil",
+        "heat_to_surroundings",
     )
 }
 """Results with the flow limited to what the supply delivers, by those with all the oil that the film wants."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from babbitt.core.result import Result
-from babbitt.report.columns import ABSENT, Column, column_of, is_fed, limit_of, reading_held, reading_of
+from babbitt.report.columns import ABSENT, Column, column_of, is_fed, limit_of, reading_of
 
 __all__ = ["COLUMNS", "OVERVIEW_COLUMNS"]
 
@@ -20,7 +20,7 @@ COLUMNS = (
     Column(
         "T_en → T_ex",
         "",
-        (reading_of("supply_temperature"), reading_held("outlet_temperature")),
+        (reading_of("supply_temperature"), reading_of("outlet_temperature")),
         1,
         " → ",
         "outlet_temperature",
@@ -30,7 +30,7 @@ COLUMNS = (
     Column(
         "h_min / h_lim",
         "",
-        (reading_held("minimum_film_thickness"), limit_of("minimum_film_thickness")),
+        (reading_of("minimum_film_thickness"), limit_of("minimum_film_thickness")),
         0,
         " / ",
         "minimum_film_thickness",

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from babbitt.case.case_file import CaseFile
 from babbitt.case.error_messages import metadata_of
 from babbitt.case.part import Part, broken_rules
+from babbitt.core.limited_flow import value_kept
 from babbitt.core.notices import InputError
 from babbitt.core.result import Result, Verdict
 from babbitt.core.units import SiField
@@ -25,7 +26,15 @@ from babbitt.kinds.journal.film.model import FilmCase
 from babbitt.kinds.journal.iso7902.many import check_many
 from babbitt.kinds.journal.iso7902.model import DesignCase
 from babbitt.numerics.lanes import assembled, in_branches, lanes_of
-from babbitt.study.rows import Columns, RowTask, answers_of_arrays, is_empty, joined, solved_one_by_one
+from babbitt.study.rows import (
+    Columns,
+    RowTask,
+    answers_of_arrays,
+    is_empty,
+    joined,
+    kelvin_name,
+    solved_one_by_one,
+)
 
 __all__ = ["solve_many"]
 
@@ -244,13 +253,16 @@ def _columns(task: RowTask, rows: Columns, name: str, result: Result, verdict: V
 
     margins: dict[str, NDArray[np.float64]] = {}
     advisories: dict[str, NDArray[np.float64]] = {}
+    kelvins: dict[str, NDArray[np.float64]] = {}
     for check in result.checks:
         kept, margin = advisories if check.advisory else margins, column(check.margin)
         kept[check.code] = np.minimum(margin, kept.get(check.code, margin))
-    values = {one: column(result.values.get(one, np.nan)) for one in task.outputs}
-    codes = " ".join(result.questioning_codes) if verdict is Verdict.REMARKS else ""
-    verdicts, remarks = (np.full(count, word, object) for word in (verdict.key, codes))
-    return answers_of_arrays(task, rows, name, values, margins, verdicts, advisories, remarks)
+        if check.is_in_kelvin and not check.advisory:
+            gap, kelvin = column(check.gap), kelvin_name(check.code)
+            kelvins[kelvin] = np.minimum(gap, kelvins.get(kelvin, gap))
+    values = {one: column(value_kept(result, one)) for one in task.outputs}
+    verdicts, codes = np.full(count, verdict.key, object), " ".join(result.questioning_codes)
+    return answers_of_arrays(task, rows, name, values | kelvins, margins, verdicts, advisories, codes)
 
 
 def _lanes_in(answers: Sequence[tuple[Index, Columns]]) -> Index:
