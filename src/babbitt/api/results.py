@@ -25,6 +25,8 @@ if TYPE_CHECKING:
     from babbitt.api.case import Case
     from babbitt.api.film import SolvedFilm
     from babbitt.api.gradient import Gradient
+    from babbitt.api.pad_film import SolvedPadFilms
+    from babbitt.api.pad_plot import PadPlots
     from babbitt.api.plot import ResultPlots
     from babbitt.core.notices import Notice
     from babbitt.core.result import Check, Outcome, Result, Verdict
@@ -166,8 +168,8 @@ class BearingResult:
         return MappingProxyType(dict(self.result.missing))
 
     @cached_property
-    def film(self) -> SolvedFilm:
-        """The film of the kept solution: fields over the bore, forces elsewhere.
+    def film(self) -> SolvedFilm | SolvedPadFilms:
+        """The film of the kept solution: fields over the bore, forces elsewhere; of tilting pads fields of each.
 
         Raises
         ------
@@ -198,11 +200,11 @@ class BearingResult:
         return fields(self.solution)
 
     @property
-    def plot(self) -> ResultPlots:
+    def plot(self) -> ResultPlots | PadPlots:
         """Pictures of the film: ``result.plot.pressure()``; ``result.plot()`` is that which tells most."""
-        from babbitt.api.plot import ResultPlots
+        from babbitt.api.plot import plots_of_solution
 
-        return ResultPlots(self.solution)
+        return plots_of_solution(self.solution)
 
     def quantity(self, name: str) -> Any:
         """A named quantity with its unit, in the application registry of pint.
