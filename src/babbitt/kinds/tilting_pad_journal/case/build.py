@@ -83,7 +83,7 @@ def pad_case(case: TiltingPadJournalCase, point: PadOperatingPoint | None, named
         assumption_sensitivity=case.assumption_sensitivity,
         given=tuple(words_of(case, speed, which)),
         assumptions=(*case.assumptions, *assumptions_of(case)),
-        warnings=(*about_grouped_digits(case), *warnings_of(case, speed), *fields_not_read(case, point)),
+        warnings=(*about_grouped_digits(case), *warnings_of(case, speed, which), *fields_not_read(case, point)),
     )
 
 
@@ -167,13 +167,13 @@ def assumptions_of(case: TiltingPadJournalCase) -> Iterator[str]:
     yield from heat_assumptions(case)
 
 
-def warnings_of(case: TiltingPadJournalCase, speed: float) -> Iterator[Notice]:
-    """What of the pads is unusual."""
+def warnings_of(case: TiltingPadJournalCase, speed: float, which: str) -> Iterator[Notice]:
+    """What of the pads is unusual at one clearance."""
     fields = [case.pads.fields_of(number) for number in range(case.pads.count)]
     if case.pads.count == 2:
         yield Notice("W410", "two")
     for number, pad in enumerate(fields, 1):
-        machined, assembled = clearances(pad, case.diameter)
+        machined, assembled = clearances(pad, case.diameter, which)
         if assembled > machined:
             yield Notice("W410", "preload", {"pad": number, "preload": 1.0 - assembled / machined})
     if case.anticipated_cross_coupling is not None and case.clearance_cases == "mean":
