@@ -28,7 +28,7 @@ from babbitt.kinds.tilting_pad_journal.margins import (
 from babbitt.kinds.tilting_pad_journal.model import PadCase
 from babbitt.kinds.tilting_pad_journal.state import PadFilms
 from babbitt.reynolds.tilting_pads.dynamics import condensed_at, full_coefficients
-from babbitt.reynolds.tilting_pads.pivots import LineContact
+from babbitt.reynolds.tilting_pads.pivots import YIELD, HertzContact, LineContact
 
 __all__ = ["starved_bounds", "warnings_about_kept_limits", "warnings_of_solution"]
 
@@ -103,8 +103,9 @@ def about_unloaded_pads(case: PadCase, films: PadFilms, margins: tuple[PadMargin
         if not one.loaded:
             needed = loading_preload(pad, films.solution, one.fold)
             if needed > pad.preload:
-                values = {"pad": one.number, "needed": needed, "preload": pad.preload}
-                yield Notice("W401", "needed", values)
+                yield Notice("W401", "needed", {
+                    "pad": one.number, "needed": needed, "preload": pad.preload,
+                })  # fmt: skip
             else:  # its fold was not found, or is another in films with temperatures of their own
                 yield Notice("W401", "unknown", {"pad": one.number})
             continue
@@ -115,12 +116,13 @@ def about_unloaded_pads(case: PadCase, films: PadFilms, margins: tuple[PadMargin
 
 def about_nearly_unloaded(margin: PadMargin, share: float) -> Iterator[Notice]:
     """A pad that carries little or may soon carry nothing; one that unloads nowhere has no margin."""
-    values = {"pad": margin.number, "share": share}
     if not math.isfinite(margin.margin):
-        yield Notice("W402", "light", values)
+        yield Notice("W402", "light", {"pad": margin.number, "share": share})
         return
     ratio = margin.fold + margin.margin
-    yield Notice("W402", "near", values | {"ratio": ratio, "margin": margin.margin, "fold": margin.fold})
+    yield Notice("W402", "near", {
+        "pad": margin.number, "share": share, "ratio": ratio, "margin": margin.margin, "fold": margin.fold,
+    })  # fmt: skip
 
 
 def about_light_pads(
@@ -197,15 +199,24 @@ def about_carry_over(case: PadCase, films: PadFilms) -> Iterator[Notice]:
 
 
 def about_laminar_films(values: Mapping[str, float]) -> Iterator[Notice]:
-    """The Reynolds number at the machined clearance against the end of laminar films."""
+    """The Reynolds number at the machined clearance against the end of laminar films, and that at the assembled
+    one, which pads with preload have at their pivots."""
     reynolds, critical = values["film_reynolds_number"], values["critical_reynolds_number"]
     if reynolds > critical:
-        yield Notice("W407", values={"film_reynolds_number": reynolds, "critical_reynolds_number": critical})
+        machined, assembled = values["largest_pad_clearance"], values["assembled_clearance"]
+        yield Notice("W407", values={
+            "film_reynolds_number": reynolds, "critical_reynolds_number": critical, "machined": machined,
+            "assembled": assembled, "preload": values["preload"], "at_assembled": reynolds * assembled / machined,
+        })  # fmt: skip
 
 
 def about_contacts(films: PadFilms) -> Iterator[Notice]:
-    """Line contacts so wide that the law of Hertz ends."""
+    """Contacts that begin to yield, and line contacts so wide that the law of Hertz ends."""
     for number, (pad, state) in enumerate(zip(films.solution.bearing.pads, films.solution.pads, strict=True), 1):
+        if isinstance(pad.pivot, HertzContact) and state.load > 0.0:
+            pressure, bearable = pad.pivot.contact_pressure(state.load), pad.pivot.yield_factor * YIELD
+            if pressure > bearable:
+                yield Notice("W418", values={"pad": number, "pressure": pressure, "bearable": bearable})
         if isinstance(pad.pivot, LineContact) and state.load > 0.0:
             half = pad.pivot.half_width(state.load)
             if half > WIDE_CONTACT * pad.pivot.radius:

@@ -71,7 +71,8 @@ class PadFilms:
     ``conduction`` and ``bending`` are those of every pad, empty where none is asked for. ``profiles`` and
     ``clearances`` are those of the bearing without bending and growth, ``bent`` (pads, n + 1) what bending adds
     to the one, ``grown`` (pads,) what growth takes from the other, over the unit of length. ``unloaded`` is the e
-    below which pads that ``can_unload`` unseen do so; those ``without`` load never carry. ``share`` is the part of the growth that is taken,
+    below which pads that ``can_unload`` unseen do so; pads of the numbers ``without`` never carry.
+    ``share`` is the part of the growth that is taken,
     ``solved`` the number of solutions of the film of a pad.
     """
 

@@ -60,8 +60,8 @@ HELD = 6
 """Passes in a row with a pad at its limit, behind which temperatures may change by `SWING`: each takes thousands
 of films."""
 FLUTTERS = 4
-"""Times that a pad comes to its limit in an attempt, loaded in between, behind which it flutters: it has no place at
-the temperatures that belong to either state."""
+"""Times that a pad comes to its limit in an attempt, loaded in between, behind which it flutters: it has no place
+at the temperatures that belong to either state."""
 MOST_FILMS = 40_000
 """Solutions of the film of a pad in one attempt: about 0.3 s."""
 ENDS = (Outcome.CONVERGED, Outcome.PAD_AT_LIMIT, Outcome.OUTSIDE_CLEARANCE)
@@ -191,8 +191,8 @@ def settle(films: PadFilms, load: Array | None, at: Array, part: float, most: in
     """Passes until temperatures, shapes and journal converge.
 
     Where the end of a film jumps from node to node for ever, temperatures next to it swing; they are let be once
-    they only swing, by less than `SWING`. So are they where a pad stays at its limit. A pad that comes to its limit
-    again and again stays there, too.
+    they only swing, by less than `SWING`. So are they where a pad stays at its limit. A pad that comes to its
+    limit again and again stays there, too.
     """
     tolerance, change, rises = LOOSE, math.inf, np.zeros_like(films.films.temperature)
     nearest, reached, held, flutters = math.inf, 0, 0, 0
