@@ -27,7 +27,7 @@ def heated():
 
 def test_pressure_of_every_pad_integrates_to_its_load(plain):
     """W = 2 int int p cos(theta - theta_p) R dtheta dz over half the width."""
-    film, (loads,), (pivots,) = plain.film, plain.arrays["pad_load"], plain.arrays["pad_pivot_angle"]
+    film, loads, pivots = plain.film, plain.pad_load, plain.pad_pivot_angle
     assert film.pressure.shape == (*film.angle.shape, film.z.shape[1])
     for angle, z, pressure, load, pivot in zip(film.angle, film.z, film.pressure, loads, pivots, strict=True):
         along = (z / z.max()) ** 2
@@ -84,3 +84,13 @@ def test_an_unsolved_bearing_says_why_it_has_no_film():
         with pytest.raises(AttributeError, match="no film without an operating point"):
             ask()
     assert math.isfinite(lost.result.values["wall_time"])
+
+
+def test_numbers_of_pads_and_frequencies_have_one_axis(plain):
+    assert plain.pad_load.shape == plain.pad_clearance.shape == (4,)
+    assert plain.whirl_ratio.shape == plain.dynamic_frequency.shape == (6,)
+    assert plain.dynamic_stiffness.shape == (6, 4)
+    assert plain.stiffness.shape == (2, 2)
+    assert plain.to_xarray()["pad_load"].dims == ("pad",)
+    lighter = bb.parse_case(json.dumps(pad_case(thermal="global"))).solve(load=np.array([5e3, 10e3]))
+    assert lighter["pad_load"].shape == (2, 4)

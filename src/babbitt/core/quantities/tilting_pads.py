@@ -65,7 +65,9 @@ TILTING_PADS: tuple[Quantity, ...] = (
         "Free motions: growth 1/s, frequency rad/s, log decrement, whirl (1 forward), share of the rotor",
     ),
     quantity("log_decrement", "δ_log", "1", "", 3, "Log decrement of the motion of the rotor that lasts longest"),
-    quantity("pad_log_decrement", "δ_log,p", "1", "", 3, "Least log decrement of all other motions, of the pads"),
+    quantity(
+        "pad_log_decrement", "δ_log,p", "1", "", 3, "Least log decrement of all other motions, of pads or housing"
+    ),
     quantity(
         "log_decrement_forward", "δ_log,f", "1", "", 3, "Log decrement of the more forward motion of the rotor"
     ),

@@ -27,8 +27,8 @@ __all__ = [
 LEAST_RATIO = 2.0
 RATIO_SOURCE = "level I of API 617: Q_0/Q_A of 2"
 REGION_COUNTS = 10.0
-"""Q_0/Q_A below which level I of API 617 asks for the region of critical speed ratio and gas density, too; below the
-least ratio level II follows anyway."""
+"""Q_0/Q_A below which level I of API 617 asks for the region of critical speed ratio and gas density, too; below
+the least ratio level II follows anyway."""
 
 
 def cross_coupling_values(found: CrossCoupling | None) -> dict[str, float]:

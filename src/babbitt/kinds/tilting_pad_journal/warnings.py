@@ -195,6 +195,7 @@ def about_carry_over(case: PadCase, films: PadFilms) -> Iterator[Notice]:
             yield Notice("W404", "capped", {
                 "pad": place + 1, "taken": states[place].inflow,
                 "before": before + 1, "sent": states[before].outflow, "share": share,
+                "most": states[place].inflow / states[before].outflow,
             })  # fmt: skip
 
 

@@ -14,7 +14,12 @@ from babbitt.core.notices import Notice
 from babbitt.core.result_name import ResultName
 from babbitt.design.conditions import OilSupply, PrescribedLoad, PrescribedPosition
 from babbitt.kinds.tilting_pad_journal.case.as_given import words_of
-from babbitt.kinds.tilting_pad_journal.case.heat import heat_assumptions, heat_choices, mode_stiffness
+from babbitt.kinds.tilting_pad_journal.case.heat import (
+    heat_assumptions,
+    heat_choices,
+    heat_not_read,
+    mode_stiffness,
+)
 from babbitt.kinds.tilting_pad_journal.case.pads import JournalPads, OnePad, clearances
 from babbitt.kinds.tilting_pad_journal.model import Accuracy, Feed, PadBearing, PadCase, Thermal
 from babbitt.properties.materials import LoadCharacter
@@ -195,6 +200,12 @@ def fields_not_read(case: TiltingPadJournalCase, point: PadOperatingPoint | None
         yield Notice("W183", "pad_mass", {"fields": unread})
     if isinstance(duty_of(case, point), PrescribedPosition):
         yield from not_read(case, "found_load", "load_angle")
+    if case.thermal_model != "isothermal":
+        yield from not_read(case, "found_temperature", "effective_temperature")
+    if unread := tuple(heat_not_read(case)):
+        yield Notice("W183", "other_heat", {
+            "fields": unread, "thermal": case.thermal_model, "deformation": case.deformation or ("none",),
+        })  # fmt: skip
     if case.thermal_model == "isothermal" and case.effective_temperature is not None:
         yield from not_read(case, "given_temperature", "supply.circulation_time")
 
