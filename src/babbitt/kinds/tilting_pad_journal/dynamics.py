@@ -47,6 +47,9 @@ HEAVIER, LIGHTER = 1e3, 1e-2
 NO_SWING = 100.0
 """Log decrement that stands for infinity: of a motion that grows or dies without swinging."""
 
+ROUND_OFF = 1e-3
+"""Frequency over growth below which two equal motions that do not swing are told apart by round-off alone."""
+
 
 @dataclass(frozen=True, eq=False)
 class RotorMotions:
@@ -168,8 +171,8 @@ def bounded_decrement(mode: Mode) -> float:
 
 
 def swinging(modes: Iterable[Mode]) -> tuple[Mode, ...]:
-    """The motions that swing."""
-    return tuple(mode for mode in modes if mode.frequency > 0.0)
+    """The motions that swing; two that do not and are nearly alike may have a frequency of round-off."""
+    return tuple(mode for mode in modes if mode.frequency > ROUND_OFF * abs(mode.growth))
 
 
 def motions_of_the_rotor(modes: Iterable[Mode]) -> tuple[Mode, ...]:
