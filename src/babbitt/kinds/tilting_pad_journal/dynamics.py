@@ -47,8 +47,9 @@ HEAVIER, LIGHTER = 1e3, 1e-2
 NO_SWING = 100.0
 """Log decrement that stands for infinity: of a motion that grows or dies without swinging."""
 
-ROUND_OFF = 1e-3
-"""Frequency over growth below which two equal motions that do not swing are told apart by round-off alone."""
+STILL = 1e-2
+"""Frequency over growth below which a motion counts as one that does not swing: equal ones are told apart by
+round-off, and others die in a hundredth of a cycle."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -171,8 +172,8 @@ def bounded_decrement(mode: Mode) -> float:
 
 
 def swinging(modes: Iterable[Mode]) -> tuple[Mode, ...]:
-    """The motions that swing; two that do not and are nearly alike may have a frequency of round-off."""
-    return tuple(mode for mode in modes if mode.frequency > ROUND_OFF * abs(mode.growth))
+    """The motions that swing."""
+    return tuple(mode for mode in modes if mode.frequency > STILL * abs(mode.growth))
 
 
 def motions_of_the_rotor(modes: Iterable[Mode]) -> tuple[Mode, ...]:
