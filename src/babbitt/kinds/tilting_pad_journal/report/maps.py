@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -49,9 +49,18 @@ def draw_pressure(panel: Axes, case: PadCase, solution: TiltingPadSolution) -> N
     load = math.atan2(-float(solution.force[1]), -float(solution.force[0]))
     at = math.degrees(start + (load - start) % math.tau)
     panel.axvline(at, color=GREY, linewidth=0.8, linestyle=(0, (6, 2, 1, 2)), zorder=3)
-    above = {"xycoords": panel.get_xaxis_transform(), "textcoords": "offset points", "annotation_clip": False}
+    above: dict[str, Any] = {
+        "xycoords": panel.get_xaxis_transform(),
+        "textcoords": "offset points",
+        "annotation_clip": False,
+    }
     panel.annotate("load", (at, 1.0), xytext=(0, 1), fontsize=7, ha="center", va="bottom", color="0.3", **above)
-    says = {"xycoords": "axes fraction", "textcoords": "offset points", "xytext": (0, 1.5), "fontsize": 7.5}
+    says: dict[str, Any] = {
+        "xycoords": "axes fraction",
+        "textcoords": "offset points",
+        "xytext": (0, 1.5),
+        "fontsize": 7.5,
+    }
     panel.annotate("pressure in MPa", (0.0, 1.0), va="bottom", annotation_clip=False, **says)
     text = "rotation →" if case.sense > 0.0 else "← rotation"
     panel.annotate(text, (1.0, 1.0), ha="right", va="bottom", annotation_clip=False, **says)
