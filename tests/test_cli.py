@@ -307,7 +307,7 @@ def test_export_without_equilibrium_ends_with_three_and_writes_nothing(run, tmp_
         "export", "case.yaml", "--format", "csv", "--speeds", "0.1 rpm, 1 rpm", "-o", "table.csv"
     )
     assert (status, out) == (3, "")
-    assert "at 0 rpm" in err
+    assert "at 0.1 rpm" in err
     assert "nothing was written" in err
     assert not (tmp_path / "table.csv").exists()
 

@@ -118,6 +118,13 @@ def test_level_one_at_both_clearances():
     assert "W413" in codes(result_of(**ROTOR))
 
 
+@pytest.mark.parametrize(("anticipated", "listed"), [("80 MN/m", True), ("8 MN/m", False)])
+def test_the_region_of_gas_density_is_listed_below_ten_times(anticipated, listed):
+    result = result_of(**ROTOR | {"anticipated_cross_coupling": anticipated})
+    assert (result.values["cross_coupling_ratio"] < 10.0) is listed
+    assert ("C408" in [one.code for one in result.not_checked]) is listed
+
+
 def test_a_limit_of_the_case_holds_with_cross_coupling_too():
     checks = {one.code: one for one in result_of(**ROTOR | {"limits": {"log_decrement": 0.3}}).checks}
     assert checks["C407"].limit == 0.3

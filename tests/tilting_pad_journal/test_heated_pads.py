@@ -149,9 +149,11 @@ def test_a_cold_housing_closes_the_clearance_and_the_share_with_a_film_is_told()
 def test_pads_that_take_less_than_is_carried_over_are_told_of():
     """At light load the pads take nearly what leaves the one before; all of it carried over is capped."""
     capped = result_of(**HEATED["E"])
-    free = result_of(**HEATED["E"], carry_over=0.5)
     warnings = [one for one in capped.warnings if one.code == "W404"]
     assert warnings
+    most = min(one.values["most"] for one in warnings)
+    assert 0.5 < most <= 1.0
+    free = result_of(**HEATED["E"], carry_over=0.97 * most)
     rows = capped.arrays
     for pad in (one.values["pad"] for one in warnings):
         assert rows["pad_trailing_flow"][0][pad - 2] > 0.98 * rows["pad_leading_flow"][0][pad - 1]

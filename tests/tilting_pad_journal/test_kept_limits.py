@@ -138,7 +138,7 @@ def test_a_pad_without_fresh_oil_is_told_with_what_it_takes_and_is_brought(sense
         assert one.values["taken"] == taken[pad - 1]
         assert one.values["sent"] == sent[before - 1]
         assert f"pad {pad} takes in {6e4 * taken[pad - 1]:.1f} L/min and pad {before} sends off" in one.message
-        assert one.message.endswith("L/min: no fresh oil enters")
+        assert "L/min: no fresh oil enters" in one.message
 
 
 def test_the_share_that_is_brought_is_told_where_it_is_not_all():
@@ -154,11 +154,6 @@ def test_all_that_growth_lacks_is_told_at_once():
         case_from_dict(case)
     said = str(caught.value)
     assert all(word in said for word in ("walls.pads", "reference_temperature", "C45"))
-
-
-def test_a_housing_without_growth_names_what_growth_needs():
-    with pytest.raises(CaseError, match=r"which needs reference_temperature and materials\.pads, too"):
-        case_from_dict(pad_case(thermal="full", walls={"pads": {}, "housing": {"temperature": "60 degC"}}))
 
 
 def test_the_terminal_has_a_row_for_every_pad():

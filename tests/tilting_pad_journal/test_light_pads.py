@@ -4,9 +4,11 @@ import math
 
 import numpy as np
 import pytest
-from pad_journals import result_of
+from pad_journals import OIL, pad_case, result_of
 
+from babbitt.case import case_from_dict
 from babbitt.core.result import Outcome
+from babbitt.solving import solve
 
 TURBINE = {
     "diameter": "280 mm",
@@ -41,3 +43,78 @@ def test_a_pad_that_flutters_under_little_load_is_left_without():
         assert found.values["stiffness_yy"] == pytest.approx(one.values["stiffness_yy"], rel=0.05)
     assert notice.values["stiffness"] < 0.05
     assert notice.values["film"] < 0.01
+
+
+COMPRESSOR = {
+    "diameter": "101.6 mm",
+    "pads": {
+        "number": 5, "first_pivot": "-54 deg", "extent": "60 deg", "width": "44.45 mm", "thickness": "19.05 mm",
+        "assembled_clearance": {"kind": "radial", "mean": "85.725 um"},
+        "clearance": {"kind": "radial", "mean": "114.3 um"}, "preload": None,
+    },
+    "load": "4225.8 N", "supply": {"temperature": "120 degF"}, "groove_pressure": "18 psi",
+    "thermal": "full", "deformation": ["growth", "bending"], "reference_temperature": "70 degF",
+    "walls": {"pads": {}}, "materials": {"pads": "C45", "journal": "42CrMo4", "housing": "C45"},
+    "accuracy": "engineering",
+}  # fmt: skip
+"""Load between the lower pads; the upper one unloads near 11 400 rpm, at 3.5 % of the load."""
+
+
+@pytest.mark.parametrize("speed", [11400, 11600])
+def test_a_pad_of_heated_films_that_flutters_is_left_without_load(speed):
+    """At 11 400 rpm it would have to carry less than it can; at 11 600 rpm it has no place at any temperature."""
+    found = result_of(**COMPRESSOR, speed=f"{speed} rpm")
+    assert found.outcome is Outcome.CONVERGED
+    (notice,) = light_notices(found)
+    assert 0.0 < notice.values["need"] < notice.values["least"] <= 0.05 * found.values["load"]
+    (loads,), (angles,) = found.arrays["pad_load"], found.arrays["pad_pivot_angle"]
+    assert loads[notice.values["pad"] - 1] == 0.0
+    force = np.array([[math.cos(angle), math.sin(angle)] for angle in angles]).T @ loads
+    assert force[1] == pytest.approx(-4225.8, rel=0.03)  # the oil in the grooves bears a little of it
+    assert abs(found.values["energy_balance_error"]) < 1e-3
+
+
+def results_of(changes, **fields):
+    """Results at every clearance."""
+    return solve(case_from_dict(pad_case(changes, **fields))).results
+
+
+def messages(result, code):
+    """Values of the notices of a code, by pad."""
+    return {one.values["pad"]: one for one in result.warnings if one.code == code}
+
+
+def test_a_preload_below_zero_is_told_at_every_clearance_that_has_one():
+    limits = {"kind": "radial", "mean": "78 um", "minimum": "70 um", "maximum": "90 um"}
+    changes = {"pads.preload": None, "pads.clearance": {"kind": "radial", "mean": "80 um"},
+               "pads.assembled_clearance": limits}  # fmt: skip
+    results = results_of(changes, clearance_cases="all")
+    told = [messages(one, "W410") for one in results]
+    assert [len(one) for one in told] == [0, 0, 4]
+    assert told[2][1].values["preload"] == pytest.approx(1.0 - 90.0 / 80.0)
+
+
+def test_pads_that_carry_little_are_told_with_their_share():
+    """The upper pads carry the less, the slower the journal turns; a pad with a share of the load is no remark."""
+    slow, fast = (result_of(speed=f"{speed} rpm") for speed in (500, 4000))
+    told = messages(slow, "W402")
+    assert set(told) == {1, 2}
+    for number, one in told.items():
+        assert one.values["share"] == pytest.approx(slow.arrays["pad_load"][0][number - 1] / 10e3)
+        assert one.values["share"] < 0.02
+        assert one.values["margin"] == pytest.approx(slow.arrays["pad_eccentricity_ratio"][0][number - 1])
+    assert not messages(fast, "W402")
+
+
+def test_an_unloaded_offset_pad_carries_above_the_preload_that_is_told():
+    offset = {"kind": "rigid", "fraction": 0.52}
+    plain = {"pads.preload": 0.1, "pads.pivot": offset}
+    bare = result_of(plain, thermal="isothermal", lubricant=OIL, supply=None, effective_temperature="40 degC")
+    told = messages(bare, "W401")
+    assert set(told) == {1, 2}
+    needed = told[1].values["needed"]
+    assert needed > 0.1
+    each = [{"preload": needed + 0.01}, {"preload": told[2].values["needed"] + 0.01}, {}, {}]
+    held = result_of(plain | {"pads.each": each}, thermal="isothermal", lubricant=OIL, supply=None,
+                     effective_temperature="40 degC")  # fmt: skip
+    assert not messages(held, "W401")

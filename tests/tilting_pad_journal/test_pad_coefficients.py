@@ -1,5 +1,7 @@
 """Coefficients of pads over speed and frequency, by run and by sweep."""
 
+import json
+
 import numpy as np
 import pytest
 from pad_journals import OIL, pad_case, result_of
@@ -7,6 +9,7 @@ from pad_journals import OIL, pad_case, result_of
 import babbitt as bb
 from babbitt.case import case_from_dict
 from babbitt.core.notices import InputError
+from babbitt.export import read_csv
 from babbitt.export.frame import declaration
 from babbitt.kinds.tilting_pad_journal.methods import PAD_FILM
 
@@ -16,13 +19,13 @@ ISOTHERMAL = {"thermal": "isothermal", "lubricant": OIL}
 HEAVY = {"pads.inertia": "0.02 kg m2", "pads.first_pivot": "-90 deg"}
 
 
-def run(changes=None, **fields):
+def at_speeds(changes=None, **fields):
     (problem,) = case_from_dict(pad_case(changes, **fields)).problems()
     return PAD_FILM.coefficients_over_speed(problem, SPEEDS)
 
 
 def test_every_row_is_the_bearing_at_its_speed():
-    table = run().table()
+    table = at_speeds().table()
     alone = result_of(speed="2000 rpm")
     assert table.stiffness[1] == pytest.approx(np.array(alone.stiffness), abs=1e-6 * 1e8)
     assert table.damping[1] == pytest.approx(np.array(alone.damping), abs=1e-6 * 1e5)
@@ -31,7 +34,7 @@ def test_every_row_is_the_bearing_at_its_speed():
 
 
 def test_the_frequency_of_the_rotation_is_on_the_axis():
-    table = run(HEAVY, **ISOTHERMAL).table()
+    table = at_speeds(HEAVY, **ISOTHERMAL).table()
     over = table.over_frequency
     for i, speed in enumerate(SPEEDS):
         j = int(np.flatnonzero(over.frequencies == speed)[0])
@@ -42,7 +45,7 @@ def test_the_frequency_of_the_rotation_is_on_the_axis():
 
 
 def test_the_matrices_are_those_of_the_coefficients():
-    table = run(HEAVY, **ISOTHERMAL).table()
+    table = at_speeds(HEAVY, **ISOTHERMAL).table()
     system, i, j = table.systems[2], 2, 3
     w = table.over_frequency.frequencies[j]
     z = system.stiffness + 1j * w * system.damping - w**2 * system.mass
@@ -51,9 +54,9 @@ def test_the_matrices_are_those_of_the_coefficients():
 
 
 def test_a_clockwise_bearing_says_so():
-    table = run(speed="-4000 rpm", **ISOTHERMAL).table()
+    table = at_speeds(speed="-4000 rpm", **ISOTHERMAL).table()
     assert table.frame.rotation.value == "clockwise"
-    ahead = run(**ISOTHERMAL).table()
+    ahead = at_speeds(**ISOTHERMAL).table()
     assert table.stiffness == pytest.approx(ahead.stiffness, rel=1e-9, abs=1e-3)
 
 
@@ -76,8 +79,34 @@ def test_no_speed_and_no_equilibrium_are_told():
 def test_a_sweep_gives_the_same_table(tmp_path):
     bearing = bb.TiltingPadBearing(**{key: value for key, value in pad_case().items() if key != "kind"})
     found = bearing.sweep({"speed": ["1000 rpm", "2000 rpm", "4000 rpm"]})
-    table, own = found.coefficient_table(), run().table()
+    table, own = found.coefficient_table(), at_speeds().table()
     assert table.stiffness == pytest.approx(own.stiffness, rel=1e-9, abs=1e-3)
     assert table.over_frequency.damping == pytest.approx(own.over_frequency.damping, rel=1e-9, abs=1e-3)
     found.export(tmp_path / "pads.csv", "csv")
     assert "frequency_rad_per_s" in (tmp_path / "pads.csv").read_text()
+
+
+def slow_and_fast():
+    """At 0.1 rpm no film carries 150 kN; at 2000 rpm one does."""
+    (problem,) = case_from_dict(pad_case(load="150 kN", **ISOTHERMAL)).problems()
+    return PAD_FILM.coefficients_over_speed(problem, [0.1 * RPM, 2000.0 * RPM, 4000.0 * RPM])
+
+
+def test_speeds_without_equilibrium_are_left_out_of_the_table():
+    found = slow_and_fast()
+    assert [round(speed / RPM, 3) for speed, _ in found.unsolved] == [0.1]
+    table = found.table()
+    assert table.speeds == pytest.approx([2000.0 * RPM, 4000.0 * RPM])
+    alone = result_of(load="150 kN", speed="2000 rpm", **ISOTHERMAL)
+    assert table.stiffness[0] == pytest.approx(np.array(alone.arrays["stiffness"]), rel=1e-6, abs=1.0)
+
+
+def test_export_names_the_speeds_that_it_leaves_out(run, tmp_path):
+    (tmp_path / "pads.yaml").write_text(json.dumps(pad_case(load="150 kN", **ISOTHERMAL)))
+    speeds = "0.1 rpm, 2000 rpm, 4000 rpm"
+    status, _, err = run("export", "pads.yaml", "--format", "csv", "--speeds", speeds, "-o", "pads.csv")
+    assert status == 3
+    assert "at 0.1 rpm; left out" in err
+    assert "2 speeds" in err
+    (table,) = read_csv(tmp_path / "pads.csv")
+    assert table.speeds == pytest.approx([2000.0 * RPM, 4000.0 * RPM])

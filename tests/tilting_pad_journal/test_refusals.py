@@ -37,6 +37,12 @@ REFUSED = {
     "speed left out": ({"speed": None}, "speed", "missing"),
     "no load": ({"load": None}, "", "exactly one of load, position"),
     "load of nothing": ({"load": "0 kN"}, "load", "1 N"),
+    "load of no number": ({"load": 0}, "load", "as of a vertical shaft, has position"),
+    "pressure of the supply": (
+        {"feed": "leading_edge_groove", "supply.pressure": "0.1 MPa"},
+        "supply.pressure",
+        "groove_pressure",
+    ),
     "load and position": ({"position": {"x": "0 um", "y": "-9 um"}}, "position", "together with load"),
     "no viscosity": (
         {"lubricant": {"kind": "constant", "name": "Oil", "dynamic_viscosity": "0 mPa s"}},
@@ -174,20 +180,8 @@ REFUSED = {
         "the journal touches pad 3",
     ),
     "no temperature": ({"supply": None}, "supply", "missing"),
-    "temperature given and sought": (
-        {"thermal": "global", "effective_temperature": "60 degC"},
-        "effective_temperature",
-        "global films find",
-    ),
     "hotter than the data": ({"supply.temperature": "195 degC"}, "supply.temperature", "outside the data"),
     "an unknown thermal model": ({"thermal": "warm"}, "thermal", "allowed: isothermal, global, adiabatic, full"),
-    "temperature of full films": (
-        {"thermal": "full", "effective_temperature": "60 degC"},
-        "effective_temperature",
-        "full films find",
-    ),
-    "walls of films of one temperature": ({"walls": {"pads": {}}}, "walls", "thermal: full"),
-    "walls of adiabatic films": (GROWN | {"thermal": "adiabatic"}, "walls", "full thermal films only"),
     "deformation of cold pads": (
         {"deformation": ["growth"], "reference_temperature": "20 degC"},
         "deformation",
@@ -207,29 +201,6 @@ REFUSED = {
         "210 GPa",
     ),
     "an unknown steel": (GROWN | {"materials.pads": "unobtainium"}, "materials.pads", "unobtainium"),
-    "reference temperature without growth": (
-        {"reference_temperature": "20 degC"},
-        "reference_temperature",
-        "growth alone",
-    ),
-    "journal that does not grow": ({"materials.journal": "C45"}, "materials.journal", "growth alone"),
-    "housing that does not grow": ({"materials.housing": "C45"}, "materials.housing", "growth alone"),
-    "temperature of a housing that does not grow": (
-        {"thermal": "full", "walls": {"housing": {"temperature": "50 degC"}}},
-        "walls.housing.temperature",
-        "growth alone",
-    ),
-    "pads that take no heat": ({"materials.pads": "C45"}, "materials.pads", "walls.pads"),
-    "modulus of pads that do not bend": (
-        GROWN | {"materials.pads": {"elastic_modulus": "210 GPa", "thermal_expansion": "12e-6 1/K"}},
-        "materials.pads.elastic_modulus",
-        "bending alone",
-    ),
-    "expansion of rigid pads": (
-        {"thermal": "full", "walls": {"pads": {}}, "materials.pads": {"thermal_expansion": "12e-6 1/K"}},
-        "materials.pads.thermal_expansion",
-        "growth and bending by heat alone",
-    ),
     "journal given and balanced": (
         {"thermal": "full", "walls": {"journal": {"temperature": "50 degC", "shaft_conductance": "2 W/K"}}},
         "walls.journal.shaft_conductance",
@@ -244,11 +215,6 @@ REFUSED = {
         {"thermal": "full", "walls": {"journal": {"temperature": "50 degC", "ambient_temperature": "20 degC"}}},
         "walls.journal.ambient_temperature",
         "leave it out",
-    ),
-    "alarm of films of one temperature": (
-        {"limits": {"probe_alarm": "90 degC"}},
-        "limits.probe_alarm",
-        "thermal: full",
     ),
     "alarm above the trip": (
         {"thermal": "full", "limits": {"probe_alarm": "110 degC", "probe_trip": "100 degC"}},
@@ -282,25 +248,6 @@ REFUSED = {
         {"method": {"kind": "film", "thermal": "global", "deformation": ["bending"]}, "accuracy": None},
         "materials",
         "bending of pads needs their material",
-    ),
-    "expansion of pads of one temperature": (
-        {
-            "method": {"kind": "film", "thermal": "global", "deformation": ["bending"]},
-            "accuracy": None,
-            "materials": {"pads": {"elastic_modulus": "210 GPa", "thermal_expansion": "12e-6 1/K"}},
-        },
-        "materials.pads.thermal_expansion",
-        "by heat alone",
-    ),
-    "a plate that does not bend": (
-        {"method": {"kind": "film", "pad_bending": "plate"}, "accuracy": None},
-        "method.pad_bending",
-        "nothing bends",
-    ),
-    "a material of a pad that does nothing": (
-        {"pads.each": [{"material": "C45"}, {}, {}, {}]},
-        "pads.each[0].material",
-        "the material of pads that take no heat and do not bend makes no difference",
     ),
     "a probe beside the pad": ({"pads.probe_fraction": 1.2}, "pads.probe_fraction", "0 to 1"),
     "ratios that fall": ({"whirl_ratios": [0.5, 0.2]}, "whirl_ratios[1]", "0.2 is not above 0.5"),
@@ -365,3 +312,62 @@ def test_a_supply_below_the_side_flow_is_refused_by_check_and_solve():
     with pytest.raises(InputError, match="they starve"):
         solve(case)
     assert refusal_of(case_from_dict(pad_case({"supply.flow": "30 L/min"}))) is None
+
+
+STEEL = {"elastic_modulus": "210 GPa", "thermal_expansion": "12e-6 1/K"}
+NOT_READ = {
+    "temperature given and sought": (
+        {"thermal": "global", "effective_temperature": "60 degC"},
+        ("effective_temperature",),
+    ),
+    "walls of films of one temperature": ({"walls": {"pads": {}}}, ("walls",)),
+    "all that grows": (
+        {
+            "thermal": "global",
+            "walls": {"pads": {}, "housing": {"temperature": "50 degC"}},
+            "reference_temperature": "20 degC",
+            "materials": {"pads": "C45", "journal": "42CrMo4", "housing": "C45"},
+        },
+        ("walls", "reference_temperature", "materials.journal", "materials.housing", "materials.pads"),
+    ),
+    "a housing that does not grow": (
+        {"thermal": "full", "walls": {"housing": {"temperature": "50 degC"}}},
+        ("walls.housing.temperature",),
+    ),
+    "modulus of pads that do not bend": (GROWN | {"materials.pads": STEEL}, ("materials.pads.elastic_modulus",)),
+    "expansion of rigid pads": (
+        {"thermal": "full", "walls": {"pads": {}}, "materials.pads": {"thermal_expansion": "12e-6 1/K"}},
+        ("materials.pads.thermal_expansion",),
+    ),
+    "expansion of pads of one temperature": (
+        {"thermal": "global", "deformation": ["bending"], "materials": {"pads": STEEL}},
+        ("materials.pads.thermal_expansion",),
+    ),
+    "a plate that does not bend": ({"pad_bending": "plate"}, ("method.pad_bending",)),
+    "a material of a pad that does nothing": (
+        {"pads.each": [{"material": "C45"}, {}, {}, {}]},
+        ("pads.each.0.material",),
+    ),
+}
+"""Data of another thermal model or deformation, and the paths that are named as not used."""
+
+
+@pytest.mark.parametrize("name", NOT_READ)
+def test_data_of_another_thermal_model_are_listed_as_not_used(name):
+    changes, paths = NOT_READ[name]
+    (problem,) = case_from_dict(pad_case(changes)).problems()
+    assert paths == tuple(
+        one for notice in problem.warnings if notice.code == "W183" for one in notice.values["fields"]
+    )
+
+
+def test_what_is_not_read_changes_nothing():
+    changes, _ = NOT_READ["all that grows"]
+    bare, given = (solve(case_from_dict(pad_case(one))).results[0] for one in ({"thermal": "global"}, changes))
+    assert dict(bare.values) | {"wall_time": 0.0} == dict(given.values) | {"wall_time": 0.0}
+
+
+def test_limits_of_probes_that_nothing_tells_are_listed_as_not_checked():
+    limits = {"limits": {"probe_alarm": "90 degC", "probe_trip": "100 degC"}}
+    (result,) = solve(case_from_dict(pad_case(limits))).results
+    assert {"C404", "C405"} <= {one.code for one in result.not_checked}

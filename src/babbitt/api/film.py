@@ -20,6 +20,7 @@ from babbitt.reynolds.model import Cavitation
 from babbitt.reynolds.surface.unwrapped_mesh import GROOVE_GAP, bore_gap
 
 if TYPE_CHECKING:
+    from babbitt.api.pad_film import SolvedPadFilms
     from babbitt.kinds.journal.film.model import FilmCase
     from babbitt.reynolds.equilibrium.many_positions import FilmPositions, PositionForces
     from babbitt.reynolds.heat.frozen_positions import FrozenPositions
@@ -220,8 +221,8 @@ class SolvedFilm:
         )
 
 
-def film_of_solution(solution: Solution) -> SolvedFilm:
-    """The film of a solution.
+def film_of_solution(solution: Solution) -> SolvedFilm | SolvedPadFilms:
+    """The film of a solution, or the films of its pads.
 
     Raises
     ------
@@ -237,6 +238,10 @@ def film_of_solution(solution: Solution) -> SolvedFilm:
     if not result.outcome.solved:
         raise AttributeError(f"{result.name}: no film without an operating point ({result.outcome.value})")
     require_state(solution)
+    if result.kind == "tilting_pad_journal":
+        from babbitt.api.pad_film import SolvedPadFilms
+
+        return SolvedPadFilms(solution)
     return SolvedFilm(solution)
 
 

@@ -3,25 +3,31 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
+from babbitt.api.drawn import MAP, SQUARE, drawn
 from babbitt.api.film import require_state
 from babbitt.core.notices import InputError
 from babbitt.core.solution import Solution
 from babbitt.kinds.journal.film.field import FilmField, field_of
 from babbitt.kinds.journal.film.isothermal import FilmState, under_found_load
-from babbitt.report.drawing import MILLIMETRE, style
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+    from babbitt.api.pad_plot import PadPlots
     from babbitt.kinds.journal.film.model import FilmCase
 
-__all__ = ["ResultPlots"]
+__all__ = ["ResultPlots", "plots_of_solution"]
 
-MAP, SQUARE = (166.0, 56.0), (95.0, 90.0)
-"""Sizes of new figures, mm."""
+
+def plots_of_solution(solution: Solution) -> ResultPlots | PadPlots:
+    """Pictures of a solution: those of its kind."""
+    if solution.result.kind == "tilting_pad_journal":
+        from babbitt.api.pad_plot import PadPlots
+
+        return PadPlots(solution)
+    return ResultPlots(solution)
 
 
 class ResultPlots:
@@ -74,7 +80,7 @@ class ResultPlots:
 
             seen_along_shaft(panel, case, state.solution, field)
 
-        return _drawn(draw, ax, SQUARE)
+        return drawn(draw, ax, SQUARE)
 
     def temperature(self, ax: Axes | None = None) -> Axes:
         """Mean temperature across the gap over the unrolled bore; parameters and errors as `pressure`.
@@ -100,7 +106,7 @@ class ResultPlots:
             panel.set_xlabel(film_maps.AROUND)
             film_maps.rotation(panel, case)
 
-        return _drawn(draw, ax, MAP)
+        return drawn(draw, ax, MAP)
 
     def orbit(self, ax: Axes | None = None) -> Axes:
         """Orbit of the journal in the room that the bore leaves; parameters and errors as `pressure`.
@@ -120,7 +126,7 @@ class ResultPlots:
 
             orbit_in_clearance(panel, state, result)
 
-        return _drawn(draw, ax, SQUARE)
+        return drawn(draw, ax, SQUARE)
 
     def _map(self, name: str, ax: Axes | None) -> Axes:
         state, case, field = self._film()
@@ -132,7 +138,7 @@ class ResultPlots:
             panel.set_xlabel(film_maps.AROUND)
             film_maps.rotation(panel, case)
 
-        return _drawn(draw, ax, MAP)
+        return drawn(draw, ax, MAP)
 
     def _film(self) -> tuple[FilmState, FilmCase, FilmField]:
         from babbitt.api.film import film_of_solution
@@ -148,15 +154,3 @@ class ResultPlots:
 
     def __repr__(self) -> str:
         return f"plots of {self._solution.result.name}: {', '.join(self.__dir__())}"
-
-
-def _drawn(draw: Callable[[Any], None], ax: Axes | None, size: tuple[float, float]) -> Axes:
-    """Draw in the style of the reports, on axes that are given or in a figure that a notebook shows."""
-    with style():
-        if ax is None:
-            from matplotlib import pyplot
-
-            inches = (size[0] * MILLIMETRE, size[1] * MILLIMETRE)
-            _, ax = pyplot.subplots(figsize=inches, layout="constrained")
-        draw(ax)
-    return ax

@@ -25,9 +25,11 @@ if TYPE_CHECKING:
     from babbitt.api.case import Case
     from babbitt.api.film import SolvedFilm
     from babbitt.api.gradient import Gradient
+    from babbitt.api.pad_film import SolvedPadFilms
+    from babbitt.api.pad_plot import PadPlots
     from babbitt.api.plot import ResultPlots
     from babbitt.core.notices import Notice
-    from babbitt.core.result import Check, Outcome, Result, Verdict
+    from babbitt.core.result import Check, Matrix, Outcome, Result, Verdict
 
 __all__ = ["BearingResult"]
 
@@ -36,6 +38,9 @@ Array = NDArray[np.float64]
 NOT_CONTENT = ("wall_time",)
 """What two runs of the same calculation differ in."""
 
+
+OF_ONE_ROW = ("pad_", "pivot_", "whirl_ratio", "dynamic_frequency", "assumed_")
+"""How names of quantities begin that have a number for each pad, frequency or assumption."""
 
 SEVERAL_UNITS = "SI"
 """Unit of arrays whose columns have units of their own."""
@@ -130,9 +135,14 @@ class BearingResult:
 
     @property
     def arrays(self) -> Mapping[str, Array]:
-        """Named quantities of several numbers in SI, read-only; none without an operating point."""
+        """Named quantities of several numbers in SI, read-only; none without an operating point.
+
+        Numbers of pads and pivots, and of frequencies, have one axis, matrices and tables two.
+        """
         return MappingProxyType(
-            {name: _read_only(rows) for name, rows in self.result.arrays.items()} if self.solved else {}
+            {name: _read_only(_in_one_row(name, rows)) for name, rows in self.result.arrays.items()}
+            if self.solved
+            else {}
         )
 
     @property
@@ -166,8 +176,8 @@ class BearingResult:
         return MappingProxyType(dict(self.result.missing))
 
     @cached_property
-    def film(self) -> SolvedFilm:
-        """The film of the kept solution: fields over the bore, forces elsewhere.
+    def film(self) -> SolvedFilm | SolvedPadFilms:
+        """The film of the kept solution: fields over the bore, forces elsewhere; of tilting pads fields of each.
 
         Raises
         ------
@@ -198,11 +208,11 @@ class BearingResult:
         return fields(self.solution)
 
     @property
-    def plot(self) -> ResultPlots:
+    def plot(self) -> ResultPlots | PadPlots:
         """Pictures of the film: ``result.plot.pressure()``; ``result.plot()`` is that which tells most."""
-        from babbitt.api.plot import ResultPlots
+        from babbitt.api.plot import plots_of_solution
 
-        return ResultPlots(self.solution)
+        return plots_of_solution(self.solution)
 
     def quantity(self, name: str) -> Any:
         """A named quantity with its unit, in the application registry of pint.
@@ -359,6 +369,11 @@ class BearingResult:
         from babbitt.api.result_text import html_of
 
         return html_of(self.result)
+
+
+def _in_one_row(name: str, rows: Matrix) -> Any:
+    """Numbers of pads or frequencies, the only row of their matrix, as a row; other matrices as they are."""
+    return rows[0] if len(rows) == 1 and name.startswith(OF_ONE_ROW) else rows
 
 
 def _read_only(rows: Any) -> Array:

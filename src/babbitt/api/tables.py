@@ -91,6 +91,8 @@ def dataset_of(one: BearingResult) -> xarray.Dataset:
 
 def axes_of(name: str, shape: tuple[int, ...]) -> tuple[tuple[str, ...], dict[str, Any]]:
     """Dimensions of an array, and their coordinates where it is a matrix of force over motion in x and y."""
+    if len(shape) == 1:
+        return ("pad" if name.startswith(("pad_", "pivot_")) else f"{name}_column",), {}
     if shape == (2, 2):
         return ("force", "motion"), {"force": ["x", "y"], "motion": ["x", "y"]}
     return (f"{name}_row", f"{name}_column"), {}

@@ -22,6 +22,7 @@ from babbitt.report.coefficient_temperatures import temperature_remark
 from babbitt.report.labels import label
 from babbitt.report.meanings import meaning, remark_on_zero
 from babbitt.report.text import plain_text
+from babbitt.report.units_of_matrices import suited_among
 from babbitt.report.view import view_of
 from babbitt.solving import MachineResult, solve
 
@@ -265,7 +266,7 @@ def cards_of(result: Result) -> tuple[Card, ...]:
     for name in (*view.sweep, *(column.quantity for column in view.columns), *view.key_results):
         value = result.values.get(name, math.nan)
         if name not in found and name in QUANTITIES and math.isfinite(value):
-            quantity = QUANTITIES[name].suited(value)
+            quantity = suited_among(name, result.values)
             found[name] = Card(label(name, result.kind), quantity.symbol, quantity.with_unit(value))
     return tuple(found.values())[:MOST_CARDS]
 
@@ -318,7 +319,7 @@ def rows_of(result: Result) -> Iterable[tuple[str, str, str, str]]:
     for name, value in result.values.items():
         if name in QUANTITIES and math.isfinite(value) and name != "wall_time":
             said = meaning(name, result.kind) + remark_on_zero(name, value) + temperature_remark(name, result)
-            quantity = QUANTITIES[name].suited(value)
+            quantity = suited_among(name, result.values)
             yield said, quantity.symbol, quantity.format(value), quantity.display.label
 
 

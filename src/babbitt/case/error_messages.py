@@ -150,7 +150,7 @@ def _say(cls: type[Part], path: Path, details: ErrorDetails) -> tuple[str, str, 
         case "extra_forbidden":
             meant = meant_field(name, cls)
             moved = every_choice(cls)
-            hint = _asked(f"method.{meant}" if meant in moved else meant)
+            hint = cls.hints.get(name) or _asked(f"method.{meant}" if meant in moved else meant)
             return (
                 "is not a field here",
                 "" if hint else _listed(n for n in cls.model_fields if n not in moved),
@@ -162,7 +162,8 @@ def _say(cls: type[Part], path: Path, details: ErrorDetails) -> tuple[str, str, 
             return _say_branch(cls, path, given)
         case "value_error" if isinstance(context.get("error"), QuantityError):
             error: QuantityError = context["error"]
-            return error.says, error.allowed, _elsewhere(cls, path, given, error) or error.hint
+            hint = _elsewhere(cls, path, given, error) or error.hint or cls.hints.get(name, "")
+            return error.says, error.allowed, hint
         case "literal_error" if name == "method" and isinstance(given, Mapping):  # one with a kind was read
             return "kind is missing", context["expected"].replace("'", "").replace(" or ", ", "), ""
         case "model_attributes_type" | "model_type" if given is not None and not path and cls.example:

@@ -103,6 +103,8 @@ class Part(BaseModel):
     """Fields of which two are given, and the others follow."""
     former_words: ClassVar[FormerWords] = {}
     """Paths of words that are still read, and the paths of those of today (`babbitt.case.aliases`)."""
+    hints: ClassVar[Mapping[str, str]] = {}
+    """What to try where a field of a name is refused, be it a field here or not."""
     example: ClassVar[str] = ""
     """How the piece is written, for messages; empty where that takes more than a line."""
 

@@ -308,10 +308,10 @@ def export(
     run = method.coefficients_over_speed(problem, taken)
     failed = [(speed, outcome.value) for speed, outcome in run.unsolved]
     failed += [(speed, "no stiffness with following temperatures") for speed in run.unfollowed]
-    if failed:
-        for speed, why in failed:
-            print(f"{printable(name)}: {why} at {speed * 30.0 / math.pi:.0f} rpm", file=sys.stderr)
-        print("nothing was written; leave these speeds out", file=sys.stderr)
+    for speed, why in sorted(failed):
+        print(f"{printable(name)}: {why} at {speed * 30.0 / math.pi:.6g} rpm; left out", file=sys.stderr)
+    if len(failed) == len(run.solutions):
+        print("nothing was written", file=sys.stderr)
         raise typer.Exit(NO_SOLUTION)
     table = mirrored(run.table()) if other_end else run.table()
     write_table(table, output, format_name)
@@ -335,3 +335,5 @@ def export(
             "temperature_coefficients: frozen",
             file=sys.stderr,
         )
+    if failed:
+        raise typer.Exit(NO_SOLUTION)

@@ -92,6 +92,8 @@ class Kind:
     first_design : str
         What it says of first designs from a duty (`babbitt.study.design.FirstDesign`), as ``package:module``;
         empty where it has no rules for them.
+    study_results : tuple of str
+        Results that a study keeps besides the usual ones, where it names none.
     envelope : tuple of tuple of str
         Fields over which a map is drawn that names none, across and up: of each the first that the case gives.
         Of ``speed``, ``load`` and ``power`` those of all bearings, gears and operating points go together.
@@ -111,6 +113,7 @@ class Kind:
     words: str = ""
     solve_many: str = ""
     first_design: str = ""
+    study_results: tuple[str, ...] = ()
     envelope: tuple[tuple[str, ...], tuple[str, ...]] = SPEED_AND_LOAD
 
     def load(self, path: str) -> Any:

@@ -24,6 +24,7 @@ from babbitt.report.meanings import remark_on_zero
 from babbitt.report.names import format_members
 from babbitt.report.symbols import symbol_node
 from babbitt.report.text import plain_text
+from babbitt.report.units_of_matrices import suited_among
 
 Data = dict[str, Any]
 
@@ -155,7 +156,7 @@ def _key_results(chapter: Chapter) -> list[Data]:
     for name in names:
         values = [r.values.get(name, math.nan) if r.outcome.solved else math.nan for r in chapter.results]
         if name in QUANTITIES and any(map(math.isfinite, values)):
-            quantity = QUANTITIES[name].suited(*values)
+            quantity = suited_among(name, *(r.values for r in chapter.results if r.outcome.solved))
             zero = "".join({remark_on_zero(name, value) for value in values})
             rows.append(
                 {

@@ -19,6 +19,7 @@ from babbitt.report import verdict as verdicts
 from babbitt.report.coefficient_temperatures import temperature_remark
 from babbitt.report.meanings import meaning, remark_on_zero
 from babbitt.report.text import plain_text
+from babbitt.report.units_of_matrices import suited_among
 from babbitt.report.verdict import CheckWord
 
 STYLES = {
@@ -61,7 +62,7 @@ def bearing_table(result: Result) -> RenderableType:
         quantity = QUANTITIES.get(name)
         if quantity is not None and math.isfinite(value) and name != "wall_time":
             said = meaning(name, result.kind) + remark_on_zero(name, value) + temperature_remark(name, result)
-            shown = quantity.suited(value)
+            shown = suited_among(name, result.values)
             table.add_row(said, shown.symbol, shown.format(value), shown.display.label)
     for name in result.missing:  # the reasons stand below, together
         table.add_row(meaning(name, result.kind), QUANTITIES[name].symbol, "–", "")

@@ -12,11 +12,11 @@ from rich.table import Table
 from rich.text import Text
 
 from babbitt.core.check_text import margin
-from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Check, Result, Verdict
 from babbitt.report.meanings import meaning
 from babbitt.report.table import PIPED_WIDTH, console
 from babbitt.report.text import plain_text
+from babbitt.report.units_of_matrices import suited_among
 from babbitt.report.verdict import governing, governing_temperature, missed_codes
 from babbitt.report.view import view_of
 from babbitt.study.comparison import Comparison, Variant
@@ -116,7 +116,7 @@ def compared_rows(compared: Sequence[str], variants: Sequence[Variant]) -> Itera
         nothing = {None, 0.0} if name in SILENT_AT_ZERO else {None}
         if set(known) <= nothing:
             continue
-        quantity = QUANTITIES[name].suited(*(value for value in known if value is not None))
+        quantity = suited_among(name, *(result.values for result in results if result.outcome.solved))
         cells = ("–" if value is None else quantity.format(value) for value in known)
         said = meaning(name, variants[0].result.kind)
         yield Row(f"{said}, {quantity.symbol}", quantity.display.label, tuple(cells))

@@ -19,6 +19,7 @@ from babbitt.report.comparison_table import WIDEST_HEAD
 from babbitt.report.meanings import meaning
 from babbitt.report.table import PIPED_WIDTH, console
 from babbitt.report.text import counted, plain_text
+from babbitt.report.units_of_matrices import suited_among
 from babbitt.study.designs import ABSENT, ComparedBearing, Designs
 
 __all__ = ["DesignRow", "bearing_rows", "difference", "kinds_said", "print_designs", "short_designs"]
@@ -89,7 +90,8 @@ def _row(name: str, bearing: ComparedBearing) -> DesignRow | None:
     known = [one.values.get(name) if one is not None and one.outcome.solved else None for one in bearing.results]
     if all(value is None for value in known):
         return None
-    quantity = QUANTITIES[name].suited(*(value for value in known if value is not None))
+    solved = (one.values for one in bearing.results if one is not None and one.outcome.solved)
+    quantity = suited_among(name, *solved)
     cells = tuple(ABSENT if value is None else quantity.format(value) for value in known)
     first = next(one for one in bearing.results if one is not None)
     said = f"{meaning(name, first.kind)}, {quantity.symbol}"

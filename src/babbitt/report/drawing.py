@@ -173,6 +173,20 @@ def rendered(figure: Figure, image_format: str) -> bytes:
     return target.getvalue()
 
 
+LETTER, HANDLE = 0.19, 13.0
+"""Width of a letter over the size of its type, mm per point, and of what stands before a name in a legend, mm."""
+
+
+def legend_columns(names: Sequence[str], width: float, size: float, most: int = 3) -> int:
+    """Columns of a legend that fit into a width in mm, with a type size in points.
+
+    >>> legend_columns(["minimum", "maximum"], 166.0, 7.0), legend_columns(["bearing " * 6] * 3, 166.0, 7.0)
+    (3, 2)
+    """
+    longest = max(map(len, names), default=0)
+    return max(1, min(most, int(width / (HANDLE + LETTER * size * longest))))
+
+
 def axis_label(quantity: Quantity) -> str:
     """Symbol and unit, as mathematics: ``h_min in µm``."""
     symbol = mathematics(quantity.symbol)

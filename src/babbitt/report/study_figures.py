@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from babbitt.core.files.writing import write_files
 from babbitt.core.limited_flow import whole
 from babbitt.report.design_figure import design_figures
-from babbitt.report.drawing import GREY, INK, PALE, Drawing, mathematics, rendered, style
+from babbitt.report.drawing import GREY, INK, PALE, Drawing, Sheet, legend_columns, mathematics, rendered, style
 from babbitt.report.optimum_figures import optimum_figures
 from babbitt.report.size_output import size_figure
 from babbitt.report.size_table import size_scale
@@ -248,8 +248,11 @@ def _curves(study: Study, along: Mapping[str, Any], others: list[dict[str, Any]]
     if others and panels:
         handles, labels = panels[0].get_legend_handles_labels()
         high = figure.get_figheight() * MM_PER_INCH
-        figure.subplots_adjust(top=1.0 - (6.0 + LEGEND_LINE * math.ceil(len(labels) / 3)) / high)
-        figure.legend(handles, labels, loc="upper left", ncols=3, frameon=False, fontsize=6, handlelength=2.0)
+        columns = legend_columns(labels, figure.get_figwidth() * MM_PER_INCH, 6.0)
+        figure.subplots_adjust(top=1.0 - (6.0 + LEGEND_LINE * math.ceil(len(labels) / columns)) / high)
+        figure.legend(
+            handles, labels, loc="upper left", ncols=columns, frameon=False, fontsize=6, handlelength=2.0
+        )
     return figure
 
 

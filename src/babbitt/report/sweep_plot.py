@@ -16,7 +16,17 @@ from babbitt.core.limited_flow import quantity_held, whole
 from babbitt.core.notices import InputError
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Result
-from babbitt.report.drawing import FORMATS, GREY, INK, Sheet, axis_label, in_engineers_unit, rendered, style
+from babbitt.report.drawing import (
+    FORMATS,
+    GREY,
+    INK,
+    Sheet,
+    axis_label,
+    in_engineers_unit,
+    legend_columns,
+    rendered,
+    style,
+)
 from babbitt.report.sweep_columns import panels_of
 from babbitt.report.text import plain_text
 from babbitt.study.case_sweep import CaseSweep
@@ -81,6 +91,10 @@ def write_sweep_plot(sweep: CaseSweep, path: Path, chosen: Sequence[str] = ()) -
     write_file(path, image)
 
 
+WIDTH, LEGEND_SIZE = 166.0, 7.0
+"""Of the figure, mm, and of the type of its legend, points."""
+
+
 @dataclass(frozen=True)
 class Curve:
     """Results of one bearing over the first field, all other fields at one value.
@@ -102,13 +116,15 @@ def sweep_figure(sweep: CaseSweep, chosen: Sequence[str] = ()) -> Figure:
     What the file itself has in the field is marked.
     """
     curves, shows_stability = _curves(sweep), _shows_stability(sweep)
-    entries = len(curves) + shows_stability
-    legend = 4.5 * math.ceil(entries / 3) if entries > 1 else 0.0
+    labels = [plain_text(curve.label).replace("$", r"\$") for curve in curves]
+    labels += ["not stable (broken, open)"] if shows_stability else []
+    columns = legend_columns(labels, WIDTH, LEGEND_SIZE)
+    legend = 4.5 * math.ceil(len(labels) / columns) if len(labels) > 1 else 0.0
     shown = tuple((name,) for name in chosen[:4]) or panels_of([result for _, result in sweep.rows()])
     lacks_oil = any(_of_less_oil(result, choice) for _, result in sweep.rows() for choice in shown)
     below = NOTE_LINE if lacks_oil else 0.0
     height = 100.0 + legend + below
-    sheet = Sheet(166.0, height, 2, 2, bottom=Sheet.bottom + below, across=16.0, between=5.0)
+    sheet = Sheet(WIDTH, height, 2, 2, bottom=Sheet.bottom + below, across=16.0, between=5.0)
     figure, axes = sheet.panels(sharex=True)
     figure.subplots_adjust(top=1.0 - (5.0 + legend) / height)
     for panel in axes.ravel()[len(shown) :]:
@@ -125,14 +141,13 @@ def sweep_figure(sweep: CaseSweep, chosen: Sequence[str] = ()) -> Figure:
         from matplotlib.lines import Line2D
 
         handles = axes[0][0].get_lines()[: len(curves)]
-        labels = [plain_text(curve.label).replace("$", r"\$") for curve in curves]
         if shows_stability:
             handles = [
                 *handles,
                 Line2D([], [], color=INK, marker="o", markersize=2.4, markerfacecolor="white", **NOT_STABLE),
             ]
-            labels.append("not stable (broken, open)")
-        figure.legend(handles, labels, loc="upper left", ncols=3, frameon=False, fontsize=7, handlelength=3.2)
+        figure.legend(handles, labels, loc="upper left", ncols=columns, frameon=False, fontsize=LEGEND_SIZE,
+                      handlelength=3.2)  # fmt: skip
     return figure
 
 

@@ -16,6 +16,7 @@ from babbitt.case.case_hash import case_hash
 from babbitt.case.kinds import KINDS
 from babbitt.case.named_files import NamedFiles
 from babbitt.case.parts.study import StudyBlock
+from babbitt.core.kind import find_kind
 from babbitt.core.limited_flow import limited, may_be_short
 from babbitt.core.nearest_name import unknown_name
 from babbitt.core.notices import InputError
@@ -282,7 +283,8 @@ def _outputs(block: StudyBlock, results: Sequence[Result]) -> tuple[str, ...]:
     if block.outputs:
         return _with_held(asked, results)
     wanted = _KEPT.get(block.kind, KEY_RESULTS)
-    key = [name for name in wanted if name in there]
+    own = (name for result in results if (kind := find_kind(result.kind)) for name in kind.study_results)
+    key = [name for name in dict.fromkeys((*wanted, *own)) if name in there]
     if len(key) < FEWEST_KEY_RESULTS:
         key = [name for name in there if name not in ("wall_time", "iterations")][:MOST_OUTPUTS]
     return _with_held((*key, *asked), results)

@@ -92,3 +92,18 @@ def test_a_table_goes_on_behind_its_last_point():
 def test_impossible_pivots_are_refused(build, word):
     with pytest.raises(InputError, match=word):
         build()
+
+
+def test_pressure_of_a_contact_carries_its_load():
+    """The ellipsoid of Hertz: P = 2/3 pi a^2 p_0 on a circle, P' = pi/2 b p_0 on a strip."""
+    a = math.cbrt(0.75 * 5000.0 * POINT.effective_radius / POINT.effective_modulus)
+    assert POINT.contact_pressure(5000.0) * 2.0 / 3.0 * math.pi * a**2 == pytest.approx(5000.0, rel=1e-12)
+    b = LINE.half_width(7000.0)
+    assert LINE.contact_pressure(7000.0) * 0.5 * math.pi * b * LINE.length == pytest.approx(7000.0, rel=1e-12)
+
+
+def test_the_rocker_has_the_law_of_palmgren():
+    """4.36e-7 Q^0.9/l^0.8 with Q in pounds, l and the displacement in inches."""
+    pounds, inches = 900.0, 3.0
+    found = displacement_of(RockerContact(inches * 0.0254), pounds * 4.4482216) / 0.0254
+    assert found == pytest.approx(4.36e-7 * pounds**0.9 / inches**0.8, rel=1e-6)

@@ -40,6 +40,8 @@ TILTING_PADS: tuple[Quantity, ...] = (
     quantity("pad_bending_stiffness", "k_q,i", "N/m", "MN/m", 4, "Stiffness of each pad against bending"),
     quantity("pivot_displacement", "u_i", "m", "um", 3, "How far each pivot gives way"),
     quantity("pivot_stiffness", "k_p,i", "N/m", "GN/m", 4, "Stiffness of each pivot under its load"),
+    quantity("pivot_contact_pressure", "p_0,i", "Pa", "MPa", 4, "Largest pressure in the contact of each pivot"),
+    quantity("largest_contact_pressure", "p_0", "Pa", "MPa", 4, "Largest pressure in the contacts of the pivots"),
     quantity("static_stiffness", "K_0", "N/m", "MN/m", 4, "Stiffness at rest, pads following"),
     quantity("static_damping", "C_0", "N s/m", "kNs/m", 4, "Damping of slow motion, pads following"),
     *entries("static_stiffness", "k_0,", "N/m", "MN/m", "Stiffness at rest, force in {} over move in {}"),
@@ -63,7 +65,9 @@ TILTING_PADS: tuple[Quantity, ...] = (
         "Free motions: growth 1/s, frequency rad/s, log decrement, whirl (1 forward), share of the rotor",
     ),
     quantity("log_decrement", "δ_log", "1", "", 3, "Log decrement of the motion of the rotor that lasts longest"),
-    quantity("pad_log_decrement", "δ_log,p", "1", "", 3, "Least log decrement of all other motions, of the pads"),
+    quantity(
+        "pad_log_decrement", "δ_log,p", "1", "", 3, "Least log decrement of all other motions, of pads or housing"
+    ),
     quantity(
         "log_decrement_forward", "δ_log,f", "1", "", 3, "Log decrement of the more forward motion of the rotor"
     ),
@@ -82,12 +86,19 @@ TILTING_PADS: tuple[Quantity, ...] = (
         "N/m",
         "MN/m",
         4,
-        "Destabilising cross-coupling anticipated of the rotor",
+        "Anticipated cross-coupling of the rotor, destabilising",
     ),
     quantity(
-        "critical_cross_coupling", "Q_0", "N/m", "MN/m", 4, "Cross-coupling of the rotor from which a motion grows"
+        "critical_cross_coupling", "Q_0", "N/m", "MN/m", 4, "Threshold cross-coupling, from which a motion grows"
     ),
-    quantity("cross_coupling_ratio", "Q_0/Q_A", "1", "", 3, "The same over that anticipated"),
+    quantity(
+        "cross_coupling_ratio",
+        "Q_0/Q_A",
+        "1",
+        "",
+        3,
+        "Threshold cross-coupling over the anticipated one",
+    ),
     quantity("log_decrement_anticipated", "δ_A", "1", "", 3, "Log decrement with the anticipated cross-coupling"),
     quantity(
         "synchronous_log_decrement", "δ_log,s", "1", "", 3, "Log decrement by synchronously reduced coefficients"
@@ -106,7 +117,7 @@ TILTING_PADS: tuple[Quantity, ...] = (
         "N/m",
         "MN/m",
         4,
-        "Cross-coupling from which a motion grows, by synchronously reduced coefficients",
+        "Threshold cross-coupling of the rotor, by synchronously reduced coefficients",
     ),
     quantity(
         "synchronous_cross_coupling_ratio",
@@ -114,7 +125,7 @@ TILTING_PADS: tuple[Quantity, ...] = (
         "1",
         "",
         3,
-        "The same over that anticipated, by synchronously reduced coefficients",
+        "Threshold cross-coupling over the anticipated one, by synchronously reduced coefficients",
     ),
     quantity(
         "decrement_over_cross_coupling",

@@ -14,5 +14,11 @@ KINDS = (
         comparison=f"{HERE}.comparison:compare",
         meanings=f"{HERE}.report.words:OF_PADS",
         vocabulary=f"{HERE}.report.words:PAD_WORDS",
+        study_results=(
+            "probe_temperature",
+            *(f"{name}_{axes}" for name in ("stiffness", "damping") for axes in ("xx", "xy", "yx", "yy")),
+            "log_decrement",
+            "cross_coupling_ratio",
+        ),
     ),
 )

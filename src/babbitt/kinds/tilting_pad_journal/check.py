@@ -123,7 +123,7 @@ def pad_solution(case: PadCase) -> Solution:
         ),
         not_checked=(
             *checks_not_made(case, values, bounds),
-            *stability_not_checked(case, values),
+            *not_checked_here(case, values),
             *cross_coupling_not_checked(case, values),
             *undecided(heat, bounds),
         ),
@@ -221,12 +221,18 @@ def heat_checks(case: PadCase, values: Mapping[str, float]) -> Iterator[Check]:
             yield Check(code, "probe_temperature", values["probe_temperature"], limit, Bound.AT_MOST, USER)
 
 
-def stability_not_checked(case: PadCase, values: Mapping[str, float]) -> Iterator[Notice]:
+def not_checked_here(case: PadCase, values: Mapping[str, float]) -> Iterator[Notice]:
     """Which of these lack data."""
     if "log_decrement" not in values:
         yield Notice("C401")
     if "least_pad_margin" not in values:
         yield Notice("C402")
+    if case.thermal.is_resolved:
+        return
+    if case.probe_alarm is not None:
+        yield Notice("C404")
+    if case.probe_trip is not None:
+        yield Notice("C405")
 
 
 def settings_of(case: PadCase, dynamics: PadDynamics | None) -> dict[str, str]:

@@ -61,16 +61,17 @@ class PadSpeedRun:
     def table(self) -> CoefficientTable:
         """Give the coefficients over speed and frequency, with the equilibria and heat balances they belong to.
 
+        Speeds without an equilibrium (`unsolved`) are left out.
+
         Raises
         ------
         InputError
-            E003 when a speed has no equilibrium, E004 when the direction of the load changes with the speed.
+            E003 when no speed has an equilibrium, E004 when the direction of the load changes with the speed.
         """
-        if self.unsolved:
-            speed, outcome = self.unsolved[0]
-            rpm = speed * 30.0 / math.pi
-            raise InputError("E003", f"{self.case.name}: no equilibrium at {rpm:.0f} rpm ({outcome.value})")
-        return table_of([one.result for one in self.solutions], [one.problem for one in self.solutions])
+        kept = [one for one in self.solutions if one.result.outcome.solved]
+        if not kept:
+            raise InputError("E003", f"{self.case.name}: no equilibrium at any of the speeds")
+        return table_of([one.result for one in kept], [one.problem for one in kept])
 
 
 def run_over_speed(case: PadCase, speeds: Iterable[float]) -> PadSpeedRun:

@@ -47,6 +47,10 @@ HEAVIER, LIGHTER = 1e3, 1e-2
 NO_SWING = 100.0
 """Log decrement that stands for infinity: of a motion that grows or dies without swinging."""
 
+STILL = 1e-2
+"""Frequency over growth below which a motion counts as one that does not swing: equal ones are told apart by
+round-off, and others die in a hundredth of a cycle."""
+
 
 @dataclass(frozen=True, eq=False)
 class RotorMotions:
@@ -169,7 +173,7 @@ def bounded_decrement(mode: Mode) -> float:
 
 def swinging(modes: Iterable[Mode]) -> tuple[Mode, ...]:
     """The motions that swing."""
-    return tuple(mode for mode in modes if mode.frequency > 0.0)
+    return tuple(mode for mode in modes if mode.frequency > STILL * abs(mode.growth))
 
 
 def motions_of_the_rotor(modes: Iterable[Mode]) -> tuple[Mode, ...]:

@@ -17,15 +17,12 @@ from babbitt.design.heat_balance import (
 from babbitt.design.oil import properties_at
 from babbitt.design.pad_heat import HeatBalance, mixed_temperatures
 from babbitt.design.turbulence import film_turbulence
-from babbitt.kinds.tilting_pad_journal.model import PadCase, Thermal
+from babbitt.kinds.tilting_pad_journal.model import LIGHT, PadCase, Thermal
 from babbitt.kinds.tilting_pad_journal.state import PadFilms
 from babbitt.kinds.tilting_pad_journal.thermal_film import thermal_films
 from babbitt.reynolds.tilting_pads.solve import solve_with_light_pads, tilting_pads_at
 
 __all__ = ["film_at_temperature", "operating_films"]
-
-LIGHT = 0.02
-"""Share of the load that a pad may carry at its fold and still be left without (assumption)."""
 
 
 def operating_films(case: PadCase) -> Equilibrium[PadFilms]:

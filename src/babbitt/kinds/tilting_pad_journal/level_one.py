@@ -25,7 +25,10 @@ __all__ = [
 ]
 
 LEAST_RATIO = 2.0
-RATIO_SOURCE = "level I of API 617: twice the anticipated cross-coupling"
+RATIO_SOURCE = "level I of API 617: Q_0/Q_A of 2"
+REGION_COUNTS = 10.0
+"""Q_0/Q_A below which level I of API 617 asks for the region of critical speed ratio and gas density, too; below
+the least ratio level II follows anyway."""
 
 
 def cross_coupling_values(found: CrossCoupling | None) -> dict[str, float]:
@@ -66,8 +69,12 @@ def cross_coupling_checks(
 
 def cross_coupling_not_checked(case: PadCase, values: Mapping[str, float]) -> Iterator[Notice]:
     """What lacks a number."""
-    if case.anticipated_cross_coupling is not None and "cross_coupling_ratio" not in values:
+    if case.anticipated_cross_coupling is None:
+        return
+    if "cross_coupling_ratio" not in values:
         yield Notice("C406")
+    elif LEAST_RATIO <= values["cross_coupling_ratio"] < REGION_COUNTS:
+        yield Notice("C408")
 
 
 def about_synchronous_verdict(values: Mapping[str, float], least: float) -> Iterator[Notice]:

@@ -11,10 +11,14 @@ from babbitt.reynolds.tilting_pads.pivots import displacement_of
 from babbitt.reynolds.tilting_pads.solution import PadStatus, TiltingPadSolution
 from babbitt.reynolds.tilting_pads.solve import fold_of, tilting_pads_at
 
-__all__ = ["NEAR_FLUTTER", "PadMargin", "loaded_at_fold", "loading_preload", "pad_margins"]
+__all__ = ["LIGHTLY_LOADED", "NEAR_FLUTTER", "PadMargin", "loaded_at_fold", "loading_preload", "pad_margins"]
 
-NEAR_FLUTTER = 0.05
-"""Eccentricity ratio at the pivot above that at which the pad unloads, below which it is reported."""
+NEAR_FLUTTER = 0.1
+"""Eccentricity ratio at the pivot above that at which the pad unloads, below which it is reported: tolerances of a
+tenth of the machined clearance move it by as much (assumption)."""
+
+LIGHTLY_LOADED = 0.02
+"""Share of the load of the bearing below which a loaded pad is reported, too (assumption)."""
 
 
 @dataclass(frozen=True)
@@ -61,9 +65,10 @@ def fold_ratio(case: PadCase, solution: TiltingPadSolution, number: int) -> floa
     return fold.eccentricity_ratio if fold.outcome.solved else math.nan
 
 
-def loading_preload(pad: TiltingPad, solution: TiltingPadSolution) -> float:
-    """Preload from which on a pad on a centred pivot would carry where the journal stands: -(x, y).n/c_p."""
-    return -float(solution.position @ pad.normal()) / pad.clearance
+def loading_preload(pad: TiltingPad, solution: TiltingPadSolution, fold: float) -> float:
+    """Preload from which on a pad would carry where the journal stands: that at which eps_p is that of its fold,
+    eps_p,fold - (x, y).n/c_p."""
+    return fold - float(solution.position @ pad.normal()) / pad.clearance
 
 
 BEHIND_FOLD = 1e-5

@@ -25,7 +25,10 @@ from babbitt.reynolds.tilting_pads.model import TiltingPad, TiltingPadBearing
 from babbitt.reynolds.tilting_pads.pad_heat import THERMAL_PADS, PadBending, PadGrowth, PadMaterial, PadWalls
 from babbitt.reynolds.tilting_pads.pedestal import Pedestal
 
-__all__ = ["Accuracy", "Feed", "HeatChoices", "PadBearing", "PadCase", "Thermal", "WHIRL_RATIOS"]
+__all__ = ["Accuracy", "Feed", "HeatChoices", "LIGHT", "PadBearing", "PadCase", "Thermal", "WHIRL_RATIOS"]
+
+LIGHT = 0.05
+"""Share of the load that a pad may carry at its fold and still be left without (assumption)."""
 
 WHIRL_RATIOS = (0.2, 0.4, 0.6, 0.8, 1.0, 1.2)
 """Frequencies over the speed at which coefficients are given where the case names none."""

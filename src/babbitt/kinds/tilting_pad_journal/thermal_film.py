@@ -11,12 +11,12 @@ from babbitt.core.result import Outcome
 from babbitt.design.conditions import PrescribedLoad
 from babbitt.design.heat_balance import CEILING, Equilibrium, NoFilmError
 from babbitt.design.oil import bounded_viscosity, highest_usable, properties_at
-from babbitt.kinds.tilting_pad_journal.model import PadCase
+from babbitt.kinds.tilting_pad_journal.model import LIGHT, PadCase
 from babbitt.kinds.tilting_pad_journal.state import PadFilms
 from babbitt.reynolds.tilting_pads.model import TiltingPad, TiltingPadBearing
 from babbitt.reynolds.tilting_pads.pad_heat import PadHeat
 from babbitt.reynolds.tilting_pads.thermal_pad_solution import PadTemperatures, ThermalTiltingPadSolution
-from babbitt.reynolds.tilting_pads.thermal_pads import find_thermal_tilting_pads, thermal_tilting_pads_at
+from babbitt.reynolds.tilting_pads.thermal_pads import thermal_pads_with_light_ones, thermal_tilting_pads_at
 
 __all__ = ["thermal_films"]
 
@@ -67,7 +67,7 @@ def found_at(case: PadCase, temperature: float) -> ThermalTiltingPadSolution:
     resolution = case.accuracy.thermal_resolution
     if isinstance(case.duty, PrescribedLoad):
         load = case.duty.load * math.cos(case.load_angle), case.duty.load * math.sin(case.load_angle)
-        return find_thermal_tilting_pads(pads, load, model, resolution)
+        return thermal_pads_with_light_ones(pads, load, model, resolution, LIGHT)
     return thermal_tilting_pads_at(pads, (case.duty.x, case.duty.y), model, resolution)
 
 

@@ -18,6 +18,7 @@ from babbitt.reynolds.tilting_pads.bending_mode import BendingMode
 from babbitt.reynolds.tilting_pads.kernel_pads import pad_widths
 from babbitt.reynolds.tilting_pads.model import TiltingPad
 from babbitt.reynolds.tilting_pads.pad_lands import pad_gaps
+from babbitt.reynolds.tilting_pads.pivots import HertzContact
 from babbitt.reynolds.tilting_pads.solution import PadState, PadStatus, TiltingPadSolution
 
 __all__ = ["dynamic_rows", "dynamic_values", "eccentricity_ratio", "film_values", "pad_rows", "place_values"]
@@ -75,6 +76,9 @@ def film_values(case: PadCase, films: PadFilms, margins: tuple[PadMargin, ...]) 
     }
     if known:
         named["least_pad_margin"] = min(known)
+    contacts = [one for one in contact_pressures(solution) if math.isfinite(one)]
+    if contacts:
+        named["largest_contact_pressure"] = max(contacts)
     if case.turbulence is not None:
         named["turbulent_share"] = turbulent_share(solution)
     return named
@@ -224,10 +228,20 @@ def pad_rows(case: PadCase, solution: TiltingPadSolution) -> dict[str, Matrix]:
         "pivot_displacement": [state.position.pivot_displacement for state in states],
         "pivot_stiffness": [state.pivot_stiffness if state.load > 0.0 else math.nan for state in states],
     }
+    if any(isinstance(pad.pivot, HertzContact) for pad in pads):
+        rows["pivot_contact_pressure"] = contact_pressures(solution)
     if any(pad.bends for pad in pads):
         rows["pad_bending"] = [largest_bending(pad, state) for pad, state in zip(pads, states, strict=True)]
         rows["pad_bending_stiffness"] = [pad.bending_stiffness for pad in pads]
     return {name: (tuple(map(float, row)),) for name, row in rows.items() if any(map(math.isfinite, row))}
+
+
+def contact_pressures(solution: TiltingPadSolution) -> list[float]:
+    """Largest pressure in the contact of each pivot, Pa; nan of pivots that are no contacts of Hertz."""
+    return [
+        pad.pivot.contact_pressure(max(state.load, 0.0)) if isinstance(pad.pivot, HertzContact) else math.nan
+        for pad, state in zip(solution.bearing.pads, solution.pads, strict=True)
+    ]
 
 
 def largest_bending(pad: TiltingPad, state: PadState) -> float:

@@ -35,6 +35,10 @@ CARRY_OVER = (
     "Babbitt, theory of tilting pads, section Heat: shares of hot oil that are carried over by feed, heat "
     "transfer at backs and edges, and growth of pads, journal and housing are assumptions without published source"
 )
+PALMGREN = (
+    "A. Palmgren, Ball and Roller Bearing Engineering (1959); T. A. Harris, Rolling Bearing Analysis: empirical "
+    "displacement of a steel roller on its raceway, 4.36e-7 Q^0.9/l^0.8 in inches and pounds (rocker pivots)"
+)
 HERTZ = "K. L. Johnson, Contact Mechanics, Cambridge University Press (1985)"
 
 KEY_RESULTS = (
@@ -46,6 +50,7 @@ KEY_RESULTS = (
     "maximum_pressure",
     "largest_pad_load",
     "largest_specific_load",
+    "largest_contact_pressure",
     "loaded_pads",
     "least_pad_margin",
     "preload",
@@ -122,7 +127,7 @@ def _alike(problem: PadCase) -> PadCase:
 
 def _citations(problem: PadCase) -> Iterable[str]:
     from babbitt.kinds.tilting_pad_journal.model import Thermal
-    from babbitt.reynolds.tilting_pads.pivots import HertzContact
+    from babbitt.reynolds.tilting_pads.pivots import HertzContact, RockerContact
 
     yield REYNOLDS
     yield LUND
@@ -141,6 +146,8 @@ def _citations(problem: PadCase) -> Iterable[str]:
         yield CARRY_OVER
     if any(isinstance(pad.pivot, HertzContact) for pad in problem.bearing.pads):
         yield HERTZ
+    if any(isinstance(pad.pivot, RockerContact) for pad in problem.bearing.pads):
+        yield PALMGREN
 
 
 FIGURES = LazyFunction("babbitt.kinds.tilting_pad_journal.report.figures:pad_figures")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
@@ -17,11 +18,17 @@ from babbitt.design.warnings import (
     warnings_about_pressure,
 )
 from babbitt.kinds.tilting_pad_journal.dynamics import LARGEST_FIT_ERROR, PadDynamics, with_pedestal
-from babbitt.kinds.tilting_pad_journal.margins import NEAR_FLUTTER, PadMargin, loaded_at_fold, loading_preload
+from babbitt.kinds.tilting_pad_journal.margins import (
+    LIGHTLY_LOADED,
+    NEAR_FLUTTER,
+    PadMargin,
+    loaded_at_fold,
+    loading_preload,
+)
 from babbitt.kinds.tilting_pad_journal.model import PadCase
 from babbitt.kinds.tilting_pad_journal.state import PadFilms
 from babbitt.reynolds.tilting_pads.dynamics import condensed_at, full_coefficients
-from babbitt.reynolds.tilting_pads.pivots import LineContact
+from babbitt.reynolds.tilting_pads.pivots import YIELD, HertzContact, LineContact
 
 __all__ = ["starved_bounds", "warnings_about_kept_limits", "warnings_of_solution"]
 
@@ -33,6 +40,9 @@ STARVED_CHECKS = (*FILM_CHECKS, *TEMPERATURE_CHECKS, "C111", "C404", "C405")
 
 WIDE_CONTACT = 0.05
 """Half width of a line contact over the radius of the pivot beyond which the half-spaces of Hertz end."""
+
+TINY = 1e-9
+"""Load of a bearing in N that stands for none."""
 
 SETTLING = "W146"
 """Of a balance left open by less than a thousandth."""
@@ -91,18 +101,28 @@ def about_unloaded_pads(case: PadCase, films: PadFilms, margins: tuple[PadMargin
             continue
         pad = case.bearing.pads[one.number - 1]  # preload is given of pads that have not grown
         if not one.loaded:
-            if one.fold == 0.0:
-                needed = loading_preload(pad, films.solution)
-                yield Notice("W401", "centred", {
+            needed = loading_preload(pad, films.solution, one.fold)
+            if needed > pad.preload:
+                yield Notice("W401", "needed", {
                     "pad": one.number, "needed": needed, "preload": pad.preload,
                 })  # fmt: skip
-            else:
-                yield Notice("W401", "offset", {"pad": one.number})
-        elif one.margin < NEAR_FLUTTER:
-            ratio = one.fold + one.margin
-            yield Notice("W402", values={
-                "pad": one.number, "ratio": ratio, "margin": one.margin, "fold": one.fold,
-            })  # fmt: skip
+            else:  # its fold was not found, or is another in films with temperatures of their own
+                yield Notice("W401", "unknown", {"pad": one.number})
+            continue
+        share = films.solution.pads[one.number - 1].load / max(films.load, TINY)
+        if one.margin < NEAR_FLUTTER or share < LIGHTLY_LOADED:
+            yield from about_nearly_unloaded(one, share)
+
+
+def about_nearly_unloaded(margin: PadMargin, share: float) -> Iterator[Notice]:
+    """A pad that carries little or may soon carry nothing; one that unloads nowhere has no margin."""
+    if not math.isfinite(margin.margin):
+        yield Notice("W402", "light", {"pad": margin.number, "share": share})
+        return
+    ratio = margin.fold + margin.margin
+    yield Notice("W402", "near", {
+        "pad": margin.number, "share": share, "ratio": ratio, "margin": margin.margin, "fold": margin.fold,
+    })  # fmt: skip
 
 
 def about_light_pads(
@@ -112,8 +132,8 @@ def about_light_pads(
     solution = films.solution
     for one in solution.light:
         pad, share = one.number + 1, one.need / films.load
-        other = loaded_at_fold(case, solution, margins[one.number])
-        if not other.outcome.solved:
+        other = None if films.thermal is not None else loaded_at_fold(case, solution, margins[one.number])
+        if other is None or not other.outcome.solved:  # folds are those of films of one temperature
             yield Notice("W417", "alone", {"pad": pad, "need": one.need, "share": share, "least": one.least})
             continue
         carrying = condensed_at(with_pedestal(case, full_coefficients(other), other), 1.0)
@@ -175,19 +195,29 @@ def about_carry_over(case: PadCase, films: PadFilms) -> Iterator[Notice]:
             yield Notice("W404", "capped", {
                 "pad": place + 1, "taken": states[place].inflow,
                 "before": before + 1, "sent": states[before].outflow, "share": share,
+                "most": states[place].inflow / states[before].outflow,
             })  # fmt: skip
 
 
 def about_laminar_films(values: Mapping[str, float]) -> Iterator[Notice]:
-    """The Reynolds number at the machined clearance against the end of laminar films."""
+    """The Reynolds number at the machined clearance against the end of laminar films, and that at the assembled
+    one, which pads with preload have at their pivots."""
     reynolds, critical = values["film_reynolds_number"], values["critical_reynolds_number"]
     if reynolds > critical:
-        yield Notice("W407", values={"film_reynolds_number": reynolds, "critical_reynolds_number": critical})
+        machined, assembled = values["largest_pad_clearance"], values["assembled_clearance"]
+        yield Notice("W407", values={
+            "film_reynolds_number": reynolds, "critical_reynolds_number": critical, "machined": machined,
+            "assembled": assembled, "preload": values["preload"], "at_assembled": reynolds * assembled / machined,
+        })  # fmt: skip
 
 
 def about_contacts(films: PadFilms) -> Iterator[Notice]:
-    """Line contacts so wide that the law of Hertz ends."""
+    """Contacts that begin to yield, and line contacts so wide that the law of Hertz ends."""
     for number, (pad, state) in enumerate(zip(films.solution.bearing.pads, films.solution.pads, strict=True), 1):
+        if isinstance(pad.pivot, HertzContact) and state.load > 0.0:
+            pressure, bearable = pad.pivot.contact_pressure(state.load), pad.pivot.yield_factor * YIELD
+            if pressure > bearable:
+                yield Notice("W418", values={"pad": number, "pressure": pressure, "bearable": bearable})
         if isinstance(pad.pivot, LineContact) and state.load > 0.0:
             half = pad.pivot.half_width(state.load)
             if half > WIDE_CONTACT * pad.pivot.radius:

@@ -71,7 +71,8 @@ class PadFilms:
     ``conduction`` and ``bending`` are those of every pad, empty where none is asked for. ``profiles`` and
     ``clearances`` are those of the bearing without bending and growth, ``bent`` (pads, n + 1) what bending adds
     to the one, ``grown`` (pads,) what growth takes from the other, over the unit of length. ``unloaded`` is the e
-    below which pads that ``can_unload`` unseen do so. ``share`` is the part of the growth that is taken,
+    below which pads that ``can_unload`` unseen do so; pads of the numbers ``without`` never carry.
+    ``share`` is the part of the growth that is taken,
     ``solved`` the number of solutions of the film of a pad.
     """
 
@@ -99,13 +100,16 @@ class PadFilms:
     totals: Array = field(default_factory=lambda: np.zeros((0, PAD_TOTALS)))
     can_unload: NDArray[np.bool_] = field(default_factory=lambda: np.zeros(0, dtype=bool))
     unloaded: float | Array = -math.inf
+    without: tuple[int, ...] = ()
     share: float = 1.0
     passes: int = 0
     solved: int = 0
 
     @classmethod
-    def of(cls, bearing: TiltingPadBearing, heat: PadHeat, resolution: Resolution) -> PadFilms:
-        """Films at a temperature somewhat above that of the supply."""
+    def of(
+        cls, bearing: TiltingPadBearing, heat: PadHeat, resolution: Resolution, without: tuple[int, ...] = ()
+    ) -> PadFilms:
+        """Films at a temperature somewhat above that of the supply, with numbers of pads that never carry."""
         if bearing.turbulence is not None:
             raise InputError("E101", "turbulence is given; films with their own temperatures are laminar. Leave "
                              "it out, or take films of one temperature.")  # fmt: skip
@@ -143,7 +147,7 @@ class PadFilms:
             ring_of(bearing, n), columns, flows, new_cells(rows, 1, layers), oil,
             walls_of(bearing, heat, conduction, oil, rows, start), films, conduction, bending_of(bearing, heat, n),
             profiles.copy(), pads.bearing.lands[:, CLEARANCE].copy(), np.zeros((count, n + 1)), np.zeros(count),
-            totals=np.zeros((count, PAD_TOTALS)), can_unload=centred,
+            totals=np.zeros((count, PAD_TOTALS)), can_unload=centred, without=without,
         )  # fmt: skip
 
     def prepare(self, part: float) -> float:
@@ -155,6 +159,7 @@ class PadFilms:
         part = 1.0 if self.passes == 0 else part
         behind = prepare_films(self.pads, self.ring, self.columns, self.flows, self.films, fresh, part)
         self.places.unloaded_below[:] = self.unloaded
+        self.places.unloaded_below[list(self.without)] = math.inf
         self.places.fold[:] = np.nan
         self.places.films[0] = 0
         return float(behind)

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import math
 import time
+from collections.abc import Callable
 from dataclasses import dataclass, replace
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -34,9 +36,17 @@ from babbitt.reynolds.tilting_pads.model import TiltingPadBearing
 from babbitt.reynolds.tilting_pads.pivots import stiffness_of
 from babbitt.reynolds.tilting_pads.solution import LightPad, PadPosition, PadState, PadStatus, TiltingPadSolution
 
-__all__ = ["Fold", "fold_of", "solve_tilting_pads", "solve_with_light_pads", "tilting_pads_at"]
+__all__ = [
+    "Fold",
+    "fold_of",
+    "solve_tilting_pads",
+    "solve_with_light_pads",
+    "tilting_pads_at",
+    "without_light_pads",
+]
 
 Array = NDArray[np.float64]
+S = TypeVar("S", bound=TiltingPadSolution)
 
 LOWEST = -0.6
 """Eccentricity ratio at the pivot down to which a fold is sought."""
@@ -103,26 +113,36 @@ def solve_tilting_pads(
 def solve_with_light_pads(
     bearing: TiltingPadBearing, load: tuple[float, float], resolution: Resolution, share: float
 ) -> TiltingPadSolution:
-    """`solve_tilting_pads`, with pads that flutter about a fold of little load left without any.
+    """`solve_tilting_pads`, with pads that flutter about a fold of little load left without any."""
+
+    def solve(without: tuple[int, ...], start: tuple[float, float]) -> TiltingPadSolution:
+        return solve_tilting_pads(bearing, load, resolution, start=start, without=without)
+
+    return without_light_pads(solve, share * math.hypot(*load))
+
+
+def without_light_pads(solve: Callable[[tuple[int, ...], tuple[float, float]], S], most: float) -> S:
+    """Films with pads that flutter about a fold of little load left without any.
 
     Where a pad would have to carry less than it can, it carries in turn nothing and the load of its fold. If that
-    is no more than ``share`` of the load, the answer is that with the pad unloaded (``light`` names it); otherwise
-    there is none.
+    is no more than ``most`` (N), the answer is that with the pad unloaded (``light`` names it); otherwise there is
+    none.
+
+    Parameters
+    ----------
+    solve : callable
+        Solution without the pads of given numbers, from a place of the journal in m on.
+    most : float
     """
-    first = found = solve_tilting_pads(bearing, load, resolution)
+    first = found = solve((), (0.0, 0.0))
     light: dict[int, LightPad] = {}
     while found.outcome is Outcome.PAD_AT_LIMIT and found.limit_pad is not None:
         number, (need, least) = found.limit_pad, found.limit_loads
-        if number in light or not least <= share * math.hypot(*load):
+        if number in light or not least <= most:
             return first
         light[number] = LightPad(number, need, least)
-        found = solve_tilting_pads(bearing, load, resolution, start=flat(found), without=tuple(light))
+        found = solve(tuple(light), (float(found.position[0]), float(found.position[1])))
     return replace(found, light=tuple(light.values())) if found.outcome.solved else first
-
-
-def flat(found: TiltingPadSolution) -> tuple[float, float]:
-    """Place of the journal, m."""
-    return float(found.position[0]), float(found.position[1])
 
 
 def stiff_pads_under(

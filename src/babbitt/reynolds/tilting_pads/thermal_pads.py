@@ -23,11 +23,11 @@ from babbitt.reynolds.tilting_pads.kernel_pads import PadScales
 from babbitt.reynolds.tilting_pads.model import TiltingPadBearing
 from babbitt.reynolds.tilting_pads.pad_films import PadFilms
 from babbitt.reynolds.tilting_pads.pad_heat import THERMAL_PADS, PadHeat
-from babbitt.reynolds.tilting_pads.solve import OUTCOMES, groove_force
+from babbitt.reynolds.tilting_pads.solve import OUTCOMES, groove_force, without_light_pads
 from babbitt.reynolds.tilting_pads.thermal_pad_solution import ThermalTiltingPadSolution
 from babbitt.reynolds.tilting_pads.thermal_pad_states import Settled, thermal_solution
 
-__all__ = ["find_thermal_tilting_pads", "thermal_tilting_pads_at"]
+__all__ = ["find_thermal_tilting_pads", "thermal_pads_with_light_ones", "thermal_tilting_pads_at"]
 
 Array = NDArray[np.float64]
 
@@ -59,6 +59,9 @@ after which an attempt is given up."""
 HELD = 6
 """Passes in a row with a pad at its limit, behind which temperatures may change by `SWING`: each takes thousands
 of films."""
+FLUTTERS = 4
+"""Times that a pad comes to its limit in an attempt, loaded in between, behind which it flutters: it has no place
+at the temperatures that belong to either state."""
 MOST_FILMS = 40_000
 """Solutions of the film of a pad in one attempt: about 0.3 s."""
 ENDS = (Outcome.CONVERGED, Outcome.PAD_AT_LIMIT, Outcome.OUTSIDE_CLEARANCE)
@@ -74,6 +77,7 @@ def find_thermal_tilting_pads(
     resolution: Resolution = THERMAL_PADS,
     *,
     start: tuple[float, float] = (0.0, 0.0),
+    without: tuple[int, ...] = (),
 ) -> ThermalTiltingPadSolution:
     """Find where pads with their own temperatures carry a load.
 
@@ -88,6 +92,8 @@ def find_thermal_tilting_pads(
         ``axial_unknowns`` and ``intervals`` of every pad, ``tolerance`` of the force.
     start : tuple of float
         Where the search begins, m.
+    without : tuple of int
+        Pads that are taken not to carry, as of `solve.solve_tilting_pads`.
 
     Returns
     -------
@@ -104,7 +110,19 @@ def find_thermal_tilting_pads(
     begun, scales = time.perf_counter(), PadScales(bearing)
     wanted = (np.asarray(load) + groove_force(bearing)) * scales.sense / scales.force
     at = np.asarray(start) * scales.sense / scales.length
-    return thermal_solution(search(bearing, heat, resolution, wanted, at), begun)
+    return thermal_solution(search(bearing, heat, resolution, wanted, at, without), begun)
+
+
+def thermal_pads_with_light_ones(
+    bearing: TiltingPadBearing, load: tuple[float, float], heat: PadHeat, resolution: Resolution, share: float
+) -> ThermalTiltingPadSolution:
+    """`find_thermal_tilting_pads`, with pads that flutter about a fold of no more than a share of the load left
+    without any (`solve.without_light_pads`)."""
+
+    def solve(without: tuple[int, ...], start: tuple[float, float]) -> ThermalTiltingPadSolution:
+        return find_thermal_tilting_pads(bearing, load, heat, resolution, start=start, without=without)
+
+    return without_light_pads(solve, share * math.hypot(*load))
 
 
 def thermal_tilting_pads_at(
@@ -123,13 +141,14 @@ def thermal_tilting_pads_at(
 
 
 def search(
-    bearing: TiltingPadBearing, heat: PadHeat, resolution: Resolution, load: Array | None, at: Array
-) -> Settled:
+    bearing: TiltingPadBearing, heat: PadHeat, resolution: Resolution, load: Array | None, at: Array,
+    without: tuple[int, ...] = (),
+) -> Settled:  # fmt: skip
     """Attempts with ever smaller steps of the viscosity, or with more and more growth; without a load the journal
     stands."""
     passes = 0
     for part in RELAXATIONS:
-        settled = settle(PadFilms.of(bearing, heat, resolution), load, at, part)
+        settled = settle(PadFilms.of(bearing, heat, resolution, without), load, at, part)
         passes += settled.passes
         if settled.outcome in ENDS:
             break
@@ -147,7 +166,7 @@ def grow(failed: Settled, load: Array | None, at: Array) -> Settled:
     films, passes = failed.films, failed.passes
     best = failed
     for part in RELAXATIONS:
-        cold = PadFilms.of(films.bearing, films.heat, films.resolution)
+        cold = PadFilms.of(films.bearing, films.heat, films.resolution, films.without)
         cold.share = 0.0
         best = settle(cold, load, at, part)
         passes += best.passes
@@ -172,10 +191,11 @@ def settle(films: PadFilms, load: Array | None, at: Array, part: float, most: in
     """Passes until temperatures, shapes and journal converge.
 
     Where the end of a film jumps from node to node for ever, temperatures next to it swing; they are let be once
-    they only swing, by less than `SWING`. So are they where a pad stays at its limit.
+    they only swing, by less than `SWING`. So are they where a pad stays at its limit. A pad that comes to its
+    limit again and again stays there, too.
     """
     tolerance, change, rises = LOOSE, math.inf, np.zeros_like(films.films.temperature)
-    nearest, reached, held = math.inf, 0, 0
+    nearest, reached, held, flutters = math.inf, 0, 0, 0
     for passes in range(1, most + 1):
         behind = films.prepare(part) / THINNING
         if load is None:
@@ -198,9 +218,12 @@ def settle(films: PadFilms, load: Array | None, at: Array, part: float, most: in
         shaped, last = films.deform(placement.grid), rises
         rises = films.films.temperature - before
         swings = passes > PATIENT and float(np.vdot(rises, last)) < 0.0
+        flutters += placement.status == LIMIT and held == 0
         held = held + 1 if placement.status == LIMIT else 0
         if change < (SWING if swings or held >= HELD else SETTLED) and shaped < SHAPED:
             return Settled(films, placement, OUTCOMES.get(placement.status, Outcome.NOT_CONVERGED), passes)
+        if held and flutters >= FLUTTERS:
+            return Settled(films, placement, Outcome.PAD_AT_LIMIT, passes)
         tolerance = FINE * min(change, 1.0)
         if change < NEARER * nearest:
             nearest, reached = change, passes

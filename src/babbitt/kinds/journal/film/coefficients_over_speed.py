@@ -53,31 +53,30 @@ class SpeedRun:
     def table(self) -> CoefficientTable:
         """Give the coefficients over speed, with the equilibria and heat balances they belong to.
 
+        Speeds without equilibrium (`unsolved`) or without the stiffness asked for (`unfollowed`) are left out.
+
         Raises
         ------
         InputError
-            E003 when a speed has no equilibrium or no stiffness of the kind asked for, E004 when the direction of
-            the load changes with the speed.
+            E003 when none is left, E004 when the direction of the load changes with the speed.
         """
-        if self.unsolved:
-            speed, outcome = self.unsolved[0]
-            rpm = speed * 30.0 / math.pi
-            raise InputError("E003", f"{self.case.name}: no equilibrium at {rpm:.0f} rpm ({outcome.value})")
-        if self.unfollowed:
-            rpm = self.unfollowed[0] * 30.0 / math.pi
+        kept = [
+            one for one in self.solutions
+            if one.result.outcome.solved and NOT_FOLLOWED not in one.result.questioning_codes
+        ]  # fmt: skip
+        if not kept:
             raise InputError(
                 "E003",
-                f"{self.case.name}: no stiffness with following temperatures at {rpm:.0f} rpm, as a displaced "
-                "film did not converge; leave this speed out or choose temperature_coefficients: frozen",
+                f"{self.case.name}: no equilibrium, or no stiffness of the kind asked for, at any of the speeds",
             )
-        states: list[FilmState] = [one.state for one in self.solutions]
-        table = coefficient_table(self.case.name, map(_film_of, self.solutions), method_of_coefficients(self.case))
+        states: list[FilmState] = [one.state for one in kept]
+        table = coefficient_table(self.case.name, map(_film_of, kept), method_of_coefficients(self.case))
         heat = {name: np.array([getattr(state, own) for state in states]) for name, own in STATIC.items()}
         return replace(
             table,
             static={**table.static, **heat},
             temperatures=temperatures_of_coefficients(self.case),
-            warnings=tuple(one.result.questioning_codes for one in self.solutions),
+            warnings=tuple(one.result.questioning_codes for one in kept),
         )
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from itertools import pairwise
 from typing import Annotated, ClassVar, Literal
 
@@ -46,10 +46,18 @@ ProbeTemperature = Annotated[float, si("K", "20 degC", "250 degC")]
 LoadAngle = Annotated[float, si("rad", "-360 deg", "360 deg")]
 
 
+WITHOUT_LOAD = "a bearing without load, as of a vertical shaft, has position: {x: 0 um, y: 0 um} in place of load"
+"""Hint where a load is refused."""
+
+
 class PadOilSupply(Part):
     """Fresh oil of the pads."""
 
     example: ClassVar[str] = "{temperature: 40 degC, flow: 30 L/min}"
+    hints: ClassVar[Mapping[str, str]] = {
+        "pressure": "the pressure of the oil between the pads is groove_pressure, a field of the bearing; what "
+        "feeds the pads is supply.flow, or what they draw in"
+    }
 
     temperature: OilTemperature | None = Field(None, description="Temperature of the fresh oil.")
     flow: SupplyFlow | None = Field(
@@ -85,6 +93,8 @@ class PadJournalLimits(FilmLimitsInput):
 class PadOperatingPoint(Part):
     """One of several operating points. What it does not give is taken from the bearing."""
 
+    hints: ClassVar[Mapping[str, str]] = {"load": WITHOUT_LOAD}
+
     name: Name = Field(description="Name of the operating point.")
     load: Load | None = Field(None, description="Load of the bearing, or its components: {x: 22 kN, y: -35 kN}.")
     position: PositionInput | None = Field(None, description="Place of the journal centre, in place of the load.")
@@ -99,6 +109,8 @@ class PadOperatingPoint(Part):
 
 class TiltingPadJournalCase(PadFilmChoices, CaseFile):
     """A file with one journal bearing of tilting pads."""
+
+    hints: ClassVar[Mapping[str, str]] = {"load": WITHOUT_LOAD}
 
     kind: Literal["tilting_pad_journal"] = Field(description="Journal bearing of tilting pads.")
     name: Name = Field(description="Name of the bearing.")
@@ -259,8 +271,8 @@ class TiltingPadJournalCase(PadFilmChoices, CaseFile):
             yield Issue(("assumption_sensitivity",), says, "thermal: global, adiabatic or full, or leave it out")
 
     @rule
-    def _probes_know_their_pads(self) -> Iterator[Issue]:
-        yield from rules.probes_know_their_pads(self)
+    def _alarm_before_the_trip(self) -> Iterator[Issue]:
+        yield from rules.alarm_before_the_trip(self)
 
     @rule
     def _surface_speed(self) -> Iterator[Issue]:

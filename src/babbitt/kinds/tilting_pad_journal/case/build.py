@@ -14,7 +14,12 @@ from babbitt.core.notices import Notice
 from babbitt.core.result_name import ResultName
 from babbitt.design.conditions import OilSupply, PrescribedLoad, PrescribedPosition
 from babbitt.kinds.tilting_pad_journal.case.as_given import words_of
-from babbitt.kinds.tilting_pad_journal.case.heat import heat_assumptions, heat_choices, mode_stiffness
+from babbitt.kinds.tilting_pad_journal.case.heat import (
+    heat_assumptions,
+    heat_choices,
+    heat_not_read,
+    mode_stiffness,
+)
 from babbitt.kinds.tilting_pad_journal.case.pads import JournalPads, OnePad, clearances
 from babbitt.kinds.tilting_pad_journal.model import Accuracy, Feed, PadBearing, PadCase, Thermal
 from babbitt.properties.materials import LoadCharacter
@@ -83,7 +88,7 @@ def pad_case(case: TiltingPadJournalCase, point: PadOperatingPoint | None, named
         assumption_sensitivity=case.assumption_sensitivity,
         given=tuple(words_of(case, speed, which)),
         assumptions=(*case.assumptions, *assumptions_of(case)),
-        warnings=(*about_grouped_digits(case), *warnings_of(case, speed), *fields_not_read(case, point)),
+        warnings=(*about_grouped_digits(case), *warnings_of(case, speed, which), *fields_not_read(case, point)),
     )
 
 
@@ -167,13 +172,13 @@ def assumptions_of(case: TiltingPadJournalCase) -> Iterator[str]:
     yield from heat_assumptions(case)
 
 
-def warnings_of(case: TiltingPadJournalCase, speed: float) -> Iterator[Notice]:
-    """What of the pads is unusual."""
+def warnings_of(case: TiltingPadJournalCase, speed: float, which: str) -> Iterator[Notice]:
+    """What of the pads is unusual at one clearance."""
     fields = [case.pads.fields_of(number) for number in range(case.pads.count)]
     if case.pads.count == 2:
         yield Notice("W410", "two")
     for number, pad in enumerate(fields, 1):
-        machined, assembled = clearances(pad, case.diameter)
+        machined, assembled = clearances(pad, case.diameter, which)
         if assembled > machined:
             yield Notice("W410", "preload", {"pad": number, "preload": 1.0 - assembled / machined})
     if case.anticipated_cross_coupling is not None and case.clearance_cases == "mean":
@@ -195,6 +200,12 @@ def fields_not_read(case: TiltingPadJournalCase, point: PadOperatingPoint | None
         yield Notice("W183", "pad_mass", {"fields": unread})
     if isinstance(duty_of(case, point), PrescribedPosition):
         yield from not_read(case, "found_load", "load_angle")
+    if case.thermal_model != "isothermal":
+        yield from not_read(case, "found_temperature", "effective_temperature")
+    if unread := tuple(heat_not_read(case)):
+        yield Notice("W183", "other_heat", {
+            "fields": unread, "thermal": case.thermal_model, "deformation": case.deformation or ("none",),
+        })  # fmt: skip
     if case.thermal_model == "isothermal" and case.effective_temperature is not None:
         yield from not_read(case, "given_temperature", "supply.circulation_time")
 

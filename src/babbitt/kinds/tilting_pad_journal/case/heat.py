@@ -36,6 +36,7 @@ __all__ = [
     "heat_assumptions",
     "heat_choices",
     "heat_goes_with_the_films",
+    "heat_not_read",
     "mode_stiffness",
 ]
 
@@ -87,10 +88,7 @@ class PadJournalWalls(Part):
 
 
 def heat_goes_with_the_films(case: TiltingPadJournalCase) -> Iterator[Issue]:
-    """Complain of walls, materials and deformation that do not go with the films, and of what they lack."""
-    if is_given(case, "walls") and case.thermal_model != "full":
-        yield Issue(("walls",), "walls take heat from full thermal films only", "thermal: full")
-        return
+    """Complain of deformation that does not go with the films, of what it lacks, and of walls that say nothing."""
     if (says := without_films(case)) is not None:
         yield Issue(("deformation",), says, "thermal: full, with walls.pads")
         return
@@ -99,7 +97,10 @@ def heat_goes_with_the_films(case: TiltingPadJournalCase) -> Iterator[Issue]:
         return
     yield from refused(("walls", "pads"), lambda: pad_walls(case))
     yield from lacking(case)
-    yield from idle(case)
+    journal = case.walls.journal
+    if journal.ambient_temperature is not None and not journal.shaft_conductance:
+        says = "the surroundings of a shaft that conducts no heat make no difference"
+        yield Issue(("walls", "journal", "ambient_temperature"), says, "shaft_conductance, or leave it out")
 
 
 def without_films(case: TiltingPadJournalCase) -> str | None:
@@ -139,70 +140,40 @@ def lacking(case: TiltingPadJournalCase) -> Iterator[Issue]:
         yield Issue(("materials", "pads", "thermal_expansion"), MISSING, hint=hint, code="E003")
 
 
-def idle(case: TiltingPadJournalCase) -> Iterator[Issue]:
-    """What is given and would make no difference."""
-    growing, bending = ("growth" in case.deformation, "bending" in case.deformation)
-    grow = f"{growth_with_what_it_needs(case)}, or leave it out"
-    if case.reference_temperature is not None and not growing:
-        says = "the temperature of the clearances counts for growth alone"
-        yield Issue(("reference_temperature",), says, grow)
+def heat_not_read(case: TiltingPadJournalCase) -> Iterator[str]:
+    """Paths of what is given for another thermal model or deformation, and makes no difference here."""
+    full, growing = case.thermal_model == "full", "growth" in case.deformation
+    if not full and is_given(case, "walls"):
+        yield "walls"
     if not growing:
-        for name in ("journal", "housing"):
-            if getattr(case.materials, name) is not None:
-                says = f"the material of the {name} counts for growth alone"
-                yield Issue(("materials", name), says, grow)
-        if case.walls.housing.temperature is not None:
-            says = "the temperature of the housing counts for growth alone"
-            yield Issue(("walls", "housing", "temperature"), says, grow)
-    journal = case.walls.journal
-    if journal.ambient_temperature is not None and not journal.shaft_conductance:
-        says = "the surroundings of a shaft that conducts no heat make no difference"
-        yield Issue(("walls", "journal", "ambient_temperature"), says, "shaft_conductance, or leave it out")
-    if case.pad_bending == "plate" and not bending:
-        yield Issue(("pad_bending",), "nothing bends", "deformation: [bending], or leave it out")
-    given: list[tuple[tuple[str | int, ...], PadStructure]] = []
+        if case.reference_temperature is not None:
+            yield "reference_temperature"
+        yield from (f"materials.{name}" for name in ("journal", "housing") if is_given(case.materials, name))
+        if full and case.walls.housing.temperature is not None:
+            yield "walls.housing.temperature"
+    if case.pad_bending == "plate" and "bending" not in case.deformation:
+        yield "method.pad_bending"
     if case.materials.pads is not None:
-        given.append((("materials", "pads"), case.materials.pads))
-    given += [
-        (("pads", "each", number, "material"), one.material)
-        for number, one in enumerate(case.pads.each) if one.material is not None
-    ]  # fmt: skip
-    for path, material in given:
-        yield from idle_material(case, path, material)
+        yield from material_not_read(case, "materials.pads", case.materials.pads)
+    for number, one in enumerate(case.pads.each):
+        if one.material is not None:
+            yield from material_not_read(case, f"pads.each.{number}.material", one.material)
 
 
-def idle_material(
-    case: TiltingPadJournalCase, path: tuple[str | int, ...], material: PadStructure
-) -> Iterator[Issue]:
-    """What the material of pads gives and would make no difference."""
-    bending, heated = "bending" in case.deformation, case.walls.pads is not None
-    if not (heated or case.deformation):
-        says = "the material of pads that take no heat and do not bend makes no difference"
-        yield Issue(path, says, "walls.pads such as {}, or leave it out")
+def material_not_read(case: TiltingPadJournalCase, path: str, material: PadStructure) -> Iterator[str]:
+    """Paths of what the material of pads gives and would make no difference."""
+    full, bending = case.thermal_model == "full", "bending" in case.deformation
+    if not (case.deformation or (full and case.walls.pads is not None)):
+        yield path
         return
-    full, plate = case.thermal_model == "full", bending and case.pad_bending == "plate"
-    for name, counts, what, hint in (
-        ("elastic_modulus", bending, "the elastic modulus counts for bending alone", "deformation: [bending]"),
-        ("thermal_expansion", full and bool(case.deformation),
-         "thermal expansion counts for growth and bending by heat alone", "deformation: [growth]"),
-        ("conductivity", full, "conductivity counts for pads that take heat alone", "walls.pads such as {}"),
-        ("poisson_ratio", plate, "Poisson's ratio counts for plates alone", "pad_bending: plate"),
-    ):  # fmt: skip
+    for name, counts in (
+        ("elastic_modulus", bending),
+        ("thermal_expansion", full and bool(case.deformation)),
+        ("conductivity", full),
+        ("poisson_ratio", bending and case.pad_bending == "plate"),
+    ):
         if is_given(material, name) and not counts:
-            yield Issue((*path, name), what, f"{hint}, or leave it out")
-            return
-
-
-def growth_with_what_it_needs(case: TiltingPadJournalCase) -> str:
-    """The choice of growth, with what else a case must give for it."""
-    needs = [name for name, given in (
-        ("thermal: full", case.thermal_model == "full"),
-        ("walls.pads", case.walls.pads is not None),
-        ("reference_temperature", case.reference_temperature is not None),
-        ("materials.pads", case.materials.pads is not None),
-    ) if not given]  # fmt: skip
-    listed = " and ".join((", ".join(needs[:-1]), needs[-1]) if len(needs) > 1 else needs)
-    return "deformation: [growth]" + (f" (which needs {listed}, too)" if needs else "")
+            yield f"{path}.{name}"
 
 
 def heat_choices(case: TiltingPadJournalCase, supply: float | None) -> HeatChoices:

@@ -161,7 +161,8 @@ class RockerPivotInput(_ElasticPivot):
     """A steel rocker by an empirical law."""
 
     kind: Literal["rocker"] = Field(
-        description="Steel rocker in a steel housing, empirical: u = 1.530451e-10 P^0.9/l^0.8 (SI)."
+        description="Steel rocker in a steel housing, by Palmgren's empirical law of a roller on its raceway: "
+        "u = 1.530451e-10 P^0.9/l^0.8 (SI)."
     )
     length: Length | None = Field(None, description="Length of the rocker. That of the pad if not given.")
 
@@ -276,7 +277,7 @@ def written_pivot(pad: TiltingPad) -> str:
         case PointContact() as point:
             return f"point, {written_contact(point)}, {at}"
         case RockerContact() as rocker:
-            return f"rocker, {1e3 * rocker.length:.4g} mm long, empirical, {at}"
+            return f"rocker, {1e3 * rocker.length:.4g} mm long, empirical (Palmgren), {at}"
         case TablePivot() as table:
             return f"measured at {len(table.loads)} loads, {at}"
         case _:

@@ -22,7 +22,7 @@ __all__ = [
     "inertia_holds_the_mass",
     "pads_have_room",
     "position_within_the_pads",
-    "probes_know_their_pads",
+    "alarm_before_the_trip",
     "speed_is_given",
     "surface_speed_is_plausible",
     "temperature_is_known",
@@ -179,10 +179,6 @@ def position_within_the_pads(case: TiltingPadJournalCase) -> Iterator[Issue]:
 def temperature_is_known(case: TiltingPadJournalCase) -> Iterator[Issue]:
     """Complain of films whose temperature nothing says, or that the oil has no data for."""
     model = case.thermal_model
-    if model != "isothermal" and case.effective_temperature is not None:
-        says = f"{model} films find their temperature from friction and fresh oil"
-        yield Issue(("effective_temperature",), says, "thermal: isothermal, or leave it out")
-        return
     oil = case.lubricant.lubricant()
     for path, point in case.duties():
         own = point is not None and point.supply_temperature is not None
@@ -192,26 +188,21 @@ def temperature_is_known(case: TiltingPadJournalCase) -> Iterator[Issue]:
             hint += "" if model != "isothermal" else ", or effective_temperature"
             yield Issue(("supply", "temperature"), MISSING, hint=hint, code="E003")
             return
-        counts = case.effective_temperature if case.effective_temperature is not None else supplied
+        given = case.effective_temperature if model == "isothermal" else None
+        counts = supplied if given is None else given
         if counts is not None and not oil.covers(counts):
             low, high = (kelvin - ZERO_CELSIUS for kelvin in oil.temperature_range)
             says = f"{counts - ZERO_CELSIUS:.4g} degC lies outside the data of {oil.name}"
-            where = ("effective_temperature",) if case.effective_temperature is not None else (
+            where = ("effective_temperature",) if given is not None else (
                 (*path, "supply_temperature") if own else ("supply", "temperature")
             )  # fmt: skip
             yield Issue(where, says, f"{low:.4g} degC to {high:.4g} degC", code="E006")
             return
 
 
-def probes_know_their_pads(case: TiltingPadJournalCase) -> Iterator[Issue]:
-    """Complain of limits for probes in pads whose temperature nothing tells, and of an alarm above the trip."""
+def alarm_before_the_trip(case: TiltingPadJournalCase) -> Iterator[Issue]:
+    """Complain of an alarm above the trip."""
     alarm, trip = case.limits.probe_alarm, case.limits.probe_trip
-    if case.thermal_model not in ("adiabatic", "full"):
-        for name in ("probe_alarm", "probe_trip"):
-            if getattr(case.limits, name) is not None:
-                says = "only films with their own temperatures tell what a probe in a pad reads"
-                yield Issue(("limits", name), says, "thermal: full, or leave it out")
-                return
     if alarm is not None and trip is not None and alarm > trip:
         says = f"the alarm, {written(alarm, 'degC')}, lies above the trip"
         yield Issue(("limits", "probe_alarm"), says, f"up to {written(trip, 'degC')}")

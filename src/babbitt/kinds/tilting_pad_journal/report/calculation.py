@@ -165,7 +165,7 @@ def _stability(sheet: Worksheet, state: PadSolutionState) -> Iterator[Section]:
         yield Section(
             "Cross-coupling",
             (
-                sheet.given("critical_cross_coupling", "at which a motion begins to grow"),
+                sheet.given("critical_cross_coupling", "threshold, at which a motion begins to grow"),
                 sheet.line("cross_coupling_ratio", "critical_cross_coupling / anticipated_cross_coupling"),
             ),
             "Of the whole rotor, each of both bearings bears half of it.",

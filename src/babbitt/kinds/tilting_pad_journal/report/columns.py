@@ -17,10 +17,15 @@ COLUMNS = (
     column_without_limit("maximum_temperature", 4),
     column_with_limit("trailing_temperature", "T_lim", 4),
     column_without_limit("trailing_temperature", 4),
-    column_of("outlet_temperature", 8),
-    column_of("loaded_pads", 9),
+    column_of("probe_temperature", 3),
+    column_of("outlet_temperature", 9),
+    column_of("loaded_pads", 10),
     Column("δ_log / δ_lim", "", (reading_of("log_decrement"), limit_of("log_decrement")), 2, " / "),
     column_of("log_decrement_anticipated", 6),
     column_of("cross_coupling_ratio", 6),
+    column_of("stiffness_xx", 8),
+    column_of("stiffness_yy", 8),
+    column_of("damping_xx", 8),
+    column_of("damping_yy", 8),
 )
 """Of bearings of tilting pads."""

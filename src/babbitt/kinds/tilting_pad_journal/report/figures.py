@@ -72,8 +72,8 @@ def _painted(case: PadCase, state: PadSolutionState) -> Iterator[Painted]:
         )
     yield (
         "whirl-ratio",
-        "Stiffness and damping over the whirl ratio; dots: ratios of the case, dotted: fit of stiffness, "
-        "damping and virtual mass. At 1 they are synchronous.",
+        "Stiffness and damping over the whirl ratio, xx and xy broad, yy and yx narrow; dots: ratios of the case, "
+        "dotted: fit of stiffness, damping and virtual mass. At 1 they are synchronous.",
         plots.coefficients_over_whirl(case, dynamics),
         True,
     )
@@ -81,10 +81,10 @@ def _painted(case: PadCase, state: PadSolutionState) -> Iterator[Painted]:
         yield (
             "root-locus",
             "Free motions of rotor and pads as the mass of the rotor grows from a tenth (pale) to ten times "
-            "(dark) that of the case; filled: the case, with log decrements. Right of the dashed line motions "
-            "grow.",
+            "(dark) that of the case; filled: the case, with log decrements. Motions of pads that die within a "
+            "cycle are left out. Right of the dashed line motions grow.",
             plots.root_locus(case, dynamics),
-            False,
+            True,
         )
     if state.cross_coupling is not None:
         yield (

@@ -26,9 +26,13 @@ if TYPE_CHECKING:
 
 __all__ = ["coefficients_over_whirl", "pad_curve", "pad_loads", "root_locus"]
 
-ENTRIES = (("xx", 0, 0, INK, "-"), ("yy", 1, 1, INK, (0, (5, 2))), ("xy", 0, 1, GREY, "-"),
-           ("yx", 1, 0, GREY, (0, (5, 2))))  # fmt: skip
-"""Entries of a matrix with colour and stroke."""
+BROAD, CHAIN = "0.68", (0, (6, 2, 1, 2))
+ENTRIES = (("xx", 0, 0, BROAD, "-", 2.6), ("yy", 1, 1, INK, (0, (5, 2)), 0.9), ("xy", 0, 1, BROAD, CHAIN, 2.6),
+           ("yx", 1, 0, INK, CHAIN, 0.7))  # fmt: skip
+"""Entries of a matrix with colour, stroke and width: narrow and dark on broad and pale, for they may coincide."""
+
+WITHIN_A_CYCLE = math.tau
+"""Log decrement above which the locus leaves motions out: they die within a cycle, as motions of pads do."""
 
 MASSES = np.geomspace(0.1, 10.0, 41)
 """Masses over that of the rotor along the locus."""
@@ -95,18 +99,19 @@ def coefficients_over_whirl(case: PadCase, dynamics: PadDynamics) -> Figure:
     ratios = np.linspace(max(low, 0.02), max(high, 0.05), 81)
     found = [condensed_at(dynamics.full, float(ratio)) for ratio in ratios]
     fit, speed = dynamics.fit, dynamics.full.speed
-    for name, i, j, colour, stroke in ENTRIES:
+    for name, i, j, colour, stroke, width in ENTRIES:
         stiffness = 1e-6 * np.array([one.stiffness[i, j] for one in found])
         damping = 1e-3 * np.array([one.damping[i, j] for one in found])
-        left.plot(ratios, stiffness, color=colour, linestyle=stroke)
-        right.plot(ratios, damping, color=colour, linestyle=stroke, label=name)
+        drawn = {"color": colour, "linestyle": stroke, "linewidth": width}
+        left.plot(ratios, stiffness, **drawn)
+        right.plot(ratios, damping, **drawn, label=name)
         for one in dynamics.over_whirl:
-            left.plot([one.whirl_ratio], [1e-6 * one.stiffness[i, j]], ".", color=colour, markersize=3.5)
-            right.plot([one.whirl_ratio], [1e-3 * one.damping[i, j]], ".", color=colour, markersize=3.5)
+            left.plot([one.whirl_ratio], [1e-6 * one.stiffness[i, j]], ".", color=INK, markersize=3.5)
+            right.plot([one.whirl_ratio], [1e-3 * one.damping[i, j]], ".", color=INK, markersize=3.5)
         if fit is not None:
             fitted = 1e-6 * (fit.stiffness[i, j] - (ratios * speed) ** 2 * fit.mass[i, j])
-            left.plot(ratios, fitted, color=colour, linestyle=":", linewidth=0.8)
-            right.axhline(1e-3 * fit.damping[i, j], color=colour, linestyle=":", linewidth=0.8)
+            left.plot(ratios, fitted, color=GREY, linestyle=":", linewidth=0.8)
+            right.axhline(1e-3 * fit.damping[i, j], color=GREY, linestyle=":", linewidth=0.8)
     left.set(xlabel="whirl ratio $ν$", ylabel="$K$ in MN/m")
     right.set(xlabel="whirl ratio $ν$", ylabel="$C$ in kN s/m")
     right.legend(frameon=False, fontsize=7, ncols=4, loc="best", handlelength=1.8, columnspacing=1.0)
@@ -125,7 +130,7 @@ def _room(panel: Axes) -> None:
 def root_locus(case: PadCase, dynamics: PadDynamics) -> Figure:
     """Free motions in the plane of growth and frequency while the mass of the rotor grows tenfold both ways."""
     assert case.rotor_mass is not None
-    figure, ((panel,),) = Sheet(81.0, 64.0, left=12.0).panels()
+    figure, ((panel,),) = Sheet(166.0, 64.0, left=12.0).panels()
     chain = chain_of(case, dynamics.full)
     own = rotor_modes(chain, case.rotor_mass)
     bound = max(SLOW * chain.speed, *(1.25 * one.frequency for one in motions_of_the_rotor(own)))
@@ -134,7 +139,8 @@ def root_locus(case: PadCase, dynamics: PadDynamics) -> Figure:
         modes = [one for one in rotor_modes(chain, share * case.rotor_mass) if shown(one, bound)]
         panel.plot([one.growth for one in modes], [one.frequency / math.tau for one in modes], ".", color=shade,
                    markersize=2.5, markeredgewidth=0.0)  # fmt: skip
-    own = tuple(one for one in own if shown(one, bound))
+    rotor = motions_of_the_rotor(own)
+    own = tuple(one for one in own if shown(one, bound) or one in rotor)
     for mode in own:
         mark(panel, mode.growth, mode.frequency / math.tau)
     panel.axvline(0.0, color=GREY, linewidth=0.7, linestyle=(0, (5, 2)), zorder=1)
@@ -173,8 +179,8 @@ def close_together(modes: Iterable[Mode], panel: Axes) -> list[list[Mode]]:
 
 
 def shown(mode: Mode, bound: float) -> bool:
-    """Whether a motion swings and lies in the range of the locus."""
-    return 0.0 < mode.frequency < bound and abs(mode.growth) < bound
+    """Whether a motion swings in the range of the locus and outlasts a cycle."""
+    return 0.0 < mode.frequency < bound and abs(mode.growth) < bound and mode.log_decrement < WITHIN_A_CYCLE
 
 
 def pad_curve(case: PadCase, solution: TiltingPadSolution, margins: tuple[PadMargin, ...]) -> Figure:
@@ -199,7 +205,8 @@ def pad_curve(case: PadCase, solution: TiltingPadSolution, margins: tuple[PadMar
         right = at[0] < low + AT_THE_EDGE * (high - low)
         up = 6 if at[1] < 0.1 * largest else 3
         panel.annotate(", ".join(str(number + 1) for number in numbers), at, xytext=(4, 6) if right else (-4, up),
-                       textcoords="offset points", fontsize=7, ha="left" if right else "right")  # fmt: skip
+                       textcoords="offset points", fontsize=7, ha="left" if right else "right", zorder=7,
+                       bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6})  # fmt: skip
     panel.set_ylim(0.0, 1.6 * largest if largest > 0.0 else None)
     panel.set(xlabel="$ε_\\mathrm{p}$", ylabel="$W_\\mathrm{p}$ in kN")
     return figure

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-__all__ = ["seen_along_shaft"]
+__all__ = ["draw_along_shaft", "seen_along_shaft"]
 
 FILM, PRESSURE, PIVOT = 0.24, 0.5, 0.09
 """Machined clearance, highest pressure and depth of a pivot as drawn, over the radius of the journal."""
@@ -25,9 +25,15 @@ FILM, PRESSURE, PIVOT = 0.24, 0.5, 0.09
 
 def seen_along_shaft(case: PadCase, solution: TiltingPadSolution) -> Figure:
     """Journal among its pads; lengths of the films are drawn many times too large, all others to scale."""
+    figure, ((panel,),) = Sheet(81.0, 76.0, left=2.0, bottom=2.0).panels()
+    draw_along_shaft(panel, case, solution)
+    return figure
+
+
+def draw_along_shaft(panel: Axes, case: PadCase, solution: TiltingPadSolution) -> None:
+    """The same on axes that are given."""
     from matplotlib.patches import Circle
 
-    figure, ((panel,),) = Sheet(81.0, 76.0, left=2.0, bottom=2.0).panels()
     panel.set_aspect("equal")
     panel.axis("off")
     enlarged = FILM / case.bearing.pad_clearance
@@ -40,7 +46,6 @@ def seen_along_shaft(case: PadCase, solution: TiltingPadSolution) -> Figure:
     _load(panel, solution, enlarged)
     reach = inner + PRESSURE + 0.5
     panel.set(xlim=(-reach, reach), ylim=(-reach, reach))
-    return figure
 
 
 def bore_of(solution: TiltingPadSolution, number: int, angles: Array, enlarged: float) -> Array:

@@ -64,7 +64,7 @@ def _over_cross_coupling(panel: Axes, found: CrossCoupling, least: float) -> Non
     mark(panel, anticipated, found.full.anticipated_decrement)
     panel.set_xlim(0.0, 1e-6 * float(crosses[-1]))
     panel.set(xlabel="$Q$ in MN/m", ylabel="log decrement $δ$")
-    panel.legend(frameon=False, fontsize=7, loc="lower left", handlelength=1.8)
+    panel.legend(frameon=False, fontsize=7, loc="upper right", handlelength=1.8)
 
 
 def stability_table(result: Result) -> dict[str, Any]:

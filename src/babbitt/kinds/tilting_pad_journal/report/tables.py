@@ -37,7 +37,7 @@ HEAT = (
     "pad_growth",
     "pad_bending",
 )
-PIVOTS = ("pad_load", "pivot_displacement", "pivot_stiffness")
+PIVOTS = ("pad_load", "pivot_displacement", "pivot_stiffness", "pivot_contact_pressure")
 BENDING = ("pad_load", "pad_bending", "pad_bending_stiffness")
 
 
@@ -71,8 +71,13 @@ def _tables(result: Result) -> Iterator[dict[str, Any]]:
         )
     yield from sensitivity_tables(result)
     if "pivot_stiffness" in result.arrays:
+        names = tuple(name for name in PIVOTS if name in result.arrays)
         yield table_by_pad(
-            result, "Pivots", PIVOTS, "Load, how far the pivot gives way, and its stiffness under the load."
+            result,
+            "Pivots",
+            names,
+            "Load, how far the pivot gives way, its stiffness under the load, and the largest pressure in its "
+            "contact by Hertz.",
         )
     if "pad_bending_stiffness" in result.arrays:
         yield table_by_pad(

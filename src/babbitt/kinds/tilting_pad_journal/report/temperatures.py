@@ -9,7 +9,7 @@ import numpy as np
 
 from babbitt.core.units import ZERO_CELSIUS
 from babbitt.kinds.tilting_pad_journal.model import PadCase
-from babbitt.kinds.tilting_pad_journal.report.maps import angle_ticks, seam
+from babbitt.kinds.tilting_pad_journal.report.maps import AROUND, angle_ticks, seam, unrolled
 from babbitt.report.drawing import GREY, INK, Sheet
 from babbitt.reynolds.tilting_pads.thermal_pad_solution import ThermalTiltingPadSolution
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-__all__ = ["pad_temperatures"]
+__all__ = ["draw_temperatures", "pad_temperatures"]
 
 DASHED = (0, (5, 2))
 BARS = (
@@ -32,17 +32,16 @@ BARS = (
 def pad_temperatures(case: PadCase, found: ThermalTiltingPadSolution) -> Figure:
     """Bores and films over the angle, and four temperatures of every pad."""
     figure, ((left, right),) = Sheet(166.0, 62.0, 1, 2, across=15.0).panels()
-    _around(left, case, found)
+    draw_temperatures(left, case, found)
     _bars(right, found)
     return figure
 
 
-def _around(panel: Axes, case: PadCase, found: ThermalTiltingPadSolution) -> None:
+def draw_temperatures(panel: Axes, case: PadCase, found: ThermalTiltingPadSolution) -> None:
+    """Temperatures of bores and films over the angle, numbers of the pads at their pivots."""
     start = seam(case, found)
     for number, (state, heat) in enumerate(zip(found.pads, found.temperatures, strict=True), 1):
-        order = np.argsort(state.angles)
-        angles = state.angles[order]
-        theta = np.degrees(angles + (start + (float(angles[0]) - start) % math.tau - float(angles[0])))
+        theta, order = unrolled(state, start)
         bore, film = ("bore", "film, mean over the gap") if number == 1 else ("", "")
         panel.plot(theta, heat.bore[order] - ZERO_CELSIUS, color=INK, linewidth=1.0, label=bore)
         mean = heat.film_mean[order] - ZERO_CELSIUS
@@ -56,7 +55,7 @@ def _around(panel: Axes, case: PadCase, found: ThermalTiltingPadSolution) -> Non
     panel.set_ylim(low - 0.08 * (high - low), high + 0.3 * (high - low))
     panel.set_xlim(math.degrees(start), math.degrees(start) + 360.0)
     angle_ticks(panel)
-    panel.set(xlabel="θ in °, counter-clockwise from $+x$", ylabel="$T$ in °C")
+    panel.set(xlabel=AROUND, ylabel="$T$ in °C")
     panel.legend(frameon=False, fontsize=7, ncols=2, loc="upper left", handlelength=1.8, columnspacing=1.0)
 
 

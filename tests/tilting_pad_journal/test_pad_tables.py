@@ -1,0 +1,69 @@
+"""What tables show of every case: probe temperatures, stiffness and damping, each matrix in one unit."""
+
+import pytest
+from pad_journals import FILLON_OIL, HEATED, pad_case, result_of
+
+from babbitt.case import case_from_dict
+from babbitt.case.parts.study import StudyBlock
+from babbitt.core.quantities import AXES
+from babbitt.report.bearing_table import bearing_table
+from babbitt.report.content import content
+from babbitt.report.machine_table import columns_of
+from babbitt.report.table import console
+from babbitt.report.units_of_matrices import suited_among
+from babbitt.solving import solve
+from babbitt.study.plan import plan
+
+
+def shown(table):
+    """Lines of a table on the terminal."""
+    to = console(160)
+    with to.capture() as caught:
+        to.print(table)
+    return caught.get().splitlines()
+
+
+ASKEW = {"load_angle": "-89.99 deg"}
+"""Cross terms of some kN/m beside hundreds of MN/m."""
+
+
+@pytest.fixture(scope="module")
+def askew():
+    result = result_of(**ASKEW)
+    assert 1e4 < abs(result.values["stiffness_xy"]) < 1e-3 * result.values["stiffness_yy"]
+    return result
+
+
+@pytest.mark.parametrize("name", ["stiffness", "damping", "static_stiffness"])
+def test_entries_of_one_matrix_have_one_unit(askew, name):
+    units = {suited_among(f"{name}_{axes}", askew.values).display.label for axes in AXES}
+    assert len(units) == 1
+    symbols = {suited_among(f"{name}_{axes}", askew.values).symbol for axes in AXES}
+    lines = [line for line in shown(bearing_table(askew)) if any(f" {symbol} " in line for symbol in symbols)]
+    assert len(lines) == 4
+    (unit,) = units
+    assert all(line.rstrip().endswith(unit) for line in lines)
+
+
+def test_entries_of_one_matrix_have_one_unit_on_paper():
+    report = str(content(solve(case_from_dict(pad_case(**ASKEW)))))
+    assert "MN/m" in report
+    assert "kN/m" not in report
+
+
+def test_the_table_of_cases_has_probes_stiffness_and_damping():
+    points = [{"name": "slow", "speed": "2000 rpm"}, {"name": "fast"}]
+    case = pad_case(lubricant=FILLON_OIL, operating_points=points, **HEATED["B"])
+    results = solve(case_from_dict(case)).results
+    cells = {column.heading: column.cells(results) for column in columns_of(results)}
+    for place, result in enumerate(results):
+        assert cells["T_probe"][place] == f"{result.values['probe_temperature'] - 273.15:.1f}"
+        assert float(cells["k_yy"][place]) == pytest.approx(result.values["stiffness_yy"] / 1e6, rel=1e-3)
+        assert float(cells["c_xx"][place]) == pytest.approx(result.values["damping_xx"] / 1e3, rel=1e-3)
+
+
+def test_a_study_keeps_stiffness_damping_and_log_decrement():
+    asked = {"kind": "tolerance", "vary": {"pads.preload": {"values": [0.45, 0.49]}}, "samples": 2}
+    block = StudyBlock.model_validate(asked)
+    kept = plan(case_from_dict(pad_case(rotor_mass="1 t")), block).task.outputs
+    assert {"stiffness_yy", "damping_xy", "log_decrement", "minimum_film_thickness"} <= set(kept)

@@ -1,0 +1,45 @@
+"""Pressure in the contacts of pivots, and the Reynolds number at both clearances."""
+
+import pytest
+from pad_journals import OIL, result_of
+
+from babbitt.reynolds.tilting_pads.pivots import YIELD, PointContact
+
+POINT = {"kind": "point", "pivot_radius": "100 mm", "housing_radius": "110 mm"}
+ISOTHERMAL = {"thermal": "isothermal", "lubricant": OIL}
+
+
+def told(result, code):
+    return [one for one in result.warnings if one.code == code]
+
+
+def test_a_result_has_the_pressure_of_every_contact():
+    result = result_of({"pads.pivot": POINT}, **ISOTHERMAL)
+    (loads,), (pressures,) = result.arrays["pad_load"], result.arrays["pivot_contact_pressure"]
+    law = PointContact(0.1, 0.11)
+    assert pressures == pytest.approx([law.contact_pressure(load) for load in loads])
+    assert result.values["largest_contact_pressure"] == max(pressures)
+    assert "pivot_contact_pressure" not in result_of({"pads.pivot": {"kind": "rocker"}}, **ISOTHERMAL).arrays
+
+
+@pytest.mark.parametrize("over", [0.98, 1.02])
+def test_a_pivot_yields_from_1_6_times_its_yield_strength_on(over):
+    """A load that brings p_0 just below that, or just above; p_0 ~ P^(1/3) tells which, but for the other pads."""
+    pivot = POINT | {"housing_radius": "400 mm", "pivot_radius": "60 mm"}
+    load, wanted = 10.0, over * 1.6 * YIELD
+    for _ in range(9):
+        found = result_of({"pads.pivot": pivot}, **ISOTHERMAL | {"load": f"{load} kN"})
+        reached = found.values["largest_contact_pressure"]
+        load *= (wanted / reached) ** 3
+    assert bool(told(found, "W418")) == (reached > 1.6 * YIELD)
+    assert reached == pytest.approx(wanted, rel=0.01)
+
+
+def test_the_reynolds_number_is_given_at_both_clearances():
+    thin = OIL | {"dynamic_viscosity": "1 mPa s"}
+    fast = result_of(lubricant=thin, thermal="isothermal", speed="20000 rpm", load="3 kN")
+    (notice,) = told(fast, "W407")
+    values = notice.values
+    assert values["preload"] == pytest.approx(0.47)
+    assert values["at_assembled"] == pytest.approx(0.53 * values["film_reynolds_number"])
+    assert values["assembled"] == pytest.approx(0.53 * values["machined"])
