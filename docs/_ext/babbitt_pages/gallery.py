@@ -21,7 +21,8 @@ def examples() -> list[tuple[str, str]]:
 
 def write_pages(target: Path) -> None:
     """Write the page and a drawing for each example that has one."""
-    page = ["# Gallery", "Every case file of `examples/`, solved for this page: the first bearing of each that is drawn."]
+    intro = "Every case file of `examples/`, solved for this page: the first bearing of each that is drawn."
+    page = ["# Gallery", intro]
     for file, shows in examples():
         solved = solve(load_case(EXAMPLES / file))
         verdicts = ", ".join(dict.fromkeys(one.result.verdict.value for one in solved.solutions))
