@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from babbitt.core.files.writing import write_files
 from babbitt.core.limited_flow import whole
 from babbitt.report.design_figure import design_figures
-from babbitt.report.drawing import GREY, INK, PALE, Drawing, Sheet, legend_columns, mathematics, rendered, style
+from babbitt.report.drawing import GREY, INK, PALE, Drawing, legend_columns, mathematics, rendered, style
 from babbitt.report.optimum_figures import optimum_figures
 from babbitt.report.size_output import size_figure
 from babbitt.report.size_table import size_scale

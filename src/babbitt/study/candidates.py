@@ -131,9 +131,7 @@ def _candidate(
     margins = {code: min(line.get(advisory_name(code), math.nan) for line in lines) for code in advisories}
     missed = {code: margin for code, margin in margins.items() if margin < -ROUND_OFF}
     rules = [said for line in lines for said in departures(line)]
-    remarks = [
-        code for line in lines if line["verdict"] == Verdict.REMARKS.key for code in line["codes"].split()
-    ]
+    remarks = [code for line in lines if line["verdict"] == Verdict.REMARKS.key for code in line["codes"].split()]
     power, flow = (float(np.max([line[name] for line in lines])) for name in ("friction_power", "total_flow"))
     return Candidate(
         row=lines[0]["row"],
