@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from babbitt.core.language import decimal, translated
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Bound, Check
 
@@ -44,7 +45,7 @@ def number(quantity: str, value: float) -> str:
     known = QUANTITIES.get(quantity)
     if not math.isfinite(value):
         return "–"
-    return known.format(value) if known else f"{value:.4g}"
+    return known.format(value) if known else decimal(f"{value:.4g}")
 
 
 def comparison(check: Check) -> str:
@@ -68,8 +69,8 @@ def value_and_limit(check: Check) -> tuple[str, str]:
     bound = shown.shown(check.limit)
     for digits in range(5, 16):
         if float(f"{shown.shown(check.value):.{digits}g}") != float(f"{bound:.{digits}g}"):
-            return f"{shown.shown(check.value):.{digits}g} {shown.display.label}".rstrip(), limit
-    return f"{value} (rounded)", limit
+            return decimal(f"{shown.shown(check.value):.{digits}g} {shown.display.label}").rstrip(), limit
+    return translated("{value} (rounded)", value=value), limit
 
 
 def margin(check: Check) -> str:
@@ -83,5 +84,6 @@ def margin(check: Check) -> str:
     if known is not None and known.unit == "K":
         gap = check.limit - check.value if check.bound is Bound.AT_MOST else check.value - check.limit
         scale = known.display.scale
-        return f"{gap * scale:+.1f} {'K' if scale == 1.0 else '°F'}"
-    return f"{check.margin:+.0%}" if check.margin <= LARGEST_MARGIN else f"over {LARGEST_MARGIN:+.0%}"
+        return decimal(f"{gap * scale:+.1f} {'K' if scale == 1.0 else '°F'}")
+    most = LARGEST_MARGIN
+    return f"{check.margin:+.0%}" if check.margin <= most else translated("over {margin}", margin=f"{most:+.0%}")

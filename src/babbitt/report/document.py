@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, Literal
 from babbitt import __version__
 from babbitt.core.files.marks import CREATOR
 from babbitt.core.files.writing import require_writable, write_file
+from babbitt.core.language import ENGLISH, LANGUAGES, written_in
 from babbitt.core.nearest_name import unknown_name
 from babbitt.core.notices import InputError
 from babbitt.core.quantities import SYSTEMS, displayed_in
@@ -33,13 +34,20 @@ TEMPLATES = Path(__file__).parent / "templates"
 
 Format = Literal["pdf", "html"]
 
+STANDARDS: dict[str, list[str]] = {"pdf": ["ua-1"], "html": []}
+"""A PDF is one that screen readers can read (PDF/UA-1, ISO 14289-1): tagged, with alternative texts."""
+
 FORMATS: dict[str, Format] = {".pdf": "pdf", ".html": "html"}
 """Suffix of the file and format of the report."""
 
 
 def write_report(
-    machine: MachineResult, path: Path, level: Level | str = Level.STANDARD, units: str = "si"
-) -> None:
+    machine: MachineResult,
+    path: Path,
+    level: Level | str = Level.STANDARD,
+    units: str = "si",
+    language: str | None = None,
+) -> tuple[str, ...]:
     """Write the report of a machine.
 
     Parameters
@@ -51,11 +59,18 @@ def write_report(
         Inputs, results, checks and figures of every bearing; a page a machine; calculation and case file, too.
     units : {"si", "us"}
         Of tables and figures; lines of the calculation stay in SI.
+    language : {"en", "de", "ru"}, optional
+        That of the title block of the case if not given, English if that has none.
+
+    Returns
+    -------
+    tuple of str
+        Texts of the report that the language lacks, which stand there in English.
 
     Raises
     ------
     InputError
-        E005 for an unknown level or system of units; E007 for an unknown suffix, a path that cannot be written, or
+        E005 for an unknown level, system of units or language; E007 for an unknown suffix, a path that cannot be written, or
         a package that is not installed. Nothing is left behind then.
     """
     path = Path(path)
@@ -63,13 +78,17 @@ def write_report(
         raise InputError("E005", unknown_name(level, known, "a level of reports"))
     if units not in SYSTEMS:
         raise InputError("E005", unknown_name(units, SYSTEMS, "a system of units"))
+    chosen = language or (machine.title_block and machine.title_block.language) or ENGLISH
+    if chosen not in LANGUAGES:
+        raise InputError("E005", unknown_name(chosen, LANGUAGES, "a language of reports"))
     if path.suffix.lower() not in FORMATS:
         given = f"not {path.suffix}" if path.suffix else "and the name given has no suffix"
         raise InputError("E007", f"cannot write {path}: a report ends in .pdf or .html, {given}")
     require_writable(path)
-    with displayed_in(units):
+    with displayed_in(units), written_in(chosen) as missing:
         made = report(machine, FORMATS[path.suffix.lower()], Level(level))
     write_file(path, made)
+    return tuple(missing)
 
 
 def report(machine: MachineResult, report_format: Format, level: Level = Level.STANDARD) -> bytes:
@@ -109,7 +128,7 @@ def typeset(data: Any, template: str, report_format: Format) -> bytes:
         font_paths=fonts,
         sys_inputs={"data": json.dumps(data), "format": report_format, "generator": GENERATOR},
     )
-    made = compiler.compile(format=report_format, timestamp=0)
+    made = compiler.compile(format=report_format, timestamp=0, pdf_standards=STANDARDS[report_format])
     assert isinstance(made, bytes), "PDF and HTML are one file each"
     return _with_style(made) if report_format == "html" else made
 
