@@ -1,10 +1,11 @@
 """The language in which reports are written now, and the texts of other languages than English.
 
 English stands in the modules and in ``words.en.toml``. Another language has ``words.LANGUAGE.toml`` in the same
-folders: sentences of notices under their codes (`babbitt.core.notices.words`), other texts in two tables:
+folders: sentences of notices under their codes (`babbitt.core.notices.words`), other texts in three tables:
 
-- ``phrases``: the English text and that of the language. A ``{placeholder}`` stands for a part that changes; a
-  text that was composed elsewhere is recognised by its phrase, and its parts are translated alike.
+- ``phrases``: the English text and that of the language. A ``{placeholder}`` stands for a part that changes.
+- ``composed``: the same for texts that come composed, such as assumptions: they are recognised by the words between
+  the placeholders, and the parts are translated alike; ``{placeholder:number}`` is a number alone.
 - ``plurals``: an English noun and its forms after a number: two in German, three in Russian.
 
 A text without a translation stays English and is remembered, so that whoever writes the report can say so.
@@ -24,11 +25,13 @@ from importlib.resources.abc import Traversable
 from typing import Any
 
 __all__ = [
+    "COMPOSED",
     "ENGLISH",
     "LANGUAGES",
     "PHRASES",
     "PLURALS",
     "add_folder",
+    "composed",
     "decimal",
     "folders",
     "language",
@@ -37,6 +40,7 @@ __all__ = [
     "read_words",
     "translated",
     "translated_if_known",
+    "unit_sign",
     "written_in",
 ]
 
@@ -44,14 +48,14 @@ ENGLISH = "en"
 
 LANGUAGES = {ENGLISH: "English", "de": "German", "ru": "Russian"}
 
-PHRASES, PLURALS = "phrases", "plurals"
+PHRASES, COMPOSED, PLURALS = "phrases", "composed", "plurals"
 """Tables of a file of words that belong to no code."""
 
 NUMBER = re.compile(r"[±+−-]?\d+(\.\d+)?(e[+−-]?\d+)?\D{0,12}")
 """A number, perhaps with its unit."""
 
-UNITS = {"rpm": "min⁻¹"}
-"""Labels of units that are English words, and the sign of other languages (ISO 80000-3)."""
+UNITS = {"de": {"rpm": "1/min"}, "ru": {"rpm": "r/min"}}
+"""Labels of units that are English words, and their signs: DIN 1301-1, GOST 8.417 (international sign)."""
 
 _OTHERS: list[str] = []
 """Packages of other kinds that have texts."""
@@ -148,6 +152,16 @@ def decimal(number: str) -> str:
     return number if language() == ENGLISH else re.sub(r"(?<=\d)\.(?=\d)", ",", number)
 
 
+def unit_sign(label: str) -> str:
+    """The sign of a unit, which is another where the label is an English word.
+
+    >>> with written_in("de"):
+    ...     unit_sign("rpm"), unit_sign("MPa")
+    ('1/min', 'MPa')
+    """
+    return UNITS.get(language(), {}).get(label, label)
+
+
 def plural(noun: str, number: int) -> str:
     """The form of a noun after a number.
 
@@ -174,12 +188,22 @@ def plural(noun: str, number: int) -> str:
 @cache
 def phrases(tongue: str) -> Mapping[str, str]:
     """English texts and their translations."""
-    return {text: said for words in _words(tongue) for text, said in words.get(PHRASES, {}).items()}
+    return _table(tongue, PHRASES)
+
+
+@cache
+def composed(tongue: str) -> Mapping[str, str]:
+    """The same of texts that come composed."""
+    return _table(tongue, COMPOSED)
 
 
 @cache
 def _plurals(tongue: str) -> Mapping[str, Sequence[str]]:
-    return {noun: forms for words in _words(tongue) for noun, forms in words.get(PLURALS, {}).items()}
+    return _table(tongue, PLURALS)
+
+
+def _table(tongue: str, name: str) -> dict[str, Any]:
+    return {text: said for words in _words(tongue) for text, said in words.get(name, {}).items()}
 
 
 @cache
@@ -191,22 +215,16 @@ def _words(tongue: str) -> tuple[dict[str, Any], ...]:
 def _patterns(tongue: str) -> tuple[tuple[re.Pattern[str], str], ...]:
     """Phrases with placeholders as expressions that recognise a composed text, those with most words first."""
     found = []
-    for text, said in phrases(tongue).items():
-        parts = re.split(r"\{(\w+)\}", text)
-        if len(parts) > 1:
-            known: set[str] = set()
-            made = "".join(_piece(part, place, known) for place, part in enumerate(parts))
-            found.append((sum(map(len, parts[::2])), re.compile(made, re.DOTALL), said))
+    for text, said in composed(tongue).items():
+        parts = re.split(r"\{(\w+(?::number)?)\}", text)
+        made = "".join(_piece(part) if place % 2 else re.escape(part) for place, part in enumerate(parts))
+        found.append((sum(map(len, parts[::2])), re.compile(made, re.DOTALL), said))
     return tuple((pattern, said) for _, pattern, said in sorted(found, key=lambda one: -one[0]))
 
 
-def _piece(part: str, place: int, known: set[str]) -> str:
-    if place % 2 == 0:
-        return re.escape(part)
-    if part in known:
-        return f"(?P={part})"
-    known.add(part)
-    return f"(?P<{part}>.+?)"
+def _piece(placeholder: str) -> str:
+    name, _, kind = placeholder.partition(":")
+    return f"(?P<{name}>[+−-]?\\d[\\d.]*)" if kind else f"(?P<{name}>.+?)"
 
 
 @cache
@@ -221,7 +239,7 @@ def _recognised(text: str, tongue: str) -> str | None:
 def add_folder(package: str) -> None:
     """Know the texts of another package, which stand beside its modules."""
     _OTHERS.append(package)
-    for cached in (phrases, _plurals, _words, _patterns, _recognised):
+    for cached in (phrases, composed, _plurals, _words, _patterns, _recognised):
         cached.cache_clear()
 
 

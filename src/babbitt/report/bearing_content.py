@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from typing import Any
 
-from babbitt.core.language import ENGLISH, UNITS, language, translated, translated_if_known
+from babbitt.core.language import translated, translated_if_known, unit_sign
 from babbitt.core.notices import Effect, explanations
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Result
@@ -201,7 +201,7 @@ def _input(row: Row) -> Data:
     return vars(row) | {
         "label": translated_if_known(row.label),
         "value": translated_if_known(row.value),
-        "unit": UNITS.get(row.unit, row.unit) if language() != ENGLISH else row.unit,
+        "unit": unit_sign(row.unit),
     }
 
 

@@ -22,7 +22,7 @@ from functools import cache
 from importlib.resources import files
 from importlib.resources.abc import Traversable
 
-from babbitt.core.language import ENGLISH, PHRASES, PLURALS, add_folder, folders, language, read_words
+from babbitt.core.language import COMPOSED, ENGLISH, PHRASES, PLURALS, add_folder, folders, language, read_words
 from babbitt.core.notices.explanation import Effect, Explanation, Subject
 
 __all__ = ["ENGLISH", "PLACEHOLDER", "Words", "add_words", "explanations", "words"]
@@ -104,7 +104,7 @@ def _read(folder: Traversable, language: str) -> tuple[dict[str, dict[str, str]]
     """Explanations by code and messages by code and variant, as the file of one folder has them."""
     entries, messages = {}, {}
     for code, table in read_words(folder, language).items():
-        if code in (PHRASES, PLURALS):
+        if code in (PHRASES, COMPOSED, PLURALS):
             continue
         said = table if code == SHARED else table.pop("message", {})
         for variant, text in ({"": said} if isinstance(said, str) else said).items():

@@ -8,7 +8,7 @@ from contextvars import ContextVar
 from dataclasses import dataclass, replace
 from typing import Literal, get_args
 
-from babbitt.core.language import ENGLISH, UNITS, language
+from babbitt.core.language import unit_sign
 from babbitt.core.units import KINDS, ZERO_CELSIUS
 
 __all__ = [
@@ -207,8 +207,8 @@ def displayed_in(system: str) -> Iterator[None]:
 
 def in_system(unit: DisplayUnit) -> DisplayUnit:
     """The unit of the system that is spoken now which stands for one of the SI, by its sign in the language."""
-    if unit.label in UNITS and language() != ENGLISH:
-        return replace(unit, label=UNITS[unit.label])
+    if (sign := unit_sign(unit.label)) != unit.label:
+        return replace(unit, label=sign)
     if _SYSTEM.get() == "si":
         return unit
     return _PARTNERS.get(unit) or _BY_LABEL.get((unit.label, unit.scale), unit)
