@@ -160,6 +160,7 @@ def test_another_language_gives_what_it_has_and_english_the_rest(tmp_path, monke
     (tmp_path / "words.de.toml").write_text(german, encoding="utf-8")
     folders = (*loader.folders(), tmp_path)
     monkeypatch.setattr(loader, "folders", lambda: folders)
+    words.cache_clear()
     try:
         notice = Notice("W169", values={"starts": 5, "least": 20})
         assert notice.sentence("de") == "5 Gänge < 20"

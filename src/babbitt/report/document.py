@@ -34,7 +34,7 @@ TEMPLATES = Path(__file__).parent / "templates"
 
 Format = Literal["pdf", "html"]
 
-STANDARDS: dict[str, list[str]] = {"pdf": ["ua-1"], "html": []}
+STANDARDS: dict[str, list[str]] = {"pdf": ["ua-1"]}
 """A PDF is one that screen readers can read (PDF/UA-1, ISO 14289-1): tagged, with alternative texts."""
 
 FORMATS: dict[str, Format] = {".pdf": "pdf", ".html": "html"}
@@ -78,9 +78,7 @@ def write_report(
         raise InputError("E005", unknown_name(level, known, "a level of reports"))
     if units not in SYSTEMS:
         raise InputError("E005", unknown_name(units, SYSTEMS, "a system of units"))
-    chosen = language or (machine.title_block and machine.title_block.language) or ENGLISH
-    if chosen not in LANGUAGES:
-        raise InputError("E005", unknown_name(chosen, LANGUAGES, "a language of reports"))
+    chosen = language_of(machine, language)
     if path.suffix.lower() not in FORMATS:
         given = f"not {path.suffix}" if path.suffix else "and the name given has no suffix"
         raise InputError("E007", f"cannot write {path}: a report ends in .pdf or .html, {given}")
@@ -89,6 +87,21 @@ def write_report(
         made = report(machine, FORMATS[path.suffix.lower()], Level(level))
     write_file(path, made)
     return tuple(missing)
+
+
+def language_of(machine: MachineResult, asked: str | None = None) -> str:
+    """The language in which to write of a machine: the one asked for, else that of its title block, else English.
+
+    Raises
+    ------
+    InputError
+        E005 for one that is not known.
+    """
+    own = None if machine.title_block is None else machine.title_block.language
+    chosen = asked or own or ENGLISH
+    if chosen not in LANGUAGES:
+        raise InputError("E005", unknown_name(chosen, LANGUAGES, "a language of reports"))
+    return chosen
 
 
 def report(machine: MachineResult, report_format: Format, level: Level = Level.STANDARD) -> bytes:
@@ -128,7 +141,7 @@ def typeset(data: Any, template: str, report_format: Format) -> bytes:
         font_paths=fonts,
         sys_inputs={"data": json.dumps(data), "format": report_format, "generator": GENERATOR},
     )
-    made = compiler.compile(format=report_format, timestamp=0, pdf_standards=STANDARDS[report_format])
+    made = compiler.compile(format=report_format, timestamp=0, pdf_standards=STANDARDS.get(report_format, []))
     assert isinstance(made, bytes), "PDF and HTML are one file each"
     return _with_style(made) if report_format == "html" else made
 
