@@ -98,6 +98,12 @@ def solve(
         files, json, report, plots, fields, [table for case in cases for table in case.files], report_level, units,
         language,
     )
+    if report is not None or plots is not None:
+        from babbitt.report.languages import require_words
+
+        for case in cases:
+            own = case.title_block.language if case.title_block is not None else None
+            require_words([case.kind], language or own or Tongue.EN)
     if fields is not None:
         from babbitt.report.fields import require_films
 

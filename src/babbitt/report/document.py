@@ -11,13 +11,14 @@ from typing import TYPE_CHECKING, Any, Literal
 from babbitt import __version__
 from babbitt.core.files.marks import CREATOR
 from babbitt.core.files.writing import require_writable, write_file
-from babbitt.core.language import ENGLISH, LANGUAGES, written_in
+from babbitt.core.language import ENGLISH, written_in
 from babbitt.core.nearest_name import unknown_name
 from babbitt.core.notices import InputError
 from babbitt.core.quantities import SYSTEMS, displayed_in
 from babbitt.core.report_level import Level
 from babbitt.report.content import content
 from babbitt.report.drawing import missing_extra
+from babbitt.report.languages import require_words
 from babbitt.report.text import needs_system_fonts
 from babbitt.report.title_block import title_content
 
@@ -70,7 +71,7 @@ def write_report(
     Raises
     ------
     InputError
-        E005 for an unknown level, system of units or language; E007 for an unknown suffix, a path that cannot be written, or
+        E005 for an unknown level, system of units or language, or one without words for a kind; E007 for an unknown suffix, a path that cannot be written, or
         a package that is not installed. Nothing is left behind then.
     """
     path = Path(path)
@@ -95,12 +96,11 @@ def language_of(machine: MachineResult, asked: str | None = None) -> str:
     Raises
     ------
     InputError
-        E005 for one that is not known.
+        E005 for one that is not known, or that lacks the words of a kind of the machine.
     """
     own = None if machine.title_block is None else machine.title_block.language
     chosen = asked or own or ENGLISH
-    if chosen not in LANGUAGES:
-        raise InputError("E005", unknown_name(chosen, LANGUAGES, "a language of reports"))
+    require_words((result.kind for result in machine.results), chosen)
     return chosen
 
 
