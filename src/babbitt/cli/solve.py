@@ -95,7 +95,14 @@ def solve(
     cases = load_cases(files, reach(allow_outside))  # every problem of every file first; nothing is written before
     cases = _with_title_blocks(cases, document, report)
     plan = outputs(
-        files, json, report, plots, fields, [table for case in cases for table in case.files], report_level, units,
+        files,
+        json,
+        report,
+        plots,
+        fields,
+        [table for case in cases for table in case.files],
+        report_level,
+        units,
         language,
     )
     if report is not None or plots is not None:

@@ -4,8 +4,8 @@ English stands in the modules and in ``words.en.toml``. Another language has ``w
 folders: sentences of notices under their codes (`babbitt.core.notices.words`), other texts in three tables:
 
 - ``phrases``: the English text and that of the language. A ``{placeholder}`` stands for a part that changes.
-- ``composed``: the same for texts that come composed, such as assumptions: they are recognised by the words between
-  the placeholders, and the parts are translated alike; ``{placeholder:number}`` is a number alone.
+- ``composed``: the same for texts that come composed, such as assumptions: they are recognised by the words
+  between the placeholders, and the parts are translated alike; ``{placeholder:number}`` is a number alone.
 - ``plurals``: an English noun and its forms after a number: two in German, three in Russian.
 
 A text without a translation stays English and is remembered, so that whoever writes the report can say so.
@@ -134,7 +134,7 @@ def translated(text: str, /, **values: Any) -> str:
 
 
 def translated_if_known(text: str) -> str:
-    """A text that may be the user's own: translated where it is a known one, numbers in the form of the language."""
+    """A text that may be the user's own: translated where it is known, a number with the sign of the language."""
     tongue = language()
     if tongue == ENGLISH:
         return text

@@ -102,7 +102,11 @@ def assumptions_of(results: Iterable[Result]) -> Iterator[str]:
 def calculation_content(chapter: Chapter) -> list[Data]:
     """The calculation of a bearing, line by line: formula, numbers put in, result."""
     return [
-        {"title": translated(section.title), "remark": translated(section.remark), "lines": [_line(line) for line in section.lines]}
+        {
+            "title": translated(section.title),
+            "remark": translated(section.remark),
+            "lines": [_line(line) for line in section.lines],
+        }
         for section in _sections(chapter)
     ]
 
@@ -110,7 +114,12 @@ def calculation_content(chapter: Chapter) -> list[Data]:
 def figures_content(chapter: Chapter) -> list[Data]:
     """The figures of a bearing."""
     return [
-        {"name": drawing.name, "caption": translated(drawing.caption), "svg": drawing.image.decode(), "wide": drawing.wide}
+        {
+            "name": drawing.name,
+            "caption": translated(drawing.caption),
+            "svg": drawing.image.decode(),
+            "wide": drawing.wide,
+        }
         for drawing in figures_of(chapter)
     ]
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from babbitt.core.quantities import AXES
 from babbitt.core.language import translated
+from babbitt.core.quantities import AXES
 from babbitt.core.result import Result
 
 __all__ = ["temperature_remark"]

@@ -35,7 +35,7 @@ TEMPLATES = Path(__file__).parent / "templates"
 
 Format = Literal["pdf", "html"]
 
-STANDARDS: dict[str, list[str]] = {"pdf": ["ua-1"]}
+STANDARDS: dict[str, Literal["ua-1"]] = {"pdf": "ua-1"}
 """A PDF is one that screen readers can read (PDF/UA-1, ISO 14289-1): tagged, with alternative texts."""
 
 FORMATS: dict[str, Format] = {".pdf": "pdf", ".html": "html"}
@@ -71,8 +71,8 @@ def write_report(
     Raises
     ------
     InputError
-        E005 for an unknown level, system of units or language, or one without words for a kind; E007 for an unknown suffix, a path that cannot be written, or
-        a package that is not installed. Nothing is left behind then.
+        E005 for an unknown level, system of units or language, or one without words for a kind; E007 for an
+        unknown suffix, a path that cannot be written, or a package that is not installed. Nothing is left behind then.
     """
     path = Path(path)
     if level not in (known := [one.value for one in Level]):
@@ -141,7 +141,7 @@ def typeset(data: Any, template: str, report_format: Format) -> bytes:
         font_paths=fonts,
         sys_inputs={"data": json.dumps(data), "format": report_format, "generator": GENERATOR},
     )
-    made = compiler.compile(format=report_format, timestamp=0, pdf_standards=STANDARDS.get(report_format, []))
+    made = compiler.compile(format=report_format, timestamp=0, pdf_standards=STANDARDS.get(report_format))
     assert isinstance(made, bytes), "PDF and HTML are one file each"
     return _with_style(made) if report_format == "html" else made
 

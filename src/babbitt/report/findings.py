@@ -79,7 +79,9 @@ def _missed(results: Sequence[Result], concerned: Callable[[Check], bool]) -> tu
                 (translated(known.meaning) if known else quantity) + remark_on_zero(quantity, check.value),
                 tuple(result.name for result, _ in misses),
                 _names(results),
-                comparison(check) if len(misses) == 1 else translated("worst {comparison}", comparison=comparison(check)),
+                comparison(check)
+                if len(misses) == 1
+                else translated("worst {comparison}", comparison=comparison(check)),
                 explanations()[code].remedy if code in explanations() else "",
             )
         )
@@ -130,7 +132,9 @@ def missing_values(results: Sequence[Result]) -> tuple[Group, ...]:
             symbols.append(QUANTITIES[name].symbol)
             names.append(result.name)
     return tuple(
-        Group("", ", ".join(dict.fromkeys(symbols)), tuple(dict.fromkeys(names)), _names(results), translated(reason))
+        Group(
+            "", ", ".join(dict.fromkeys(symbols)), tuple(dict.fromkeys(names)), _names(results), translated(reason)
+        )
         for reason, (symbols, names) in found.items()
     )
 

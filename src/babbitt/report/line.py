@@ -82,7 +82,13 @@ class Line:
         shown = quantity.metric
         if (shown.scale, shown.offset) == (1.0, 0.0):
             return (si,)
-        return (si, (number_node(self.value * shown.scale + shown.offset, max(quantity.digits, 4)), unit_sign(shown.label)))
+        return (
+            si,
+            (
+                number_node(self.value * shown.scale + shown.offset, max(quantity.digits, 4)),
+                unit_sign(shown.label),
+            ),
+        )
 
     def _number(self, name: str) -> Node:
         return number_node(self.numbers[name], max(self.digits, VOCABULARY[name].digits))

@@ -49,12 +49,16 @@ def title_content(block: TitleBlock | None, today: datetime.date) -> Data:
     rows.append(("Date of calculation", block.date or today.isoformat()))
     return {
         "rows": [{"label": translated(label), "value": plain_text(value)} for label, value in rows if value],
-        "signatures": [{"what": translated(what), "who": plain_text(getattr(block, name) or "")} for what, name in SIGNATURES],
+        "signatures": [
+            {"what": translated(what), "who": plain_text(getattr(block, name) or "")} for what, name in SIGNATURES
+        ],
         "revisions": [
             [plain_text(word or "") for word in (one.revision, one.date, one.change, one.author)]
             for one in block.revisions
         ],
-        "mark": plain_text(" ".join(filter(None, (block.number, block.index and translated("rev. {index}", index=block.index))))),
+        "mark": plain_text(
+            " ".join(filter(None, (block.number, block.index and translated("rev. {index}", index=block.index))))
+        ),
         "logo": _logo(block),
     }
 

@@ -57,7 +57,9 @@ class Totals:
         alike = math.isclose(*flows, rel_tol=ONE_FLOW)
         shown = {name: value for name, value in self.values.items() if not (alike and name == "pump_flow")}
         known = [(name, value, QUANTITIES[name].suited(value)) for name, value in shown.items()]
-        return tuple(Sum(translated(NAMES[name]), q.symbol, q.format(value), q.display.label) for name, value, q in known)
+        return tuple(
+            Sum(translated(NAMES[name]), q.symbol, q.format(value), q.display.label) for name, value, q in known
+        )
 
     @property
     def sentence(self) -> str:
