@@ -182,3 +182,11 @@ def test_a_notice_is_written_in_the_language_when_it_is_shown():
         assert notice.message == "Gleitgeschwindigkeit 45,00 m/s > 20 m/s"
     assert notice.message == "surface speed 45.00 m/s > 20 m/s"
     assert QUANTITIES["surface_speed"].format(45.5) == "45.50"
+
+
+def test_letters_without_a_typeface_cost_the_claim_of_the_standard_alone(gear):
+    from dataclasses import replace
+
+    made = report(replace(gear, name="轴承 \U0001f600"), "pdf", Level.SUMMARY)
+    assert made.startswith(b"%PDF")
+    assert b"/StructTreeRoot" in made

@@ -38,6 +38,9 @@ Format = Literal["pdf", "html"]
 STANDARDS: dict[str, Literal["ua-1"]] = {"pdf": "ua-1"}
 """A PDF is one that screen readers can read (PDF/UA-1, ISO 14289-1): tagged, with alternative texts."""
 
+UNSHOWN = "could not be displayed with font"
+"""What typst says of a letter for which it has no typeface, which PDF/UA-1 forbids."""
+
 FORMATS: dict[str, Format] = {".pdf": "pdf", ".html": "html"}
 """Suffix of the file and format of the report."""
 
@@ -72,7 +75,7 @@ def write_report(
     ------
     InputError
         E005 for an unknown level, system of units or language, or one without words for a kind; E007 for an
-        unknown suffix, a path that cannot be written, or a package that is not installed. Nothing is left behind then.
+        unknown suffix, a path that cannot be written, or a package that is not installed. Nothing is left then.
     """
     path = Path(path)
     if level not in (known := [one.value for one in Level]):
@@ -125,6 +128,9 @@ def report(machine: MachineResult, report_format: Format, level: Level = Level.S
 def typeset(data: Any, template: str, report_format: Format) -> bytes:
     """What a template makes of texts and numbers.
 
+    A PDF follows PDF/UA-1, but where the case has letters that no typeface at hand can show: then it is tagged alike
+    and does not claim the standard.
+
     Raises
     ------
     InputError
@@ -141,7 +147,12 @@ def typeset(data: Any, template: str, report_format: Format) -> bytes:
         font_paths=fonts,
         sys_inputs={"data": json.dumps(data), "format": report_format, "generator": GENERATOR},
     )
-    made = compiler.compile(format=report_format, timestamp=0, pdf_standards=STANDARDS.get(report_format))
+    try:
+        made = compiler.compile(format=report_format, timestamp=0, pdf_standards=STANDARDS.get(report_format))
+    except typst.TypstError as error:
+        if UNSHOWN not in str(error):
+            raise
+        made = compiler.compile(format=report_format, timestamp=0)
     assert isinstance(made, bytes), "PDF and HTML are one file each"
     return _with_style(made) if report_format == "html" else made
 
