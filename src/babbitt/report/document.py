@@ -128,8 +128,8 @@ def report(machine: MachineResult, report_format: Format, level: Level = Level.S
 def typeset(data: Any, template: str, report_format: Format) -> bytes:
     """What a template makes of texts and numbers.
 
-    A PDF follows PDF/UA-1; where the case has letters that no typeface at hand can show, it is tagged alike and does
-    not claim the standard.
+    A PDF follows PDF/UA-1; where the case has letters that no typeface at hand can show, it is tagged alike and
+    does not claim the standard.
 
     Raises
     ------
