@@ -141,7 +141,7 @@ def _sections(chapter: Chapter) -> tuple[Section, ...]:
     if not chapter.view.of_every_state:
         return tuple(chapter.view.sections(chapter.shown.solution))
     return tuple(
-        replace(section, title=f"{translated(member.clearance).capitalize()}: {translated(section.title)}")
+        replace(section, title=f"{member.clearance.capitalize()}: {section.title.lower()}")
         for member in chapter.members
         for section in chapter.view.sections(member.solution)
     )
