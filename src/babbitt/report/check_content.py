@@ -77,7 +77,7 @@ def _what(check: Check) -> Data:
     return {
         "code": check.code,
         "quantity": label(check.quantity),
-        "advisory": check.advisory,
+        "advice": check.advisory,
         "symbol": symbol_node(quantity.symbol) if quantity else None,
     }
 

@@ -73,7 +73,7 @@ def checker_content(parts: Sequence[Chapter], limits: Sequence[Data]) -> Data:
             for part in parts
             if (governing := part.shown.result.governing_check) is not None
         ],
-        "limits": [one for one in limits if not one["advisory"]],
+        "limits": [one for one in limits if not one["advice"]],
     }
 
 
