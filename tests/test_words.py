@@ -158,8 +158,9 @@ def test_a_value_too_many_or_too_few_and_a_code_or_variant_that_is_not_there_are
 def test_another_language_gives_what_it_has_and_english_the_rest(tmp_path, monkeypatch):
     german = '[W169]\ntitle = "Wenige Nuten"\nmessage = "{starts} Gänge < {least}"\n'
     (tmp_path / "words.de.toml").write_text(german, encoding="utf-8")
-    folders = (*loader._folders(), tmp_path)
-    monkeypatch.setattr(loader, "_folders", lambda: folders)
+    folders = (*loader.folders(), tmp_path)
+    monkeypatch.setattr(loader, "folders", lambda: folders)
+    words.cache_clear()
     try:
         notice = Notice("W169", values={"starts": 5, "least": 20})
         assert notice.sentence("de") == "5 Gänge < 20"
@@ -173,7 +174,7 @@ def test_another_language_gives_what_it_has_and_english_the_rest(tmp_path, monke
 def test_a_text_stands_once():
     """Two files that explain one code, or give one message, would hide each other."""
     found: list[object] = []
-    for folder in loader._folders():
+    for folder in loader.folders():
         entries, messages = loader._read(folder, "en")
         found += [*entries, *messages]
     assert len(found) == len(set(found))

@@ -174,10 +174,13 @@ class MachineResults:
         data = ResultSet(names, self.results, (len(self),)).to_xarray()
         return data.rename({"point": "result"}).rename({f"{part}_name": part for part in PARTS})
 
-    def write_report(self, path: str | Path, level: str = "standard", units: str = "si") -> None:
+    def write_report(
+        self, path: str | Path, level: str = "standard", units: str = "si", language: str | None = None
+    ) -> None:
         """Write the report of the machine, as PDF or HTML by the suffix (`babbitt.report.document.write_report`).
 
-        `units` are those of tables and figures, "si" or "us".
+        `units` are those of tables and figures, "si" or "us"; `language` is "en", "de" or "ru", that of the title
+        block of the case if not given.
 
         Raises
         ------
@@ -186,7 +189,7 @@ class MachineResults:
         """
         from babbitt.report.document import write_report
 
-        write_report(self.machine, Path(path), level, units)
+        write_report(self.machine, Path(path), level, units, language)
 
     def __repr__(self) -> str:
         rows = self._rows()

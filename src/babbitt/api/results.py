@@ -302,10 +302,13 @@ class BearingResult:
 
         return frame_of([{}], [self])
 
-    def write_report(self, path: str | Path, level: str = "standard", units: str = "si") -> None:
+    def write_report(
+        self, path: str | Path, level: str = "standard", units: str = "si", language: str | None = None
+    ) -> None:
         """Write the report, as PDF or HTML by the suffix (`babbitt.report.document.write_report`).
 
-        `units` are those of tables and figures, "si" or "us".
+        `units` are those of tables and figures, "si" or "us"; `language` is "en", "de" or "ru", that of the title
+        block of the case if not given.
 
         Raises
         ------
@@ -319,7 +322,7 @@ class BearingResult:
         machine = MachineResult(
             self.name, (self.solution,), self.case_hash, case_text=self.case_text, title_block=block
         )
-        write_report(machine, Path(path), level, units)
+        write_report(machine, Path(path), level, units, language)
 
     def __getattr__(self, name: str) -> Any:
         if name.startswith("_") or "solution" not in self.__dict__:  # copying and pickling ask before all is there

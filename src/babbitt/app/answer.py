@@ -13,6 +13,7 @@ from babbitt.case.case_file import CaseFile
 from babbitt.case.method_mapping import METHOD, choices_of
 from babbitt.core.check_text import margin, value_and_limit
 from babbitt.core.files.reading import Reach
+from babbitt.core.language import written_in
 from babbitt.core.notices import Effect, InputError, explanations
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Bound, Check, Result
@@ -351,9 +352,11 @@ def compared(text: str) -> tuple[Table, ...]:
 
 def report_of(text: str, report_format: Any) -> bytes:
     """The report, as `babbitt solve --report` writes it."""
-    from babbitt.report.document import report
+    from babbitt.report.document import language_of, report
 
-    return report(solved(text), report_format)
+    machine = solved(text)
+    with written_in(language_of(machine)):
+        return report(machine, report_format)
 
 
 def json_of(text: str) -> str:

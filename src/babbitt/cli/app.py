@@ -45,6 +45,14 @@ class System(StrEnum):
 Units = Annotated[System, typer.Option("--units", help="Of tables, reports and plots; JSON and NetCDF stay SI.")]
 
 
+class Tongue(StrEnum):
+    """Languages of reports and plots."""
+
+    EN = "en"
+    DE = "de"
+    RU = "ru"
+
+
 def reach(allow_outside: bool) -> Reach:
     """Where the cases of a run may name files."""
     return Reach.ANYWHERE if allow_outside else Reach.FOLDER

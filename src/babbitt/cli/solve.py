@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from babbitt.cli.app import NO_SOLUTION, NOT_PASSED, AllowOutside, Files, System, Units, app, reach
+from babbitt.cli.app import NO_SOLUTION, NOT_PASSED, AllowOutside, Files, System, Tongue, Units, app, reach
 from babbitt.cli.interruption import INTERRUPTED, raised_interrupts
 from babbitt.cli.upgrading import report_former_places
 from babbitt.core.files.printing import printable
@@ -44,6 +44,10 @@ def solve(
             "full: calculation and case file, too.",
         ),
     ] = Level.STANDARD,
+    language: Annotated[
+        Tongue | None,
+        typer.Option(help="Of report and plots: English, German or Russian; else that of the case, else English."),
+    ] = None,
     plots: Annotated[Path | None, typer.Option(metavar="DIR", help="Write the plots into a folder.")] = None,
     fields: Annotated[
         Path | None, typer.Option(metavar="OUT", help="Write the fields of the films as NetCDF: OUT.nc.")
@@ -77,6 +81,7 @@ def solve(
         from babbitt.cli.solving_table import require_table, solve_rows
 
         unread: dict[str, object] = {"--json": json, "--plots": plots, "--fields": fields, "--document": document}
+        unread |= {"--language": language}
         rows = require_table(table, files, unread)
         solve_rows(files[0], rows, (csv, xlsx, report), workers, strict, reach(allow_outside), units)
         return
@@ -90,8 +95,22 @@ def solve(
     cases = load_cases(files, reach(allow_outside))  # every problem of every file first; nothing is written before
     cases = _with_title_blocks(cases, document, report)
     plan = outputs(
-        files, json, report, plots, fields, [table for case in cases for table in case.files], report_level, units
+        files,
+        json,
+        report,
+        plots,
+        fields,
+        [table for case in cases for table in case.files],
+        report_level,
+        units,
+        language,
     )
+    if report is not None or plots is not None:
+        from babbitt.report.languages import require_words
+
+        for case in cases:
+            own = case.title_block.language if case.title_block is not None else None
+            require_words([case.kind], language or own or Tongue.EN)
     if fields is not None:
         from babbitt.report.fields import require_films
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from babbitt.core.language import decimal, translated
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.quantities.display import SI, in_system
 from babbitt.core.result import Bound, Check
@@ -45,7 +46,7 @@ def number(quantity: str, value: float) -> str:
     known = QUANTITIES.get(quantity)
     if not math.isfinite(value):
         return "–"
-    return known.format(value) if known else f"{value:.4g}"
+    return known.format(value) if known else decimal(f"{value:.4g}")
 
 
 def comparison(check: Check) -> str:
@@ -69,8 +70,8 @@ def value_and_limit(check: Check) -> tuple[str, str]:
     bound = shown.shown(check.limit)
     for digits in range(5, 16):
         if float(f"{shown.shown(check.value):.{digits}g}") != float(f"{bound:.{digits}g}"):
-            return f"{shown.shown(check.value):.{digits}g} {shown.display.label}".rstrip(), limit
-    return f"{value} (rounded)", limit
+            return decimal(f"{shown.shown(check.value):.{digits}g} {shown.display.label}").rstrip(), limit
+    return translated("{value} (rounded)", value=value), limit
 
 
 def margin(check: Check) -> str:
@@ -90,5 +91,7 @@ def distance(share: float, kelvin: float = math.nan, decimals: int = 0) -> str:
         return "–"
     if math.isfinite(kelvin):
         unit = in_system(SI["K"])
-        return f"{kelvin * unit.scale:+.1f} {unit.label}"
-    return f"{share:+.{decimals}%}" if share <= LARGEST_MARGIN else f"over {LARGEST_MARGIN:+.0%}"
+        return decimal(f"{kelvin * unit.scale:+.1f} {unit.label}")
+    if share <= LARGEST_MARGIN:
+        return decimal(f"{share:+.{decimals}%}")
+    return translated("over {margin}", margin=f"{LARGEST_MARGIN:+.0%}")

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from typing import Any
 
+from babbitt.core.language import translated, translated_if_known, unit_sign
 from babbitt.core.notices import Effect, explanations
 from babbitt.core.quantities import QUANTITIES
+from babbitt.core.result import Result
 from babbitt.report import findings
 from babbitt.report import verdict as verdicts
 from babbitt.report.chapters import Chapter, Member
@@ -16,7 +19,7 @@ from babbitt.report.coefficient_temperatures import temperature_remark
 from babbitt.report.columns import ABSENT, is_fed
 from babbitt.report.drawing import Drawing
 from babbitt.report.expression import text
-from babbitt.report.inputs import inputs
+from babbitt.report.inputs import Row, inputs
 from babbitt.report.labels import label
 from babbitt.report.line import Line, Section
 from babbitt.report.machine_table import in_machine_table
@@ -67,17 +70,17 @@ def bearing_content(chapter: Chapter) -> Data:
             {"code": group.code, "title": group.title, "message": group.message}
             for group in findings.lacking(chapter.results)
         ],
-        "method": view.title or plain_text(result.method),
+        "method": translated(view.title or plain_text(result.method)),
         "outcomes": [_outcome(member) for member in chapter.members if not member.result.outcome.solved],
-        "answers": [plain_text(said) for said in view.sentences(result)],
-        "tables": list(view.tables(result)),
-        "heading": "Operating point" if in_machine_table(result) else "Results",
+        "answers": [translated(plain_text(said)) for said in view.sentences(result)],
+        "tables": [_table(table) for table in view.tables(result)],
+        "heading": translated("Operating point" if in_machine_table(result) else "Results"),
         "results": _key_results(chapter) if result.outcome.solved else [],
         "inputs": [
-            {"title": group.title, "rows": [vars(row) for row in group.rows]}
+            {"title": translated(group.title), "rows": [_input(row) for row in group.rows]}
             for group in inputs(shown.problem, view, chapter.given)
         ],
-        "assumptions": list(dict.fromkeys(plain_text(said) for r in chapter.results for said in r.assumptions)),
+        "assumptions": list(dict.fromkeys(assumptions_of(chapter.results))),
         "checks": compared_checks(chapter, sources) if several else checks,
         "sources": sources,
         "not_checked": [
@@ -85,17 +88,26 @@ def bearing_content(chapter: Chapter) -> Data:
             for group in findings.not_checked(chapter.results)
         ],
         "warnings": [
-            {"heading": heading, "found": found}
+            {"heading": translated(heading), "found": found}
             for effect, heading in WARNING_HEADINGS.items()
             if (found := _warnings(chapter, effect))
         ],
     }
 
 
+def assumptions_of(results: Iterable[Result]) -> Iterator[str]:
+    """What is assumed of some results; what the case itself says stays in its words."""
+    return (translated_if_known(plain_text(said)) for result in results for said in result.assumptions)
+
+
 def calculation_content(chapter: Chapter) -> list[Data]:
     """The calculation of a bearing, line by line: formula, numbers put in, result."""
     return [
-        {"title": section.title, "remark": section.remark, "lines": [_line(line) for line in section.lines]}
+        {
+            "title": translated(section.title),
+            "remark": translated(section.remark),
+            "lines": [_line(line) for line in section.lines],
+        }
         for section in _sections(chapter)
     ]
 
@@ -103,7 +115,12 @@ def calculation_content(chapter: Chapter) -> list[Data]:
 def figures_content(chapter: Chapter) -> list[Data]:
     """The figures of a bearing."""
     return [
-        {"name": drawing.name, "caption": drawing.caption, "svg": drawing.image.decode(), "wide": drawing.wide}
+        {
+            "name": drawing.name,
+            "caption": translated(drawing.caption),
+            "svg": drawing.image.decode(),
+            "wide": drawing.wide,
+        }
         for drawing in figures_of(chapter)
     ]
 
@@ -138,7 +155,7 @@ def _outcome(member: Member) -> Data:
     return {
         "clearance": f"{format_members([member.clearance]).capitalize()}: " if member.clearance else "",
         "code": outcome.code,
-        "title": outcome.value,
+        "title": translated(outcome.value),
         "message": message[:1].upper() + message[1:],
         "remedy": explanation.remedy if explanation else "",
     }
@@ -168,14 +185,14 @@ def _key_results(chapter: Chapter) -> list[Data]:
             )
     rows += [
         {
-            "label": f"{label(name, result.kind)}: {reason}",
+            "label": f"{label(name, result.kind)}: {translated(reason)}",
             "symbol": symbol_node(QUANTITIES[name].symbol),
             "values": [ABSENT] * len(chapter.results),
             "unit": "",
         }
         for name, reason in result.missing.items()
     ]
-    return [*rows, *chapter.view.rows(chapter.results)]
+    return [*rows, *(row | {"label": translated(row["label"])} for row in chapter.view.rows(chapter.results))]
 
 
 def _line(line: Line) -> Data:
@@ -185,9 +202,25 @@ def _line(line: Line) -> Data:
         "formula": line.formula,
         "substituted": line.substituted,
         "results": [{"number": number, "unit": unit} for number, unit in line.results],
-        "remark": plain_text(line.remark),
+        "remark": translated(plain_text(line.remark)),
         "spoken": f"{text(line.symbol)} = {text(line.results[-1][0])} {line.results[-1][1]}".strip(),
     }
+
+
+def _input(row: Row) -> Data:
+    return vars(row) | {
+        "label": translated_if_known(row.label),
+        "value": translated_if_known(row.value),
+        "unit": unit_sign(row.unit),
+    }
+
+
+def _table(table: Data) -> Data:
+    heads = [head | {"text": translated_if_known(head["text"])} for head in table["columns"]]
+    rows = [[translated_if_known(cell) for cell in row] for row in table["rows"]]
+    return table | {
+        "title": translated(table["title"]), "columns": heads, "rows": rows, "note": translated(table["note"])
+    }  # fmt: skip
 
 
 def _said(group: findings.Group) -> str:

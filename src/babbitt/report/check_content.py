@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 from typing import Any
 
 from babbitt.core import check_text
+from babbitt.core.language import translated
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Bound, Check, Result
 from babbitt.report import verdict as verdicts
@@ -24,8 +25,12 @@ BROKEN = {Bound.AT_MOST: ">", Bound.AT_LEAST: "<"}
 
 def sources_of(results: Iterable[Result]) -> list[str]:
     """Where the limits of some results come from, each source once."""
-    said = (plain_text(check.source) for result in results for check in solved_checks(result))
+    said = (_source(check) for result in results for check in solved_checks(result))
     return list(dict.fromkeys(said))
+
+
+def _source(check: Check) -> str:
+    return translated(plain_text(check.source))
 
 
 def solved_checks(result: Result) -> tuple[Check, ...]:
@@ -43,7 +48,7 @@ def check_content(check: Check, sources: Sequence[str] = ()) -> Data:
         "limit": limit,
         "margin": check_text.margin(check).replace("-", "−"),
         "verdict": verdicts.check_word(check).value,
-        "source": str(1 + sources.index(plain_text(check.source))) if sources else "",
+        "source": str(1 + sources.index(_source(check))) if sources else "",
     }
 
 
@@ -55,7 +60,7 @@ def compared_checks(chapter: Chapter, sources: Sequence[str]) -> list[Data]:
         found = [checks.get(key) for checks in by_member]
         present = [check for check in found if check is not None]
         quantity = QUANTITIES.get(present[0].quantity)
-        places = sorted({1 + sources.index(plain_text(check.source)) for check in present})
+        places = sorted({1 + sources.index(_source(check)) for check in present})
         rows.append(
             {
                 **_what(present[0]),
@@ -72,6 +77,7 @@ def _what(check: Check) -> Data:
     return {
         "code": check.code,
         "quantity": label(check.quantity),
+        "advice": check.advisory,
         "symbol": symbol_node(quantity.symbol) if quantity else None,
     }
 

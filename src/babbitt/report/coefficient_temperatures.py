@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from babbitt.core.language import translated
 from babbitt.core.quantities import AXES
 from babbitt.core.result import Result
 
@@ -28,4 +29,4 @@ def temperature_remark(name: str, result: Result) -> str:
     (', temperatures frozen', '')
     """
     held = result.settings.get(f"{HELD.get(name, '')}_temperatures", "")
-    return f", temperatures {held}" if held else ""
+    return f", {translated(f'temperatures {held}')}" if held else ""

@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
+from babbitt.core.language import translated
 from babbitt.core.limited_flow import quantity_held
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Result
@@ -73,7 +74,7 @@ def reading_of(name: str) -> Reading:
 def footnote(columns: Sequence[Column], results: Sequence[Result]) -> str:
     """What marks in a table mean; empty for none."""
     marked = any(MARK in cell for column in columns for cell in column.cells(results))
-    return MARKED if marked else ""
+    return translated(MARKED) if marked else ""
 
 
 def limit_of(name: str) -> Reading:

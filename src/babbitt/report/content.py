@@ -10,11 +10,13 @@ from collections import Counter
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
+from babbitt.core.language import language, phrases, translated
 from babbitt.core.report_level import Level
 from babbitt.core.result import Result, Verdict
 from babbitt.report import findings
 from babbitt.report.bearing_content import (
     Data,
+    assumptions_of,
     bearing_content,
     calculation_content,
     figures_content,
@@ -22,6 +24,7 @@ from babbitt.report.bearing_content import (
 )
 from babbitt.report.chapters import Chapter, chapters
 from babbitt.report.check_content import check_content
+from babbitt.report.checker_page import checker_content
 from babbitt.report.columns import footnote
 from babbitt.report.findings import Group
 from babbitt.report.machine_table import columns_of, in_machine_table, overview_columns, overview_results
@@ -54,8 +57,11 @@ def content(machine: MachineResult, level: Level = Level.FULL) -> Data:
     parts = chapters(machine.solutions)
     shared = _shared_assumptions(results) if level is Level.STANDARD else ()
     summed, marks = totals(results), footnote(columns_of(results), results)
+    worst = [_worst_case(results, code) for code in _codes(results, level)]
     return {
-        "name": plain_text(machine.name) or "Unnamed case",
+        "language": language(),
+        "words": dict(phrases(language())),
+        "name": plain_text(machine.name) or translated("Unnamed case"),
         "version": machine.version,
         "hash": machine.case_hash,
         "source": plain_text(machine.source),
@@ -66,12 +72,13 @@ def content(machine: MachineResult, level: Level = Level.FULL) -> Data:
         "incomplete": any(result.not_checked for result in results),
         **({"footnote": marks} if marks else {}),
         "totals": _totals(summed) if summed else None,
-        "worst": [_worst_case(results, code) for code in _codes(results, level)],
+        "worst": worst,
         "overview": _overview(() if level is Level.SUMMARY else results),
         "findings": _findings(results, level),
         "level": level.value,
         "shared_assumptions": list(shared),
         "bearings": [_bearing(part, level, len(parts), shared) for part in parts],
+        "checker": checker_content(parts, worst) if level is not Level.SUMMARY else None,
         "case_text": plain_lines(machine.case_text).strip("\n") if level is Level.FULL else "",
     }
 
@@ -84,7 +91,7 @@ def _shared_assumptions(results: Sequence[Result]) -> tuple[str, ...]:
     """What is assumed of every bearing of a machine of several."""
     if len({result.name for result in results}) < 2:
         return ()
-    first, *others = (dict.fromkeys(plain_text(said) for said in result.assumptions) for result in results)
+    first, *others = (dict.fromkeys(assumptions_of([result])) for result in results)
     return tuple(said for said in first if all(said in other for other in others))
 
 
@@ -104,13 +111,15 @@ def _count(results: Sequence[Result]) -> str:
     found = Counter(result.verdict for result in results)
     incomplete = any(result.not_checked for result in results)
     said = {
-        Verdict.PASS: "within all limits" + (" that could be checked" if incomplete else ""),
-        Verdict.REMARKS: "within the limits" + (" that could be checked" if incomplete else "") + ", with remarks",
+        Verdict.PASS: "within all limits that could be checked" if incomplete else "within all limits",
+        Verdict.REMARKS: "within the limits that could be checked, with remarks"
+        if incomplete
+        else "within the limits, with remarks",
         Verdict.FAIL: "beyond a limit",
         Verdict.NO_VERDICT: "without a verdict",
         Verdict.NO_SOLUTION: "without a solution",
     }
-    parts = [f"{found[word]} {words}" for word, words in said.items() if found[word]]
+    parts = [f"{found[word]} {translated(words)}" for word, words in said.items() if found[word]]
     if not any(result.checks for result in results) and set(found) == {Verdict.PASS}:
         return ""
     return f"{counted_results([result.name for result in results])}: {', '.join(parts)}."
@@ -207,7 +216,7 @@ def _findings(results: Sequence[Result], level: Level) -> list[Data]:
         ("Not checked, for want of data", findings.not_checked(results)),
     )
     return [
-        {"heading": heading, "groups": [_group(group) for group in groups]}
+        {"heading": translated(heading), "groups": [_group(group) for group in groups]}
         for heading, groups in sections
         if groups and not (level is Level.SUMMARY and heading in NOT_IN_SUMMARY)
     ]

@@ -11,12 +11,14 @@ from typing import TYPE_CHECKING, Any, Literal
 from babbitt import __version__
 from babbitt.core.files.marks import CREATOR
 from babbitt.core.files.writing import require_writable, write_file
+from babbitt.core.language import ENGLISH, written_in
 from babbitt.core.nearest_name import unknown_name
 from babbitt.core.notices import InputError
 from babbitt.core.quantities import SYSTEMS, displayed_in
 from babbitt.core.report_level import Level
 from babbitt.report.content import content
 from babbitt.report.drawing import missing_extra
+from babbitt.report.languages import require_words
 from babbitt.report.text import needs_system_fonts
 from babbitt.report.title_block import title_content
 
@@ -33,13 +35,23 @@ TEMPLATES = Path(__file__).parent / "templates"
 
 Format = Literal["pdf", "html"]
 
+STANDARDS: dict[str, Literal["ua-1"]] = {"pdf": "ua-1"}
+"""A PDF is one that screen readers can read (PDF/UA-1, ISO 14289-1): tagged, with alternative texts."""
+
+UNSHOWN = "could not be displayed with font"
+"""What typst says of a letter for which it has no typeface, which PDF/UA-1 forbids."""
+
 FORMATS: dict[str, Format] = {".pdf": "pdf", ".html": "html"}
 """Suffix of the file and format of the report."""
 
 
 def write_report(
-    machine: MachineResult, path: Path, level: Level | str = Level.STANDARD, units: str = "si"
-) -> None:
+    machine: MachineResult,
+    path: Path,
+    level: Level | str = Level.STANDARD,
+    units: str = "si",
+    language: str | None = None,
+) -> tuple[str, ...]:
     """Write the report of a machine.
 
     Parameters
@@ -51,25 +63,48 @@ def write_report(
         Inputs, results, checks and figures of every bearing; a page a machine; calculation and case file, too.
     units : {"si", "us"}
         Of tables and figures; lines of the calculation stay in SI.
+    language : {"en", "de", "ru"}, optional
+        That of the title block of the case if not given, English if that has none.
+
+    Returns
+    -------
+    tuple of str
+        Texts of the report that the language lacks, which stand there in English.
 
     Raises
     ------
     InputError
-        E005 for an unknown level or system of units; E007 for an unknown suffix, a path that cannot be written, or
-        a package that is not installed. Nothing is left behind then.
+        E005 for an unknown level, system of units or language, or one without words for a kind; E007 for an
+        unknown suffix, a path that cannot be written, or a package that is not installed. Nothing is left then.
     """
     path = Path(path)
     if level not in (known := [one.value for one in Level]):
         raise InputError("E005", unknown_name(level, known, "a level of reports"))
     if units not in SYSTEMS:
         raise InputError("E005", unknown_name(units, SYSTEMS, "a system of units"))
+    chosen = language_of(machine, language)
     if path.suffix.lower() not in FORMATS:
         given = f"not {path.suffix}" if path.suffix else "and the name given has no suffix"
         raise InputError("E007", f"cannot write {path}: a report ends in .pdf or .html, {given}")
     require_writable(path)
-    with displayed_in(units):
+    with displayed_in(units), written_in(chosen) as missing:
         made = report(machine, FORMATS[path.suffix.lower()], Level(level))
     write_file(path, made)
+    return tuple(missing)
+
+
+def language_of(machine: MachineResult, asked: str | None = None) -> str:
+    """The language in which to write of a machine: the one asked for, else that of its title block, else English.
+
+    Raises
+    ------
+    InputError
+        E005 for one that is not known, or that lacks the words of a kind of the machine.
+    """
+    own = None if machine.title_block is None else machine.title_block.language
+    chosen = asked or own or ENGLISH
+    require_words((result.kind for result in machine.results), chosen)
+    return chosen
 
 
 def report(machine: MachineResult, report_format: Format, level: Level = Level.STANDARD) -> bytes:
@@ -93,6 +128,9 @@ def report(machine: MachineResult, report_format: Format, level: Level = Level.S
 def typeset(data: Any, template: str, report_format: Format) -> bytes:
     """What a template makes of texts and numbers.
 
+    A PDF follows PDF/UA-1; where the case has letters that no typeface at hand can show, it is tagged alike and
+    does not claim the standard.
+
     Raises
     ------
     InputError
@@ -109,7 +147,12 @@ def typeset(data: Any, template: str, report_format: Format) -> bytes:
         font_paths=fonts,
         sys_inputs={"data": json.dumps(data), "format": report_format, "generator": GENERATOR},
     )
-    made = compiler.compile(format=report_format, timestamp=0)
+    try:
+        made = compiler.compile(format=report_format, timestamp=0, pdf_standards=STANDARDS.get(report_format))
+    except typst.TypstError as error:
+        if UNSHOWN not in str(error):
+            raise
+        made = compiler.compile(format=report_format, timestamp=0)
     assert isinstance(made, bytes), "PDF and HTML are one file each"
     return _with_style(made) if report_format == "html" else made
 

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.core.files.marks import CREATOR
+from babbitt.core.language import ENGLISH, language, translated
 from babbitt.core.notices import InputError
 from babbitt.core.optional_package import how_to_install
 from babbitt.core.quantities import QUANTITIES, Quantity
@@ -167,7 +168,11 @@ class Sheet:
 
 
 def rendered(figure: Figure, image_format: str) -> bytes:
-    """Write a figure without any date, so that equal figures are equal bytes."""
+    """Write a figure without any date, so that equal figures are equal bytes; in the language of the report."""
+    if language() != ENGLISH:
+        from babbitt.report.figure_words import translate_figure
+
+        translate_figure(figure)
     target = io.BytesIO()
     figure.savefig(target, format=image_format, dpi=200, metadata=_UNDATED[image_format])
     return target.getvalue()
@@ -190,7 +195,9 @@ def legend_columns(names: Sequence[str], width: float, size: float, most: int = 
 def axis_label(quantity: Quantity) -> str:
     """Symbol and unit, as mathematics: ``h_min in µm``."""
     symbol = mathematics(quantity.symbol)
-    return f"{symbol} in {quantity.display.label}" if quantity.display.label else symbol
+    if not quantity.display.label:
+        return symbol
+    return translated("{quantity} in {unit}", quantity=symbol, unit=quantity.display.label)
 
 
 LOW_DIGITS = {chr(0x2080 + digit): str(digit) for digit in range(10)}

@@ -27,6 +27,8 @@ from collections.abc import Callable, Mapping
 from functools import lru_cache
 from typing import Any
 
+from babbitt.core.language import decimal
+
 Node = list[Any]
 Leaf = Callable[[str], Node]
 
@@ -212,7 +214,7 @@ def _grouped(text: str) -> str:
     if len(digits) > 4:
         digits = f"{int(digits):,}".replace(",", "\u2009")
     sign = "−" if whole.startswith("-") else ""
-    return sign + digits + (f".{rest}" if rest else "")
+    return sign + decimal(digits + (f".{rest}" if rest else ""))
 
 
 def text(node: Node) -> str:

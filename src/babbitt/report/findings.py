@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from babbitt.core.check_text import comparison
+from babbitt.core.language import translated
 from babbitt.core.notices import Effect, Notice, Subject, explanations
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Check, Result
@@ -75,10 +76,12 @@ def _missed(results: Sequence[Result], concerned: Callable[[Check], bool]) -> tu
         groups.append(
             Group(
                 code,
-                (known.meaning if known else quantity) + remark_on_zero(quantity, check.value),
+                (translated(known.meaning) if known else quantity) + remark_on_zero(quantity, check.value),
                 tuple(result.name for result, _ in misses),
                 _names(results),
-                comparison(check) if len(misses) == 1 else f"worst {comparison(check)}",
+                comparison(check)
+                if len(misses) == 1
+                else translated("worst {comparison}", comparison=comparison(check)),
                 explanations()[code].remedy if code in explanations() else "",
             )
         )
@@ -113,7 +116,7 @@ def lacking(results: Sequence[Result]) -> Iterator[Group]:
             reasons = dict.fromkeys(plain_text(one.message) for one in missing)
             yield Group(
                 ", ".join(dict.fromkeys(one.code for one in missing)),
-                f"No check of the {subject.value} could be made",
+                translated(f"No check of the {subject.value} could be made"),
                 tuple(result.name for result in found),
                 _names(results),
                 "; ".join(reasons),
@@ -129,7 +132,9 @@ def missing_values(results: Sequence[Result]) -> tuple[Group, ...]:
             symbols.append(QUANTITIES[name].symbol)
             names.append(result.name)
     return tuple(
-        Group("", ", ".join(dict.fromkeys(symbols)), tuple(dict.fromkeys(names)), _names(results), reason)
+        Group(
+            "", ", ".join(dict.fromkeys(symbols)), tuple(dict.fromkeys(names)), _names(results), translated(reason)
+        )
         for reason, (symbols, names) in found.items()
     )
 
@@ -159,7 +164,7 @@ def _gathered(results: Sequence[Result], notices_of: Callable[[Result], Iterable
     groups = []
     for code, notices in sorted(found.items()):
         messages = list(dict.fromkeys(message for _, message in notices))
-        message = messages[0] if len(messages) == 1 else f"for example: {messages[0]}"
+        message = messages[0] if len(messages) == 1 else translated("for example: {message}", message=messages[0])
         explanation = explanations()[code]
         concerned = {id(result): result.name for result, _ in notices}
         names = tuple(concerned.values())
@@ -172,7 +177,7 @@ def unsolved(results: Sequence[Result]) -> tuple[Group, ...]:
     return tuple(
         Group(
             result.outcome.code,
-            result.outcome.value,
+            translated(result.outcome.value),
             (result.name,),
             _names(results),
             plain_text(result.message),

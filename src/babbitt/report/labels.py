@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from babbitt.core.language import translated
 from babbitt.core.quantities import AXES
 from babbitt.report.meanings import own_meaning
 from babbitt.report.vocabulary import VOCABULARY
@@ -126,7 +127,7 @@ def label(name: str, kind: str = "") -> str:
     'Rotational speed of the collar'
     """
     if own := own_meaning(name, kind):
-        return own
+        return translated(own)
     if name in SHORT:
-        return SHORT[name]
-    return VOCABULARY[name].meaning if name in VOCABULARY else name
+        return translated(SHORT[name])
+    return translated(VOCABULARY[name].meaning) if name in VOCABULARY else name

@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from babbitt.core.language import unit_sign
 from babbitt.report.expression import Node, number_node, tree
 from babbitt.report.vocabulary import PRINTED_UNITS, VOCABULARY, symbol
 
@@ -81,7 +82,13 @@ class Line:
         shown = quantity.metric
         if (shown.scale, shown.offset) == (1.0, 0.0):
             return (si,)
-        return (si, (number_node(self.value * shown.scale + shown.offset, max(quantity.digits, 4)), shown.label))
+        return (
+            si,
+            (
+                number_node(self.value * shown.scale + shown.offset, max(quantity.digits, 4)),
+                unit_sign(shown.label),
+            ),
+        )
 
     def _number(self, name: str) -> Node:
         return number_node(self.numbers[name], max(self.digits, VOCABULARY[name].digits))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from babbitt.core.kind import find_kind
+from babbitt.core.language import translated
 from babbitt.core.quantities import QUANTITIES
 
 __all__ = ["PUMPED", "meaning", "own_meaning", "remark_on_zero"]
@@ -28,7 +29,7 @@ def remark_on_zero(name: str, value: float) -> str:
     >>> remark_on_zero("critical_mass", 0.0), remark_on_zero("critical_mass", 12.0)
     ('; 0: no rotor is stable', '')
     """
-    return f"; 0: {OF_ZERO[name]}" if value == 0.0 and name in OF_ZERO else ""
+    return f"; 0: {translated(OF_ZERO[name])}" if value == 0.0 and name in OF_ZERO else ""
 
 
 def own_meaning(name: str, kind: str) -> str:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from babbitt.core.language import translated
 from babbitt.core.result_name import ResultName
 from babbitt.report.text import counted, plain_text
 
@@ -36,7 +37,8 @@ def format_members(members: Sequence[str]) -> str:
     ('minimum, mean clearance', 'hot state, cold state')
     """
     clearances = all(member in ("minimum", "mean", "maximum") for member in members)
-    return ", ".join(members) + (" clearance" if clearances else "")
+    listed_ones = ", ".join(map(translated, members))
+    return translated("{which} clearance", which=listed_ones) if clearances else listed_ones
 
 
 def bearing_of(name: str) -> str:
@@ -59,7 +61,9 @@ def counted_results(names: Sequence[str]) -> str:
     bearings = len({bearing_of(name) for name in names})
     if bearings == len(names):
         return counted(bearings, "bearing")
-    return f"{counted(len(names), 'case')} of {counted(bearings, 'bearing')}"
+    return translated(
+        "{cases} of {bearings}", cases=counted(len(names), "case"), bearings=counted(bearings, "bearing")
+    )
 
 
 def listed(names: Sequence[str], of: Sequence[str]) -> str:
@@ -81,10 +85,10 @@ def listed(names: Sequence[str], of: Sequence[str]) -> str:
     'A (minimum, mean clearance)'
     """
     if _is_whole(names, of):
-        return f"all {counted_results(of)}"
+        return translated("all {bearings}", bearings=counted_results(of))
     left_out = [name for name in of if name not in names]
     if len(left_out) <= FEW and 2 * len(left_out) < len(names):
-        return f"all {counted_results(of)} but {_joined(left_out)}"
+        return translated("all {bearings} but {others}", bearings=counted_results(of), others=_joined(left_out))
     return _joined(names)
 
 
@@ -97,7 +101,7 @@ def shortened(names: Sequence[str], of: Sequence[str]) -> str:
     if _is_whole(names, of) or len(names) <= NAMES_SHOWN:
         return listed(names, of)
     shown = "; ".join(plain_text(name) for name in names[:NAMES_SHOWN])
-    return f"{shown} and {len(names) - NAMES_SHOWN} more"
+    return translated("{shown} and {number} more", shown=shown, number=len(names) - NAMES_SHOWN)
 
 
 def _is_whole(names: Sequence[str], of: Sequence[str]) -> bool:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from babbitt.core.files.printing import printable, takes_all_letters
 from babbitt.core.files.writing import require_distinct, require_writable, write_file
+from babbitt.core.language import written_in
 from babbitt.core.notices import InputError
 from babbitt.core.quantities import displayed_in
 from babbitt.core.report_level import Level
@@ -30,6 +31,7 @@ class Target:
     fields: Path | None = None
     level: Level = Level.STANDARD
     units: str = "si"
+    language: str | None = None
 
     def files(self) -> tuple[Path, ...]:
         """The files that will be written, without the plots."""
@@ -55,11 +57,14 @@ class Target:
         if self.report is not None:
             from babbitt.report.document import write_report
 
-            write_report(machine, self.report, self.level, self.units)
+            missing = write_report(machine, self.report, self.level, self.units, self.language)
+            if missing:
+                print(_left_in_english(self.report, missing), file=sys.stderr)
         if self.plots is not None:
+            from babbitt.report.document import language_of
             from babbitt.report.figures import write_plots
 
-            with displayed_in(self.units):
+            with displayed_in(self.units), written_in(language_of(machine, self.language)):
                 write_plots(machine, self.plots)
         if self.fields is not None:
             from babbitt.report.fields import write_machine_fields
@@ -85,6 +90,7 @@ def outputs(
     tables: Sequence[Path] = (),
     level: Level = Level.STANDARD,
     units: str = "si",
+    language: str | None = None,
 ) -> Outputs:
     """Plan the outputs of a run, and make sure that each can be written.
 
@@ -100,7 +106,7 @@ def outputs(
     """
     alone = len(files) == 1
     targets = [Target(json, report, plots, fields)] if alone else _one_each(files, json, report, plots, fields)
-    targets = [replace(target, level=level, units=units) for target in targets]
+    targets = [replace(target, level=level, units=units, language=language) for target in targets]
     _refuse_collisions(inputs_of(files, tables), targets)
     for target in targets:
         _require_suffix(target.report)
@@ -142,6 +148,12 @@ def _one_each(
         )
         for file in files
     ]
+
+
+def _left_in_english(path: Path, missing: Sequence[str]) -> str:
+    """Say which texts of a report its language lacks."""
+    count = f"{len(missing)} texts stand" if len(missing) > 1 else "a text stands"
+    return f"{printable(path)}: {count} in English, for which the language has no words; the first: {missing[0]!r}"
 
 
 def inputs_of(files: Sequence[Path], tables: Sequence[Path]) -> Mapping[Path, str]:

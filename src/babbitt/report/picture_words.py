@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
+from babbitt.core.language import decimal, translated
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.units import written
 
@@ -31,7 +32,7 @@ def millimetres(symbol: str, length: float) -> str:
     >>> millimetres("D", 0.0436)
     'D = 43.6 mm'
     """
-    return f"{symbol} = {written(length, 'mm')}"
+    return decimal(f"{symbol} = {written(length, 'mm')}")
 
 
 def enlarged(what: str, factor: float) -> str:
@@ -40,7 +41,7 @@ def enlarged(what: str, factor: float) -> str:
     >>> enlarged("film", 146.7)
     'film × 147'
     """
-    return f"{what} × {float(f'{factor:.3g}'):g}"
+    return decimal(f"{translated(what)} × {float(f'{factor:.3g}'):g}")
 
 
 def round_below(value: float) -> float:

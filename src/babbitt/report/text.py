@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 import unicodedata
 
+from babbitt.core.language import plural
+
 _DIRECTION_MARKS = {chr(c) for c in (*range(0x202A, 0x202F), *range(0x2066, 0x206A), 0x200E, 0x200F, 0x061C)}
 _TYPEFACE_RANGES = (
     (0x0020, 0x0530),  # Latin, Greek, Cyrillic
@@ -52,7 +54,7 @@ def counted(number: int, noun: str) -> str:
     >>> counted(1, "bearing"), counted(11, "bearing")
     ('1 bearing', '11 bearings')
     """
-    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
+    return f"{number} {plural(noun, number)}"
 
 
 def plain_lines(text: str) -> str:

@@ -11,6 +11,7 @@ from pydantic import ValidationError
 from babbitt.case.loading import problems_of
 from babbitt.case.parts.title_block import TitleBlock
 from babbitt.case.problems import CaseError, Problem
+from babbitt.core.language import translated
 from babbitt.report.text import plain_text
 
 __all__ = ["title_block_of_options", "title_content"]
@@ -47,13 +48,17 @@ def title_content(block: TitleBlock | None, today: datetime.date) -> Data:
     rows = [(label, getattr(block, name) or "") for label, name in ROWS]
     rows.append(("Date of calculation", block.date or today.isoformat()))
     return {
-        "rows": [{"label": label, "value": plain_text(value)} for label, value in rows if value],
-        "signatures": [{"what": what, "who": plain_text(getattr(block, name) or "")} for what, name in SIGNATURES],
+        "rows": [{"label": translated(label), "value": plain_text(value)} for label, value in rows if value],
+        "signatures": [
+            {"what": translated(what), "who": plain_text(getattr(block, name) or "")} for what, name in SIGNATURES
+        ],
         "revisions": [
             [plain_text(word or "") for word in (one.revision, one.date, one.change, one.author)]
             for one in block.revisions
         ],
-        "mark": plain_text(" ".join(filter(None, (block.number, block.index and f"rev. {block.index}")))),
+        "mark": plain_text(
+            " ".join(filter(None, (block.number, block.index and translated("rev. {index}", index=block.index))))
+        ),
         "logo": _logo(block),
     }
 

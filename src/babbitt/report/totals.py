@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
+from babbitt.core.language import translated
 from babbitt.core.limited_flow import quantity_held
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Result
@@ -48,7 +49,7 @@ class Totals:
     @property
     def heading(self) -> str:
         """What the sums are of."""
-        return f"Total of {counted(self.bearings, 'bearing')}"
+        return translated("Total of {bearings}", bearings=counted(self.bearings, "bearing"))
 
     @property
     def sums(self) -> tuple[Sum, ...]:
@@ -57,7 +58,9 @@ class Totals:
         alike = math.isclose(*flows, rel_tol=ONE_FLOW)
         shown = {name: value for name, value in self.values.items() if not (alike and name == "pump_flow")}
         known = [(name, value, QUANTITIES[name].suited(value)) for name, value in shown.items()]
-        return tuple(Sum(NAMES[name], q.symbol, q.format(value), q.display.label) for name, value, q in known)
+        return tuple(
+            Sum(translated(NAMES[name]), q.symbol, q.format(value), q.display.label) for name, value, q in known
+        )
 
     @property
     def sentence(self) -> str:

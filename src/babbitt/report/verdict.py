@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from enum import Enum
 
+from babbitt.core.language import translated
 from babbitt.core.limited_flow import whole
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.quantities.display import SI
@@ -32,7 +33,7 @@ def unchecked(result: Result) -> str:
     A verdict counts only what was checked, so this stands beside it.
     """
     number = len(result.not_checked)
-    return f"{counted(number, 'check')} not made" if number else ""
+    return translated("{checks} not made", checks=counted(number, "check")) if number else ""
 
 
 def check_word(check: Check) -> CheckWord:

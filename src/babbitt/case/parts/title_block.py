@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import datetime
 from collections.abc import Iterator
-from typing import Annotated, Self
+from typing import Annotated, Literal, Self
 
 from pydantic import AfterValidator, Field, PrivateAttr
 
@@ -48,6 +48,9 @@ class RevisionEntry(Part):
 class TitleBlock(Part):
     """What a report says of itself; nothing of it enters the calculation or the hash of the case."""
 
+    language: Literal["en", "de", "ru"] | None = Field(
+        None, description="Of the report: English, German or Russian; en if not given."
+    )
     project: Name | None = Field(None, description="What the bearing is for.")
     client: Name | None = Field(None, description="Whom the report is for.")
     number: Name | None = Field(None, description="Of the document.")

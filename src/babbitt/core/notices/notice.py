@@ -7,8 +7,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from babbitt.core.language import ENGLISH, decimal, language, translated_if_known, written_in
 from babbitt.core.notices.explanation import Effect
-from babbitt.core.notices.words import ENGLISH, PLACEHOLDER, explanations, words
+from babbitt.core.notices.words import PLACEHOLDER, explanations, words
 from babbitt.core.quantities import QUANTITIES, Quantity
 from babbitt.core.quantities.display import SI
 
@@ -57,17 +58,18 @@ class Notice:
 
     @property
     def message(self) -> str:
-        """The sentence in English."""
-        return self.sentence()
+        """The sentence with its values in the language that is written now; in English where that has none.
 
-    def sentence(self, language: str = ENGLISH) -> str:
-        """The sentence with its values, in English where the language has none.
-
-        >>> Notice("W169", values={"starts": 5, "least": 20}).sentence()
+        >>> Notice("W169", values={"starts": 5, "least": 20}).message
         '5 starts < 20'
         """
-        said = words(language).message(self.code, self.variant)
-        return PLACEHOLDER.sub(lambda found: _shown(self.values[found[1]], found[2] or found[1], language), said)
+        said = words(language()).message(self.code, self.variant)
+        return PLACEHOLDER.sub(lambda found: _shown(self.values[found[1]], found[2] or found[1]), said)
+
+    def sentence(self, chosen: str = ENGLISH) -> str:
+        """The same in a language of its own."""
+        with written_in(chosen):
+            return self.message
 
     def plain_values(self) -> dict[str, Any]:
         """The values for JSON: clauses as their values, several as a list, null for what is not finite."""
@@ -81,17 +83,17 @@ def quantity_shown(measure: str) -> Quantity | None:
     return QUANTITIES.get(measure)
 
 
-def _shown(value: Any, measure: str, language: str) -> str:
+def _shown(value: Any, measure: str) -> str:
     if isinstance(value, Notice):
-        return value.sentence(language)
+        return value.message
     if isinstance(value, tuple):
         joint = "; " if any(isinstance(one, Notice) for one in value) else ", "
-        return joint.join(_shown(one, measure, language) for one in value)
+        return joint.join(_shown(one, measure) for one in value)
     if isinstance(value, str):
-        return value
+        return translated_if_known(value)
     quantity = quantity_shown(measure)
     if quantity is None:
-        return str(value) if isinstance(value, int) else f"{value:.4g}"
+        return str(value) if isinstance(value, int) else decimal(f"{value:.4g}")
     return quantity.suited(value).with_unit(value)
 
 

@@ -16,18 +16,17 @@ texts that they have, by the same keys. A ``{placeholder}`` names a value of the
 from __future__ import annotations
 
 import re
-import tomllib
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
 from importlib.resources.abc import Traversable
 
+from babbitt.core.language import COMPOSED, ENGLISH, PHRASES, PLURALS, add_folder, folders, language, read_words
 from babbitt.core.notices.explanation import Effect, Explanation, Subject
 
 __all__ = ["ENGLISH", "PLACEHOLDER", "Words", "add_words", "explanations", "words"]
 
-ENGLISH = "en"
 SHARED = "shared"
 """Key of the messages of several codes."""
 
@@ -37,7 +36,7 @@ PLACEHOLDER = re.compile(r"\{(\w+)(?::([^{}]+))?\}")
 REMEDY = "{remedy}"
 
 _OTHERS: list[str] = []
-"""Packages of other kinds that have texts."""
+"""Packages of other kinds whose texts are known."""
 
 
 @dataclass(frozen=True)
@@ -46,6 +45,7 @@ class Words:
 
     explanations: Mapping[str, Explanation]
     messages: Mapping[tuple[str, str], str]
+    language: str = ENGLISH
 
     def message(self, code: str, variant: str) -> str:
         """The sentence of a variant, with its placeholders."""
@@ -54,7 +54,8 @@ class Words:
             raise KeyError(f"{code} has no message {variant!r}")
         if REMEDY in said:
             remedy = self.explanations[code].remedy
-            said = said.replace(REMEDY, remedy[0].lower() + remedy[1:])
+            first = remedy[0] if self.language == "de" else remedy[0].lower()  # it may be a noun
+            said = said.replace(REMEDY, first + remedy[1:])
         return said
 
     def placeholders(self, code: str, variant: str) -> frozenset[str]:
@@ -74,17 +75,17 @@ def words(language: str = ENGLISH) -> Words:
     entries: dict[str, dict[str, str]] = {}
     messages: dict[tuple[str, str], str] = {}
     for tongue in dict.fromkeys((ENGLISH, language)):
-        for folder in _folders():
+        for folder in folders():
             own_entries, own_messages = _read(folder, tongue)
             for code, entry in own_entries.items():
                 entries.setdefault(code, {}).update(entry)
             messages |= own_messages
-    return Words({code: _explanation(**entry) for code, entry in entries.items()}, messages)
+    return Words({code: _explanation(**entry) for code, entry in entries.items()}, messages, language)
 
 
-def explanations(language: str = ENGLISH) -> Mapping[str, Explanation]:
-    """What every code means, by code."""
-    return words(language).explanations
+def explanations(chosen: str = "") -> Mapping[str, Explanation]:
+    """What every code means, by code: in the language that is written now, or in the one chosen."""
+    return words(chosen or language()).explanations
 
 
 def add_words(package: str) -> None:
@@ -105,22 +106,16 @@ def add_words(package: str) -> None:
     if taken:
         raise ValueError(f"{package} gives another meaning to {', '.join(taken)}")
     _OTHERS.append(package)
+    add_folder(package)
     words.cache_clear()
-
-
-def _folders() -> Iterator[Traversable]:
-    """Where texts may stand: those of all kinds first, then those of each kind that ships, then others."""
-    yield files("babbitt.core.notices")
-    yield from sorted(files("babbitt").joinpath("kinds").iterdir(), key=lambda folder: folder.name)
-    yield from map(files, _OTHERS)
 
 
 def _read(folder: Traversable, language: str) -> tuple[dict[str, dict[str, str]], dict[tuple[str, str], str]]:
     """Explanations by code and messages by code and variant, as the file of one folder has them."""
-    file = folder.joinpath(f"words.{language}.toml")
-    tables = tomllib.loads(file.read_text(encoding="utf-8")) if file.is_file() else {}
     entries, messages = {}, {}
-    for code, table in tables.items():
+    for code, table in read_words(folder, language).items():
+        if code in (PHRASES, COMPOSED, PLURALS):
+            continue
         said = table if code == SHARED else table.pop("message", {})
         for variant, text in ({"": said} if isinstance(said, str) else said).items():
             messages[code, variant] = _one_line(text)

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal, get_args
 
+from babbitt.core.language import unit_sign
 from babbitt.core.units import KINDS, ZERO_CELSIUS
 from babbitt.core.units.kinds import kind_of
 
@@ -219,7 +220,9 @@ def displayed_in(system: str) -> Iterator[None]:
 
 
 def in_system(unit: DisplayUnit) -> DisplayUnit:
-    """The unit of the system that is spoken now which stands for one of the SI."""
+    """The unit of the system that is spoken now which stands for one of the SI, by its sign in the language."""
+    if (sign := unit_sign(unit.label)) != unit.label:
+        return replace(unit, label=sign)
     if _SYSTEM.get() == "si":
         return unit
     return _PARTNERS.get(unit) or _BY_LABEL.get((unit.label, unit.scale), unit)

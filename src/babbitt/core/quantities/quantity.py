@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
+from babbitt.core.language import decimal
 from babbitt.core.quantities.display import SI, TOO_LARGE, TOO_SMALL, DisplayUnit, in_system, ladder_of
 
 
@@ -83,7 +84,8 @@ class Quantity:
             decimals = max(decimals, LEAST_DIGITS - 1 - math.floor(math.log10(size)))
         elif not self.display.offset:
             decimals = min(decimals, max(0, self.display.digits - 1 - math.floor(math.log10(size))))
-        return f"{shown:.{decimals}f}" if decimals <= LONGEST and size < 1e7 else f"{shown:.{LEAST_DIGITS - 1}e}"
+        plain = decimals <= LONGEST and size < 1e7
+        return decimal(f"{shown:.{decimals}f}" if plain else f"{shown:.{LEAST_DIGITS - 1}e}")
 
     def with_unit(self, value: float) -> str:
         """Write an SI value in the engineer's unit, with the unit; a dash for what is not finite."""

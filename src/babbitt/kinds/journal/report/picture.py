@@ -7,12 +7,14 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from babbitt.core.language import translated
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Matrix
 from babbitt.core.solution import Solution
 from babbitt.kinds.journal.film.field import Array, field_of, inside, step_patches
 from babbitt.kinds.journal.film.isothermal import under_found_load
 from babbitt.kinds.journal.film.model import FeedSize, FilmCase
+from babbitt.report.labels import label
 from babbitt.report.picture import Handle, Picture
 from babbitt.report.picture_words import enlarged, named
 from babbitt.reynolds.solution import FilmSolution
@@ -77,12 +79,13 @@ def film_picture(solution: Solution) -> Picture | None:
 def _empty(solution: Solution) -> Picture:
     values = solution.result.values
     said = [
-        f"{QUANTITIES[name].meaning.lower()} {QUANTITIES[name].with_unit(values[name])}"
+        f"{label(name)}: {QUANTITIES[name].with_unit(values[name])}"
         for name in ("eccentricity_ratio", "attitude_angle")
         if name in values
     ]
     return Picture(
-        1.0 + PLAY + BACK + HIGHEST + NAMES, f"{solution.result.name} seen along the shaft: {', '.join(said)}"
+        1.0 + PLAY + BACK + HIGHEST + NAMES,
+        translated("{bearing} seen along the shaft; {sizes}", bearing=solution.result.name, sizes="; ".join(said)),
     )
 
 

@@ -61,7 +61,7 @@ def speed_and_load(case: DesignCase, result: Result) -> Figure:
             if column == 0:
                 panel.set_ylabel(axis_label(shown))
         axes[1][column].set_xlabel(
-            f"{mathematics('N')} in rpm" if name == "angular_speed" else axis_label(quantity)
+            f"{mathematics('N')} in {quantity.display.label}" if name == "angular_speed" else axis_label(quantity)
         )
         plain_ticks(axes[1][column].xaxis)
     _film_limit(axes[1][0], result)
@@ -103,7 +103,7 @@ def _transition(top: Axes, bottom: Axes, rpm: float) -> None:
     low, high = top.get_xlim()
     beyond_middle = rpm > (low * high) ** 0.5  # of a logarithmic axis
     top.annotate(
-        f"{mathematics('N_tr')} = {rpm:.0f} rpm",
+        f"{mathematics('N_tr')} = {rpm:.0f} {QUANTITIES['transition_speed'].display.label}",
         (rpm, 1.0),
         xycoords=top.get_xaxis_transform(),
         xytext=(-2 if beyond_middle else 2, -1),

@@ -1,0 +1,51 @@
+"""Which kinds of bearings a report knows in which language."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from importlib.resources import files
+
+from babbitt.core.kind import Kind, find_kind, kinds
+from babbitt.core.language import ENGLISH, LANGUAGES, read_words
+from babbitt.core.nearest_name import unknown_name
+from babbitt.core.notices import InputError
+
+__all__ = ["knows", "require_words"]
+
+
+def knows(tongue: str, kind: Kind) -> bool:
+    """Whether a language has the words of a kind.
+
+    >>> from babbitt.core.kind import kinds
+    >>> knows("de", kinds()["journal"]), knows("en", kinds()["thrust"])
+    (True, True)
+    """
+    package = kind.words or ".".join(kind.model.partition(":")[0].split(".")[:3])
+    return tongue == ENGLISH or bool(read_words(files(package), tongue))
+
+
+def require_words(wanted: Iterable[str], tongue: str) -> None:
+    """Refuse a language that is not known, or that lacks the words of some kinds.
+
+    Parameters
+    ----------
+    wanted : iterable of str
+        Names of kinds; what is no kind is passed over.
+    tongue : str
+
+    Raises
+    ------
+    InputError
+        E005, with the kinds for which the language has words.
+    """
+    if tongue not in LANGUAGES:
+        raise InputError("E005", unknown_name(tongue, LANGUAGES, "a language of reports"))
+    for name in dict.fromkeys(wanted):
+        kind = find_kind(name)
+        if kind is not None and not knows(tongue, kind):
+            there = ", ".join(one for one, known in kinds().items() if knows(tongue, known))
+            raise InputError(
+                "E005",
+                f"reports of kind {name} have no words in {LANGUAGES[tongue]} yet; those of {there} have. "
+                f"Try: language {ENGLISH}",
+            )

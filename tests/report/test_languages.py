@@ -1,0 +1,192 @@
+"""Reports in German and Russian: no word is lacking, numbers are those of the English report."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+import babbitt
+from babbitt.case.parts.title_block import TitleBlock
+from babbitt.core.language import LANGUAGES, composed, folders, phrases, plural, read_words, translated, written_in
+from babbitt.core.notices import InputError, Notice
+from babbitt.core.notices import words as loader
+from babbitt.core.quantities import QUANTITIES
+from babbitt.core.report_level import Level
+from babbitt.kinds.journal.report.key_results import KEY_RESULTS
+from babbitt.kinds.journal.report.words import JOURNAL_WORDS
+from babbitt.report.bearing_content import calculation_content, figures_content
+from babbitt.report.chapters import chapters
+from babbitt.report.content import content
+from babbitt.report.document import TEMPLATES, report, write_report
+from babbitt.report.labels import SHORT, label
+
+GEAR = Path(babbitt.__file__).parents[2] / "examples" / "marine_reverse_gear.yaml"
+OTHERS = [one for one in LANGUAGES if one != "en"]
+NOT_TEXT = {"svg", "symbol", "formula", "substituted", "number", "words", "hash", "language", "heading", "spoken"}
+
+
+@pytest.fixture(scope="module")
+def gear():
+    return babbitt.load_case(GEAR).solve().machine
+
+
+def said_in(machine, language):
+    """The content of the report in a language, what its calculation and figures add, and what is missing."""
+    with written_in(language) as missing:
+        first, *_ = chapters(machine.solutions)
+        made = {
+            "report": content(machine, Level.STANDARD),
+            "lines": [calculation_content(part) for part in chapters(machine.solutions)],
+            "figures": figures_content(first),
+        }
+    return made, missing
+
+
+def texts(data, path: tuple = ()) -> Iterator[tuple[tuple, str]]:
+    if isinstance(data, str):
+        yield path, data
+    elif isinstance(data, dict):
+        for key, part in data.items():
+            if key not in NOT_TEXT:
+                yield from texts(part, (*path, key))
+    elif isinstance(data, list | tuple):
+        for place, part in enumerate(data):
+            yield from texts(part, (*path, place))
+
+
+def numbers(text: str) -> Counter[str]:
+    plain = text.replace("1/min", "rpm").translate(str.maketrans("²³−", "23-")).replace("\u2009", "")
+    return Counter(re.findall(r"\d+(?:\.\d+)?", re.sub(r"(?<=\d),(?=\d)", ".", plain)))
+
+
+@pytest.fixture(scope="module")
+def english(gear):
+    return said_in(gear, "en")[0]
+
+
+@pytest.mark.parametrize("language", OTHERS)
+def test_the_reverse_gear_lacks_no_word_and_has_the_same_numbers(gear, english, language):
+    made, missing = said_in(gear, language)
+    assert not list(missing)
+    ours, theirs = dict(texts(english)), dict(texts(made))
+    assert ours.keys() == theirs.keys()
+    assert len(ours) > 2000
+    for path, text in ours.items():
+        assert numbers(text) == numbers(theirs[path]), path
+
+
+@pytest.mark.parametrize("language", OTHERS)
+def test_numbers_have_a_decimal_comma_and_speeds_no_english_unit(gear, language):
+    made, _ = said_in(gear, language)
+    first = made["report"]["bearings"][0]
+    assert first["results"][0]["values"] == ["1,24"]
+    said = [text for path, text in texts(made) if path[-1] in ("value", "limit", "unit", "margin")]
+    assert not [text for text in said if re.fullmatch(r"[+−-]?\d+\.\d+\D*", text) or "rpm" in text]
+    assert {text for text in said if "/min" in text}
+
+
+@pytest.mark.parametrize("language", OTHERS)
+def test_templates_lack_no_word(language):
+    said = set()
+    for file in TEMPLATES.glob("*.typ"):
+        said |= set(re.findall(r'say\(\s*"((?:[^"\\]|\\.)*)"', file.read_text(encoding="utf-8")))
+    assert len(said) >= 50
+    assert said - phrases(language).keys() == set()
+
+
+@pytest.mark.parametrize("language", OTHERS)
+@pytest.mark.parametrize("folder", [one for one in folders() if one.name in ("notices", "journal")], ids=str)
+def test_every_notice_has_a_title_a_remedy_and_messages_with_the_same_values(folder, language):
+    entries, messages = loader._read(folder, "en")
+    own_entries, own_messages = loader._read(folder, language)
+    wanted = {code: {"title", "remedy"} & set(texts) for code, texts in entries.items() if code[0] != "E"}
+    assert not {code for code, keys in wanted.items() if keys - set(own_entries.get(code, ()))}
+    assert own_entries.keys() <= entries.keys()
+    assert own_messages.keys() == {key for key in messages if key[0][0] != "E"}
+    for key, said in own_messages.items():
+        find = loader.PLACEHOLDER.findall
+        assert sorted(find(said)) == sorted(find(messages[key])), key
+
+
+@pytest.mark.parametrize("folder", list(folders()), ids=lambda one: one.name)
+def test_all_languages_have_the_same_phrases_with_the_same_placeholders(folder):
+    first, *others = (read_words(folder, language) for language in OTHERS)
+    for other in others:
+        for table in ("phrases", "composed", "plurals"):
+            assert first.get(table, {}).keys() == other.get(table, {}).keys(), table
+    for words in (first, *others):
+        for table in ("phrases", "composed"):
+            for text, said in words.get(table, {}).items():
+                wanted = {name.partition(":")[0] for name in re.findall(r"\{([\w:]+)\}", text)}
+                assert set(re.findall(r"\{(\w+)\}", said)) == wanted, text
+
+
+@pytest.mark.parametrize("language", OTHERS)
+def test_quantities_of_journal_bearings_have_names(language):
+    with written_in(language) as missing:
+        for name in (*KEY_RESULTS, *(one.name for one in JOURNAL_WORDS)):
+            label(name, "journal")
+    assert not list(missing)
+
+
+@pytest.mark.parametrize("language", OTHERS)
+def test_pdf_is_tagged_in_its_language(gear, language):
+    with written_in(language):
+        made = report(gear, "pdf", Level.SUMMARY)
+    assert b"pdfuaid:part" in made
+    assert re.search(rf"/Lang ?\({language}\)".encode(), made)
+
+
+def test_a_text_without_words_stays_english_and_is_named(gear, tmp_path, monkeypatch):
+    known = phrases("de")
+    monkeypatch.setattr(
+        "babbitt.core.language.phrases",
+        lambda tongue: {k: v for k, v in known.items() if k != SHORT["load_capacity"]},
+    )
+    with written_in("de") as missing:
+        assert label("load_capacity") == "Load at the least gap"
+    assert list(missing) == ["Load at the least gap"]
+
+
+def test_language_of_the_case_and_of_the_call(gear, tmp_path):
+    from dataclasses import replace
+
+    german = replace(gear, title_block=TitleBlock(language="de"))
+    write_report(german, tmp_path / "a.html", "summary")
+    write_report(german, tmp_path / "b.html", "summary", language="ru")
+    a, b = ((tmp_path / name).read_text(encoding="utf-8") for name in ("a.html", "b.html"))
+    assert "Kleinste Schmierfilmdicke" in a
+    assert "Наименьшая толщина плёнки" in b
+    with pytest.raises(InputError, match="language"):
+        write_report(gear, tmp_path / "c.html", language="fr")
+    assert not (tmp_path / "c.html").exists()
+
+
+def test_plurals_and_composed_texts():
+    with written_in("ru"):
+        assert [plural("bearing", n) for n in (1, 2, 5, 11, 21, 112)] == [
+            "подшипник", "подшипника", "подшипников", "подшипников", "подшипник", "подшипников",
+        ]  # fmt: skip
+    with written_in("de"):
+        assert translated("mean 395.75 µm") == "Mittel 395,75 µm"
+    assert all("{" in text for text in composed("de"))
+
+
+def test_a_notice_is_written_in_the_language_when_it_is_shown():
+    notice = Notice("W109", values={"surface_speed": 45.0, "limit": 20.0})
+    with written_in("de"):
+        assert notice.message == "Gleitgeschwindigkeit 45,00 m/s > 20 m/s"
+    assert notice.message == "surface speed 45.00 m/s > 20 m/s"
+    assert QUANTITIES["surface_speed"].format(45.5) == "45.50"
+
+
+def test_letters_without_a_typeface_cost_the_claim_of_the_standard_alone(gear):
+    from dataclasses import replace
+
+    made = report(replace(gear, name="轴承 \U0001f600"), "pdf", Level.SUMMARY)
+    assert made.startswith(b"%PDF")
+    assert b"/StructTreeRoot" in made
