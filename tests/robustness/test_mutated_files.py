@@ -7,7 +7,7 @@ from answers import run_seeds
 from mutated_files import check_mutated_file
 from mutated_tables import check_mutated_table
 
-SEEDS = 150
+SEEDS = 300
 """Of each generator; ``python benchmarks/robustness/mutated_files.py 1 SEED`` runs one again."""
 
 BATCH = 50
