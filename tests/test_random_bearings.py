@@ -11,7 +11,7 @@ NUMBER = {
     "film, turbulent": 3, "film, thermal": 2, "film, elastic": 1, "pad": 16, "ring": 4, "journal": 5,
     "jacking": 4, "footstep": 16, "thrust": 3, "shaft line": 1,
 }  # fmt: skip
-"""Cases of the families, 300 in all but for the long ones, most of them of the cheap ones; of all others `USUAL`."""
+"""Cases of the families, 300 without the long ones, most of the cheap ones; of all others `USUAL`."""
 USUAL = 10
 
 
