@@ -14,6 +14,7 @@ import pytest
 from hand_made import PUBLISHED, HandMadeMachine, HandMadeProblem, hand_made_result
 
 from babbitt.core.files import writing
+from babbitt.core.limited_flow import quantity_held
 from babbitt.core.notices import InputError
 from babbitt.core.report_level import Level
 from babbitt.core.result import Outcome, Result
@@ -339,7 +340,7 @@ def test_the_first_page_names_every_bearing_that_misses_an_advice():
 @pytest.mark.usefixtures("no_figures")
 def test_the_first_page_sums_up_a_machine():
     machine = solved("Gear", *GEAR[:2])
-    flow = 6e4 * sum(result.total_flow for result in machine.results)
+    flow = 6e4 * sum(result.values[quantity_held(result, "total_flow")] for result in machine.results)
     first = Reader(report(machine, "html")).text.split("Prepared")[0]
     assert f"{flow:.1f}\xa0L/min" in first.split("Total of 2 bearings")[1]
     assert "Total" not in Reader(report(solved("One", GEAR[0]), "html")).text.split("Prepared")[0]

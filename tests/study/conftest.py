@@ -6,9 +6,9 @@ from dataclasses import replace
 
 import plane_slider
 import pytest
+from registration import forget_words
 
 from babbitt.core import kind as registry
-from babbitt.core.notices import words
 from babbitt.core.quantities import QUANTITIES
 
 
@@ -33,5 +33,4 @@ def _registered(kind):
     for table, names in zip(tables, before, strict=True):
         for name in set(table) - names:
             del table[name]
-    words._OTHERS.clear()
-    words.words.cache_clear()
+    forget_words()

@@ -4,6 +4,7 @@ import plane_slider
 import pytest
 
 from babbitt.core import kind as registry
+from babbitt.core import language
 from babbitt.core.notices import words
 from babbitt.core.quantities import QUANTITIES
 
@@ -13,7 +14,8 @@ TABLES = (registry._REGISTERED, QUANTITIES)
 
 
 def forget_words():
-    words._OTHERS.clear()
+    language._OTHERS.clear()
+    language.read_again()
     words.words.cache_clear()
 
 

@@ -48,7 +48,7 @@ def write_pages(app: Sphinx) -> None:
     for name, drawing in drawings.DRAWINGS.items():
         write(target / "drawings" / f"{name}.svg", drawing())
     validation.write_pages(target / "validation")
-    gallery.write_pages(target / "gallery")
+    write(target / "parts" / "gallery.md", gallery.write_drawings(target / "gallery"))
 
 
 def setup(app: Sphinx) -> dict[str, Any]:

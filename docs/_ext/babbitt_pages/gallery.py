@@ -19,10 +19,9 @@ def examples() -> list[tuple[str, str]]:
     return _ROW.findall((EXAMPLES / "README.md").read_text(encoding="utf-8"))
 
 
-def write_pages(target: Path) -> None:
-    """Write the page and a drawing for each example that has one."""
-    intro = "Every case file of `examples/`, solved for this page: the first bearing of each that is drawn."
-    page = ["# Gallery", intro]
+def write_drawings(target: Path) -> str:
+    """Write a drawing for each example that has one, and give the part of the page that shows them all."""
+    page = []
     for file, shows in examples():
         solved = solve(load_case(EXAMPLES / file))
         verdicts = ", ".join(dict.fromkeys(one.result.verdict.value for one in solved.solutions))
@@ -31,8 +30,9 @@ def write_pages(target: Path) -> None:
         if drawing:
             name = Path(file).with_suffix(".svg").name
             write(target / name, drawing)
-            page.append(f"```{{image}} gallery/{name}\n:alt: {solved.name}\n:class: drawing\n:width: 440px\n```")
-    write(target.with_suffix(".md"), "\n\n".join(page) + "\n")
+            options = f":alt: {solved.name}\n:class: drawing\n:width: 440px"
+            page.append(f"```{{image}} /_generated/gallery/{name}\n{options}\n```")
+    return "\n\n".join(page) + "\n"
 
 
 def _drawing(solved: MachineResult) -> str:

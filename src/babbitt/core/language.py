@@ -34,9 +34,11 @@ __all__ = [
     "composed",
     "decimal",
     "folders",
+    "has_folder",
     "language",
     "phrases",
     "plural",
+    "read_again",
     "read_words",
     "translated",
     "translated_if_known",
@@ -239,6 +241,16 @@ def _recognised(text: str, tongue: str) -> str | None:
 def add_folder(package: str) -> None:
     """Know the texts of another package, which stand beside its modules."""
     _OTHERS.append(package)
+    read_again()
+
+
+def has_folder(package: str) -> bool:
+    """Whether the texts of another package are known."""
+    return package in _OTHERS
+
+
+def read_again() -> None:
+    """Forget what was read, for other folders have texts now."""
     for cached in (phrases, composed, _plurals, _words, _patterns, _recognised):
         cached.cache_clear()
 

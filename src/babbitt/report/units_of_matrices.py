@@ -18,7 +18,7 @@ def suited_among(name: str, *values: Mapping[str, float]) -> Quantity:
     *values : mapping of str to float
         Named numbers in SI of every result that is shown in the unit.
 
-    >>> numbers = {"stiffness_xx": 3e9, "stiffness_xy": -2e6, "stiffness_yx": 2e6, "stiffness_yy": 5e9}
+    >>> numbers = {"stiffness_xx": 3e10, "stiffness_xy": -2e6, "stiffness_yx": 2e6, "stiffness_yy": 5e10}
     >>> quantity = suited_among("stiffness_xy", numbers)
     >>> quantity.format(-2e6), quantity.display.label
     ('-0.00200', 'GN/m')

@@ -22,7 +22,17 @@ from functools import cache
 from importlib.resources import files
 from importlib.resources.abc import Traversable
 
-from babbitt.core.language import COMPOSED, ENGLISH, PHRASES, PLURALS, add_folder, folders, language, read_words
+from babbitt.core.language import (
+    COMPOSED,
+    ENGLISH,
+    PHRASES,
+    PLURALS,
+    add_folder,
+    folders,
+    has_folder,
+    language,
+    read_words,
+)
 from babbitt.core.notices.explanation import Effect, Explanation, Subject
 
 __all__ = ["ENGLISH", "PLACEHOLDER", "Words", "add_words", "explanations", "words"]
@@ -34,9 +44,6 @@ PLACEHOLDER = re.compile(r"\{(\w+)(?::([^{}]+))?\}")
 """Name of a value, and how it is shown if not by its name."""
 
 REMEDY = "{remedy}"
-
-_OTHERS: list[str] = []
-"""Packages of other kinds whose texts are known."""
 
 
 @dataclass(frozen=True)
@@ -96,7 +103,7 @@ def add_words(package: str) -> None:
     ValueError
         Where a code or message of it has another text already; nothing is added.
     """
-    if package in _OTHERS:
+    if has_folder(package):
         return
     entries, messages = _read(files(package), ENGLISH)
     own = Words({code: _explanation(**entry) for code, entry in entries.items()}, messages)
@@ -105,7 +112,6 @@ def add_words(package: str) -> None:
     taken += [" ".join(key) for key in own.messages if key in known.messages]
     if taken:
         raise ValueError(f"{package} gives another meaning to {', '.join(taken)}")
-    _OTHERS.append(package)
     add_folder(package)
     words.cache_clear()
 

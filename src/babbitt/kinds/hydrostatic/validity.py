@@ -148,9 +148,11 @@ def of_powers(case: HydrostaticCase, named: Mapping[str, float]) -> Iterator[Not
     balanced = "energy_balance_error" in named
     if not balanced and case.least_gap is not None:
         gap, limit = named["minimum_film_thickness"], case.least_gap
-        if warmed_gap(gap, rise) < limit <= gap:
-            warmed = {"temperature_rise": rise, "minimum_film_thickness": warmed_gap(gap, rise), "limit": limit}
-            yield Notice("W312", "kept", warmed)
+        warm = warmed_gap(gap, rise)
+        if warm < limit <= gap:
+            yield Notice(
+                "W312", "kept", {"temperature_rise": rise, "minimum_film_thickness": warm, "limit": limit}
+            )
     bound = LARGEST_RISE if balanced else LARGEST_RISE_UNBALANCED
     if rise > bound:
         yield Notice("W322", "balanced" if balanced else "given", {"temperature_rise": rise, "limit": bound})
