@@ -623,3 +623,11 @@ def test_fields_need_a_film_a_suffix_and_their_extra(run, tmp_path, monkeypatch)
     assert (status, out) == (2, "")
     assert "pip install '.[files]' in a clone of Babbitt, or pip install xarray" in err
     assert not list(tmp_path.glob("out*"))
+
+
+def test_help_lists_commands_in_the_order_of_a_job(run):
+    _, shown, _ = run("--help")
+    places = [
+        shown.index(f" {name} ") for name in ("new", "check", "solve", "compare", "study", "export", "upgrade")
+    ]
+    assert places == sorted(places)

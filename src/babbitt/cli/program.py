@@ -19,6 +19,12 @@ from babbitt.core.notices import BabbittError, InputError
 
 __all__ = ["app", "comparing", "designing", "info", "run", "sizing", "solve", "studying", "upgrading", "workbench"]
 
+FIRST = (
+    "new", "check", "solve", "compare", "sweep", "size", "design", "study", "export", "app", "list", "explain",
+    "cite", "validate", "schema", "upgrade",
+)  # fmt: skip
+"""Commands in the order of a job, as ``babbitt --help`` lists them."""
+
 UNCOLLECTED = 100_000
 """New objects after which Python looks for garbage; with its own 700 an eighth of a short run is spent on that."""
 
@@ -46,7 +52,10 @@ def run() -> NoReturn:
 @cache
 def _command() -> Any:
     """All commands with their options, made once: a process that runs several would make them each time."""
-    return get_command(app)
+    made = get_command(app)
+    commands = made.commands  # type: ignore[attr-defined]
+    made.commands = {name: commands[name] for name in (*FIRST, *(commands.keys() - set(FIRST)))}  # type: ignore[attr-defined]
+    return made
 
 
 def _warned(
