@@ -109,5 +109,5 @@ def _value_of(name: str) -> Callable[[Result], float]:
 
 
 def _pumped(result: Result) -> float:
-    """Oil in m3/s that a pump brings to a bearing."""
-    return pumped_flow({**result.values, "total_flow": _value_of("total_flow")(result)})
+    """Oil in m3/s that a pump is to bring to a bearing: what its film wants, though the supply delivers less."""
+    return pumped_flow(result.values)

@@ -146,7 +146,7 @@ def of_powers(case: HydrostaticCase, named: Mapping[str, float]) -> Iterator[Not
     if rise > WARMEST:
         yield Notice("W312", "warm", {"temperature_rise": rise})
     balanced = "energy_balance_error" in named
-    if not balanced and case.least_gap is not None:
+    if not (balanced or case.is_journal or case.duty.load is None) and case.least_gap is not None:
         gap, limit = named["minimum_film_thickness"], case.least_gap
         warm = warmed_gap(gap, rise)
         if warm < limit <= gap:
