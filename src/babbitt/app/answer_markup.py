@@ -15,7 +15,7 @@ from babbitt.app.words import word
 __all__ = ["cards_markup", "findings_markup", "verdict_markup"]
 
 ICONS = {"pass": "check_circle", "remarks": "info", "fail": "cancel", "no_verdict": "help", "no_solution": "error"}
-"""Of verdicts, so that none is told by colour alone."""
+"""Of verdicts, so that none differs by colour alone."""
 
 Element = ElementTree.Element
 
