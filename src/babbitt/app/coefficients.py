@@ -17,9 +17,9 @@ from babbitt.app.units import split
 from babbitt.case import CaseError, located
 from babbitt.core.notices import InputError
 from babbitt.core.units import QuantityError, si
-from babbitt.export import FORMATS, OVER_FREQUENCY, CoefficientTable, export, mirrored
+from babbitt.export import FORMATS, CoefficientTable, export, mirrored
 from babbitt.export.frame import declaration
-from babbitt.report.questioned_coefficients import warnings_lines
+from babbitt.report.questioned_coefficients import left_out_lines, table_lines
 from babbitt.study.table_target import chosen_problem
 
 __all__ = ["FEWEST", "CoefficientFile", "Speeds", "coefficient_file", "first_speeds"]
@@ -95,7 +95,9 @@ def coefficient_file(
     with TemporaryDirectory(prefix="babbitt-") as folder:
         file = Path(folder) / name
         export(table, file, format_name)
-        return CoefficientFile((), name, file.read_bytes(), tuple(_remarks(table, turned, format_name)))
+        return CoefficientFile(
+            (), name, file.read_bytes(), (*left_out_lines(run), *_remarks(table, turned, format_name))
+        )
 
 
 def _remarks(table: CoefficientTable, turned: bool, format_name: str) -> list[str]:
@@ -103,11 +105,7 @@ def _remarks(table: CoefficientTable, turned: bool, format_name: str) -> list[st
     said = [f"{table.speeds.size} speeds; {declaration(table.frame)}; temperatures: {table.temperatures}"]
     if turned:
         said.append("The bearing is seen from the other end of the shaft: build the rotor from that end.")
-    if table.over_frequency is not None and format_name not in OVER_FREQUENCY:
-        said.append("The format has no axis of frequency: the coefficients are synchronous.")
-    if "following" in table.temperatures:
-        said.append("The stiffness holds for slow changes; for whirl and vibration take frozen temperatures.")
-    return [*said, *warnings_lines(table)]
+    return [*said, *table_lines(table, format_name)]
 
 
 def _spaced(speeds: Speeds) -> list[float]:

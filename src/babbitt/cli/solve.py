@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -310,11 +309,11 @@ def export(
 ) -> None:
     """Write stiffness and damping over speed for a rotor program; the heat balance is closed at each speed."""
     from babbitt.case import load_case
-    from babbitt.export import OVER_FREQUENCY, mirrored
     from babbitt.export import export as write_table
+    from babbitt.export import mirrored
     from babbitt.export.frame import declaration
     from babbitt.report.outputs import inputs_of
-    from babbitt.report.questioned_coefficients import warnings_lines
+    from babbitt.report.questioned_coefficients import left_out_lines, table_lines
     from babbitt.study.speed_range import speeds_of
     from babbitt.study.table_target import chosen_problem, require_target
 
@@ -325,10 +324,9 @@ def export(
     name, clockwise = problem.name, method.is_clockwise(problem)
     require_target(format_name, name, clockwise, inputs_of([file], case.files), output, other_end, taken)
     run = method.coefficients_over_speed(problem, taken)
-    failed = [(speed, outcome.value) for speed, outcome in run.unsolved]
-    failed += [(speed, "no stiffness with following temperatures") for speed in run.unfollowed]
-    for speed, why in sorted(failed):
-        print(f"{printable(name)}: {why} at {speed * 30.0 / math.pi:.6g} rpm; left out", file=sys.stderr)
+    failed = left_out_lines(run)
+    for line in failed:
+        print(f"{printable(name)}: {line}", file=sys.stderr)
     if len(failed) == len(run.solutions):
         print("nothing was written", file=sys.stderr)
         raise typer.Exit(NO_SOLUTION)
@@ -340,19 +338,7 @@ def export(
         f"temperatures: {table.temperatures}",
         file=sys.stderr,
     )
-    for line in warnings_lines(table):
+    for line in table_lines(table, format_name):
         print(line, file=sys.stderr)
-    if table.over_frequency is not None and format_name not in OVER_FREQUENCY:
-        print(
-            f"{format_name} has no axis of frequency: the coefficients written are synchronous; ross3, csv and "
-            "json hold them over frequency, too",
-            file=sys.stderr,
-        )
-    if "following" in table.temperatures:
-        print(
-            "the stiffness holds for slow changes; for whirl and vibration export with "
-            "temperature_coefficients: frozen",
-            file=sys.stderr,
-        )
     if failed:
         raise typer.Exit(NO_SOLUTION)

@@ -1,14 +1,38 @@
-"""What the terminal says of coefficients that a warning questions."""
+"""What is to be known of coefficients over speed: speeds left out, warnings, what a format cannot hold."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
+from typing import Any
 
 from babbitt.core.notices import Effect, explanations
-from babbitt.export import CoefficientTable
+from babbitt.export import OVER_FREQUENCY, CoefficientTable
 from babbitt.export.numbers import rounded_rpm
 
-__all__ = ["warnings_lines"]
+__all__ = ["left_out_lines", "table_lines", "warnings_lines"]
+
+
+def left_out_lines(run: Any) -> list[str]:
+    """Why a speed of a run is in no table, speed by speed."""
+    failed = [(speed, outcome.value) for speed, outcome in run.unsolved]
+    failed += [(speed, "no stiffness with following temperatures") for speed in run.unfollowed]
+    return [f"{why} at {speed * 30.0 / math.pi:.6g} rpm; left out" for speed, why in sorted(failed)]
+
+
+def table_lines(table: CoefficientTable, format_name: str) -> Iterator[str]:
+    """Warnings of a table, and what of it the format or its temperatures do not show."""
+    yield from warnings_lines(table)
+    if table.over_frequency is not None and format_name not in OVER_FREQUENCY:
+        yield (
+            f"{format_name} has no axis of frequency: the coefficients written are synchronous; ross3, csv and "
+            "json hold them over frequency, too"
+        )
+    if "following" in table.temperatures:
+        yield (
+            "the stiffness holds for slow changes; for whirl and vibration export with "
+            "temperature_coefficients: frozen"
+        )
 
 
 def warnings_lines(table: CoefficientTable) -> Iterator[str]:
