@@ -76,14 +76,33 @@ def test_limits_that_are_solved_or_not_asked_for_are_not_questioned():
     assert not notices(fit, "W183")
 
 
-@pytest.mark.parametrize("journal", ["f7", "f8"])
-def test_a_fit_whose_least_clearance_halves_the_load_number_is_questioned_whatever_is_asked(journal):
-    fit = answer(
-        "{kind: relative, mean: 1.3 permille}",
-        f"{{kind: fit, bore: H7, journal: {journal}}}",
-        "clearance_cases: mean\n",
-    )
-    assert notices(fit, "W174")
+@pytest.mark.parametrize(
+    ("journal", "speed", "failing"),
+    [("f7", "1200 rpm", 1), ("e7", "1200 rpm", 0), ("e7", "2000 rpm", 1), ("d8", "2600 rpm", 0)],
+)
+def test_the_mean_passes_without_a_word_only_where_the_limits_of_the_clearance_pass(journal, speed, failing):
+    """`clearance_cases: all` is the answer that a clean pass at the mean must not contradict."""
+    fit = BEARING.replace("{kind: relative, mean: 1.3 permille}", f"{{kind: fit, bore: H7, journal: {journal}}}")
+    text = fit.replace("1200 rpm", speed)
+    every = solve(parse_case(text + "clearance_cases: all\n")).results
+    (mean,) = solve(parse_case(text + "clearance_cases: mean\n")).results
+    missed = [
+        (
+            one.values["relative_clearance"],
+            tuple(check.code for check in one.checks if not (check.ok or check.advisory)),
+        )
+        for one in every
+        if one.verdict is Verdict.FAIL
+    ]
+    assert len(missed) == failing
+    told = [
+        (one.values["clearance"], tuple(dict.fromkeys(one.values["checks"])))
+        for notice in notices(mean, "W174")
+        for one in notice.values["missed"]
+    ]
+    assert told == missed
+    assert mean.values["outlet_temperature"] == every[1].values["outlet_temperature"]
+    assert mean.verdict is (Verdict.REMARKS if failing else Verdict.PASS)
 
 
 @pytest.mark.parametrize(("family", "questioned"), [("copper-lead", True), ("tin-based", False)])

@@ -30,7 +30,7 @@ kind: journal
 name: Fan shaft
 diameter: 120 mm
 width: 60 mm
-clearance: {kind: fit, bore: H7, journal: e7}
+clearance: {kind: diametral, mean: 107 um}
 clearance_cases: mean
 span: 360 deg
 supply_element: {kind: hole, diameter: 5 mm, place: opposite}

@@ -12,6 +12,7 @@ from babbitt.case.parts.materials import Materials
 from babbitt.case.parts.shared import merged
 from babbitt.case.parts.supply import Supply
 from babbitt.core.notices import Notice
+from babbitt.core.result_name import ResultName
 from babbitt.design.conditions import (
     HousingCooling,
     LoadSpec,
@@ -57,7 +58,7 @@ class Point:
     `clearance`, `tolerance` and `mean` hold at 20 °C; `clearance_case` is ``minimum``, ``mean`` or ``maximum``.
     """
 
-    name: str
+    name: ResultName
     given: OperatingPoint | None
     clearance_case: str
     clearance: float

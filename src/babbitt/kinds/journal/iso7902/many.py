@@ -20,6 +20,7 @@ from babbitt.kinds.journal.iso7902.film import (
     starved_film_at,
     supplied_film,
 )
+from babbitt.kinds.journal.iso7902.limits_of_clearance import at_limits
 from babbitt.kinds.journal.iso7902.model import DesignCase
 from babbitt.kinds.journal.iso7902.procedure import METHOD, Design, design_of, result_of
 from babbitt.kinds.journal.iso7902.supply_capacity import gets_less
@@ -58,11 +59,35 @@ def check_many(case: DesignCase, count: int) -> Iterator[tuple[Index, Result, Ve
     ------
     index : ndarray of int
         Bearings whose checks are the same, and their verdict. Those that are left out are for `procedure.check`:
-        what has no solution, and a heat balance whose way is not plain.
+        what has no solution, a heat balance whose way is not plain, and what passes at its mean clearance and
+        not at its limits.
     result : Result
         Its numbers in lanes; remarks only as far as the verdict depends on them.
     verdict : Verdict
     """
+    if not case.mean_alone:
+        yield from _check_many(case, count)
+        return
+    keeps = _keeps_limits(case, count)
+    for index, result, verdict in _check_many(case, count):
+        sure = np.flatnonzero(keeps[index]) if verdict is Verdict.PASS else np.arange(index.size)
+        if sure.size:
+            yield index[sure], chooser(result)(sure), verdict
+
+
+def _keeps_limits(case: DesignCase, count: int) -> NDArray[np.bool_]:
+    """Bearings that miss nothing at the limits of their clearance either."""
+    keeps = np.ones(count, bool)
+    for _, other in at_limits(case):
+        kept = np.zeros(count, bool)
+        for index, _, verdict in _check_many(other, count):
+            kept[index] = verdict in (Verdict.PASS, Verdict.REMARKS)
+        keeps &= kept
+    return keeps
+
+
+def _check_many(case: DesignCase, count: int) -> Iterator[tuple[Index, Result, Verdict]]:
+    """The procedure at the clearance of the case."""
     own = chooser(case)
     full = _temperatures(case, own, np.arange(count), film_at)
     starved = np.full(count, np.nan)

@@ -118,7 +118,8 @@ class DesignCase:
     Speeds in rad/s. `free_arcs` are those that pockets and grooves leave about the load, where known. At least
     one of `oil_supply` and `cooling` carries the heat away, unless the effective temperature (K) is
     prescribed. `given` holds names and words of the case that these numbers came from (a fit, a material), for
-    the report. `warnings` arose while the case was made and ride along to the result.
+    the report. `warnings` arose while the case was made and ride along to the result. `mean_alone` says that the
+    clearance has limits and that no other case of the bearing is at them.
     """
 
     name: str
@@ -141,3 +142,4 @@ class DesignCase:
     load_angle: float | None = None
     free_arcs: tuple[FreeArc, ...] = ()
     rotor_mass: float | None = None
+    mean_alone: bool = False
