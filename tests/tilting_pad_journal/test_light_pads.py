@@ -118,3 +118,14 @@ def test_an_unloaded_offset_pad_carries_above_the_preload_that_is_told():
     held = result_of(plain | {"pads.each": each}, thermal="isothermal", lubricant=OIL, supply=None,
                      effective_temperature="40 degC")  # fmt: skip
     assert not messages(held, "W401")
+
+
+def test_smaller_steps_settle_a_pad_that_bounces_into_its_limit():
+    """At 12 000 rpm large steps lead from one state to the other; the pad has a place between its neighbours."""
+    slower, found, faster = (result_of(**COMPRESSOR, speed=f"{speed} rpm") for speed in (11900, 12000, 12200))
+    assert found.outcome is Outcome.CONVERGED
+    assert not light_notices(found) + light_notices(faster)
+    loads, more = found.arrays["pad_load"][0], faster.arrays["pad_load"][0]
+    assert 0.0 < loads[2] < more[2]
+    assert slower.arrays["pad_load"][0][2] < loads[2]
+    assert found.values["stiffness_yy"] == pytest.approx(faster.values["stiffness_yy"], rel=0.05)

@@ -59,13 +59,15 @@ after which an attempt is given up."""
 HELD = 6
 """Passes in a row with a pad at its limit, behind which temperatures may change by `SWING`: each takes thousands
 of films."""
-FLUTTERS = 4
-"""Times that a pad comes to its limit in an attempt, loaded in between, behind which it flutters: it has no place
-at the temperatures that belong to either state."""
+BOUNCES = 4
+"""Times that a pad comes to its limit in an attempt, loaded in between, behind which the attempt ends: steps as
+large as these lead from the temperatures of either state to the other."""
 MOST_FILMS = 40_000
 """Solutions of the film of a pad in one attempt: about 0.3 s."""
 ENDS = (Outcome.CONVERGED, Outcome.PAD_AT_LIMIT, Outcome.OUTSIDE_CLEARANCE)
-"""What smaller steps would not change."""
+"""What smaller steps would not change, unless a pad bounced into its limit."""
+DECIDED = (*ENDS, Outcome.NO_CLEARANCE)
+"""What counts more than a pad that bounced with larger steps."""
 CLOSING = (Outcome.NOT_CONVERGED, Outcome.OUTSIDE_CLEARANCE)
 """How a step of growth ends behind which no film exists: gaps shrink from pass to pass, or a pad is touched."""
 
@@ -146,15 +148,28 @@ def search(
 ) -> Settled:  # fmt: skip
     """Attempts with ever smaller steps of the viscosity, or with more and more growth; without a load the journal
     stands."""
-    passes = 0
+    passes, bounced = 0, None
     for part in RELAXATIONS:
         settled = settle(PadFilms.of(bearing, heat, resolution, without), load, at, part)
         passes += settled.passes
-        if settled.outcome in ENDS:
+        if is_end(settled):
             break
+        bounced = settled if settled.bounces else bounced
         if heat.growth is not None:
-            return grow(settled, load, at)
-    return replace(settled, passes=passes)
+            settled = grow(settled, load, at)
+            passes = settled.passes
+            break
+    return replace(behind_bounces(settled, bounced), passes=passes)
+
+
+def is_end(settled: Settled) -> bool:
+    """Whether smaller steps would not change how an attempt ended."""
+    return settled.outcome in ENDS and not settled.bounces
+
+
+def behind_bounces(last: Settled, bounced: Settled | None) -> Settled:
+    """The last attempt, or one whose pad bounced into its limit where smaller steps found nothing else."""
+    return last if bounced is None or last.outcome in DECIDED else bounced
 
 
 def grow(failed: Settled, load: Array | None, at: Array) -> Settled:
@@ -164,14 +179,16 @@ def grow(failed: Settled, load: Array | None, at: Array) -> Settled:
     the clearance closes. Where steps end otherwise, at a bound on work or a pad at its limit, that is the outcome.
     """
     films, passes = failed.films, failed.passes
-    best = failed
+    best, bounced = failed, None
     for part in RELAXATIONS:
         cold = PadFilms.of(films.bearing, films.heat, films.resolution, films.without)
         cold.share = 0.0
         best = settle(cold, load, at, part)
         passes += best.passes
-        if best.outcome in ENDS:
+        if is_end(best):
             break
+        bounced = best if best.bounces else bounced
+    best = behind_bounces(best, bounced)
     share, step, last = 0.0, FIRST_SHARE, best
     while best.outcome.solved and share < 1.0 and step >= LEAST_SHARE:
         trial = best.films.copied()
@@ -192,10 +209,10 @@ def settle(films: PadFilms, load: Array | None, at: Array, part: float, most: in
 
     Where the end of a film jumps from node to node for ever, temperatures next to it swing; they are let be once
     they only swing, by less than `SWING`. So are they where a pad stays at its limit. A pad that comes to its
-    limit again and again stays there, too.
+    limit again and again ends the attempt there.
     """
     tolerance, change, rises = LOOSE, math.inf, np.zeros_like(films.films.temperature)
-    nearest, reached, held, flutters = math.inf, 0, 0, 0
+    nearest, reached, held, bounces = math.inf, 0, 0, 0
     for passes in range(1, most + 1):
         behind = films.prepare(part) / THINNING
         if load is None:
@@ -218,12 +235,12 @@ def settle(films: PadFilms, load: Array | None, at: Array, part: float, most: in
         shaped, last = films.deform(placement.grid), rises
         rises = films.films.temperature - before
         swings = passes > PATIENT and float(np.vdot(rises, last)) < 0.0
-        flutters += placement.status == LIMIT and held == 0
+        bounces += placement.status == LIMIT and held == 0
         held = held + 1 if placement.status == LIMIT else 0
         if change < (SWING if swings or held >= HELD else SETTLED) and shaped < SHAPED:
             return Settled(films, placement, OUTCOMES.get(placement.status, Outcome.NOT_CONVERGED), passes)
-        if held and flutters >= FLUTTERS:
-            return Settled(films, placement, Outcome.PAD_AT_LIMIT, passes)
+        if held and bounces >= BOUNCES:
+            return Settled(films, placement, Outcome.PAD_AT_LIMIT, passes, bounces=True)
         tolerance = FINE * min(change, 1.0)
         if change < NEARER * nearest:
             nearest, reached = change, passes
