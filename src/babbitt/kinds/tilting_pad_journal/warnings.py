@@ -132,6 +132,9 @@ def about_light_pads(
     solution = films.solution
     for one in solution.light:
         pad, share = one.number + 1, one.need / films.load
+        if math.isnan(one.least):
+            yield Notice("W417", "heated", {"pad": pad, "need": one.need, "share": share})
+            continue
         other = None if films.thermal is not None else loaded_at_fold(case, solution, margins[one.number])
         if other is None or not other.outcome.solved:  # folds are those of films of one temperature
             yield Notice("W417", "alone", {"pad": pad, "need": one.need, "share": share, "least": one.least})

@@ -26,6 +26,7 @@ from babbitt.reynolds.tilting_pads.pad_heat import THERMAL_PADS, PadHeat
 from babbitt.reynolds.tilting_pads.solve import OUTCOMES, groove_force, without_light_pads
 from babbitt.reynolds.tilting_pads.thermal_pad_solution import ThermalTiltingPadSolution
 from babbitt.reynolds.tilting_pads.thermal_pad_states import Settled, thermal_solution
+from babbitt.reynolds.tilting_pads.thermal_returning_pads import returning_pads
 
 __all__ = ["find_thermal_tilting_pads", "thermal_pads_with_light_ones", "thermal_tilting_pads_at"]
 
@@ -95,7 +96,8 @@ def find_thermal_tilting_pads(
     start : tuple of float
         Where the search begins, m.
     without : tuple of int
-        Pads that are taken not to carry, as of `solve.solve_tilting_pads`.
+        Pads that are taken not to carry, as of `solve.solve_tilting_pads`; those that would at the temperatures
+        found are ``light``.
 
     Returns
     -------
@@ -112,19 +114,26 @@ def find_thermal_tilting_pads(
     begun, scales = time.perf_counter(), PadScales(bearing)
     wanted = (np.asarray(load) + groove_force(bearing)) * scales.sense / scales.force
     at = np.asarray(start) * scales.sense / scales.length
-    return thermal_solution(search(bearing, heat, resolution, wanted, at, without), begun)
+    settled = search(bearing, heat, resolution, wanted, at, without)
+    return replace(thermal_solution(settled, begun), light=returning_pads(settled, wanted))
 
 
 def thermal_pads_with_light_ones(
     bearing: TiltingPadBearing, load: tuple[float, float], heat: PadHeat, resolution: Resolution, share: float
 ) -> ThermalTiltingPadSolution:
-    """`find_thermal_tilting_pads`, with pads that flutter about a fold of no more than a share of the load left
-    without any (`solve.without_light_pads`)."""
+    """`find_thermal_tilting_pads`, with pads that have no equilibrium about a fold of no more than a share of the
+    load left without any (`solve.without_light_pads`).
+
+    At the temperatures of that state such a pad must not carry more than the share as soon as it comes back.
+    """
 
     def solve(without: tuple[int, ...], start: tuple[float, float]) -> ThermalTiltingPadSolution:
         return find_thermal_tilting_pads(bearing, load, heat, resolution, start=start, without=without)
 
-    return without_light_pads(solve, share * math.hypot(*load))
+    most = share * math.hypot(*load)
+    first, found, _ = without_light_pads(solve, most)
+    is_little = all(one.returning <= most and one.need <= most and not one.least > most for one in found.light)
+    return found if found.outcome.solved and is_little else first
 
 
 def thermal_tilting_pads_at(
