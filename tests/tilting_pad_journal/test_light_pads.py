@@ -8,6 +8,8 @@ from pad_journals import OIL, pad_case, result_of, solution_of
 
 from babbitt.case import case_from_dict
 from babbitt.core.result import Outcome
+from babbitt.kinds.tilting_pad_journal.margins import PadMargin
+from babbitt.kinds.tilting_pad_journal.warnings import about_nearly_unloaded
 from babbitt.solving import solve
 
 TURBINE = {
@@ -159,3 +161,14 @@ def test_smaller_steps_settle_a_pad_that_bounces_into_its_limit():
     assert 0.0 < loads[2] < more[2]
     assert slower.arrays["pad_load"][0][2] < loads[2]
     assert found.values["stiffness_yy"] == pytest.approx(faster.values["stiffness_yy"], rel=0.05)
+
+
+@pytest.mark.parametrize(
+    ("margin", "fold", "variant"),
+    [(0.05, 0.1, "near"), (0.3, -0.1, "light"), (math.inf, -math.inf, "kept"), (math.nan, math.nan, "unknown")],
+)
+def test_what_is_said_of_a_pad_that_carries_little(margin, fold, variant):
+    """Only a pad near its fold is shown that fold; one whose fold was not found is not said to stay loaded."""
+    (notice,) = about_nearly_unloaded(PadMargin(1, margin, fold, loaded=True), 0.01)
+    assert (notice.code, notice.variant) == ("W402", variant)
+    assert ("fold" in notice.values) == (variant == "near")

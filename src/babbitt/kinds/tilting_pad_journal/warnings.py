@@ -116,13 +116,20 @@ def about_unloaded_pads(case: PadCase, films: PadFilms, margins: tuple[PadMargin
 
 def about_nearly_unloaded(margin: PadMargin, share: float) -> Iterator[Notice]:
     """A pad that carries little or may soon carry nothing; one that unloads nowhere has no margin."""
-    if not math.isfinite(margin.margin):
-        yield Notice("W402", "light", {"pad": margin.number, "share": share})
+    if not margin.margin < NEAR_FLUTTER:
+        yield Notice("W402", light_variant(margin), {"pad": margin.number, "share": share})
         return
     ratio = margin.fold + margin.margin
     yield Notice("W402", "near", {
         "pad": margin.number, "share": share, "ratio": ratio, "margin": margin.margin, "fold": margin.fold,
     })  # fmt: skip
+
+
+def light_variant(margin: PadMargin) -> str:
+    """Which message fits a pad that carries little but is not known to be near its fold."""
+    if math.isnan(margin.margin):
+        return "unknown"
+    return "kept" if math.isinf(margin.margin) else "light"
 
 
 def about_light_pads(
