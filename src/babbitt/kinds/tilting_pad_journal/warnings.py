@@ -28,7 +28,7 @@ from babbitt.kinds.tilting_pad_journal.margins import (
 from babbitt.kinds.tilting_pad_journal.model import PadCase
 from babbitt.kinds.tilting_pad_journal.state import PadFilms
 from babbitt.reynolds.tilting_pads.dynamics import condensed_at, full_coefficients
-from babbitt.reynolds.tilting_pads.pivots import YIELD, HertzContact, LineContact
+from babbitt.reynolds.tilting_pads.pivots import HertzContact, LineContact
 
 __all__ = ["starved_bounds", "warnings_about_kept_limits", "warnings_of_solution"]
 
@@ -225,9 +225,12 @@ def about_contacts(films: PadFilms) -> Iterator[Notice]:
     """Contacts that begin to yield, and line contacts so wide that the law of Hertz ends."""
     for number, (pad, state) in enumerate(zip(films.solution.bearing.pads, films.solution.pads, strict=True), 1):
         if isinstance(pad.pivot, HertzContact) and state.load > 0.0:
-            pressure, bearable = pad.pivot.contact_pressure(state.load), pad.pivot.yield_factor * YIELD
+            pressure, bearable = pad.pivot.contact_pressure(state.load), pad.pivot.bearable_pressure
             if pressure > bearable:
-                yield Notice("W418", values={"pad": number, "pressure": pressure, "bearable": bearable})
+                yield Notice("W418", values={
+                    "pad": number, "pressure": pressure, "bearable": bearable,
+                    "strength": pad.pivot.yield_strength,
+                })  # fmt: skip
         if isinstance(pad.pivot, LineContact) and state.load > 0.0:
             half = pad.pivot.half_width(state.load)
             if half > WIDE_CONTACT * pad.pivot.radius:
