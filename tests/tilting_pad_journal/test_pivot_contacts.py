@@ -66,3 +66,4 @@ def test_the_reynolds_number_is_given_at_both_clearances():
     assert values["preload"] == pytest.approx(0.47)
     assert values["at_assembled"] == pytest.approx(0.53 * values["film_reynolds_number"])
     assert values["assembled"] == pytest.approx(0.53 * values["machined"])
+    assert values["critical_assembled"] == pytest.approx(41.3 * (0.05 / values["assembled"]) ** 0.5)

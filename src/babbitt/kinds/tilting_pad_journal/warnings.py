@@ -218,6 +218,7 @@ def about_laminar_films(values: Mapping[str, float]) -> Iterator[Notice]:
         yield Notice("W407", values={
             "film_reynolds_number": reynolds, "critical_reynolds_number": critical, "machined": machined,
             "assembled": assembled, "preload": values["preload"], "at_assembled": reynolds * assembled / machined,
+            "critical_assembled": critical * math.sqrt(machined / assembled),
         })  # fmt: skip
 
 
