@@ -3,6 +3,7 @@
 import pytest
 from pad_journals import OIL, result_of
 
+from babbitt.kinds.tilting_pad_journal.report.tables import tables
 from babbitt.reynolds.tilting_pads.pivots import YIELD, PointContact
 
 POINT = {"kind": "point", "pivot_radius": "100 mm", "housing_radius": "110 mm"}
@@ -56,6 +57,15 @@ def test_contacts_of_rockers_are_listed_as_not_checked():
     for pivot, listed in (({"kind": "rocker"}, True), (POINT, False)):
         result = result_of({"pads.pivot": pivot}, **ISOTHERMAL)
         assert ("C409" in [one.code for one in result.not_checked]) is listed
+
+
+@pytest.mark.parametrize(("pivot", "columns"), [(POINT, 4), ({"kind": "rocker"}, 3)])
+def test_the_note_below_the_pivots_names_what_its_columns_show(pivot, columns):
+    result = result_of({"pads.pivot": pivot}, **ISOTHERMAL)
+    (table,) = (one for one in tables(result) if one["title"] == "Pivots")
+    assert len(table["columns"]) == 1 + columns
+    assert table["note"].count(",") == columns - 1
+    assert ("pressure" in table["note"]) == ("pivot_contact_pressure" in result.arrays)
 
 
 def test_the_reynolds_number_is_given_at_both_clearances():
