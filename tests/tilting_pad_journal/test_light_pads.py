@@ -30,7 +30,7 @@ def light_notices(result):
     return [one for one in result.warnings if one.code == "W417"]
 
 
-def test_a_pad_that_flutters_under_little_load_is_left_without():
+def test_a_pad_without_equilibrium_under_little_load_is_left_without():
     """The other pads alone balance the load; neighbours in speed have nearly the same stiffness."""
     slower, found, faster = (result_of(**TURBINE, speed=f"{speed} rpm") for speed in (3400, 3500, 3600))
     assert found.outcome is Outcome.CONVERGED

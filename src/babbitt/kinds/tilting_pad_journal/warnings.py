@@ -20,7 +20,7 @@ from babbitt.design.warnings import (
 from babbitt.kinds.tilting_pad_journal.dynamics import LARGEST_FIT_ERROR, PadDynamics, with_pedestal
 from babbitt.kinds.tilting_pad_journal.margins import (
     LIGHTLY_LOADED,
-    NEAR_FLUTTER,
+    NEAR_FOLD,
     PadMargin,
     loaded_at_fold,
     loading_preload,
@@ -110,13 +110,13 @@ def about_unloaded_pads(case: PadCase, films: PadFilms, margins: tuple[PadMargin
                 yield Notice("W401", "unknown", {"pad": one.number})
             continue
         share = films.solution.pads[one.number - 1].load / max(films.load, TINY)
-        if one.margin < NEAR_FLUTTER or share < LIGHTLY_LOADED:
+        if one.margin < NEAR_FOLD or share < LIGHTLY_LOADED:
             yield from about_nearly_unloaded(one, share)
 
 
 def about_nearly_unloaded(margin: PadMargin, share: float) -> Iterator[Notice]:
     """A pad that carries little or may soon carry nothing; one that unloads nowhere has no margin."""
-    if not margin.margin < NEAR_FLUTTER:
+    if not margin.margin < NEAR_FOLD:
         yield Notice("W402", light_variant(margin), {"pad": margin.number, "share": share})
         return
     ratio = margin.fold + margin.margin
@@ -135,7 +135,7 @@ def light_variant(margin: PadMargin) -> str:
 def about_light_pads(
     case: PadCase, films: PadFilms, dynamics: PadDynamics, margins: tuple[PadMargin, ...]
 ) -> Iterator[Notice]:
-    """Pads that flutter about their folds, with what differs when they carry."""
+    """Pads without equilibrium about their folds, with what differs when they carry."""
     solution = films.solution
     for one in solution.light:
         pad, share = one.number + 1, one.need / films.load
