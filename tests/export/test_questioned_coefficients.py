@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -81,3 +82,19 @@ def test_a_speed_in_rpm_brings_back_the_same_speed(rpm):
     assert rounded_rpm(rpm * RPM) == pytest.approx(rpm, rel=1e-15)
     assert rounded_rpm(math.pi) * RPM == pytest.approx(math.pi, rel=1e-15)
     assert len(str(rounded_rpm(6000.0 * RPM))) == len("6000.0")
+
+
+@pytest.mark.parametrize(
+    ("write", "read", "name"), [(write_csv, read_csv, "t.csv"), (write_json, read_json, "t.json")]
+)
+def test_speeds_that_a_table_lacks_come_back_from_files(tmp_path, write, read, name):
+    for lacking in ((), (0.0, 12.5)):
+        write(replace(questioned(), unsolved_speeds=lacking), tmp_path / name)
+        (back,) = read(tmp_path / name)
+        assert back.unsolved_speeds == lacking
+        assert ("unsolved" in (tmp_path / name).read_text()) == bool(lacking)
+
+
+def test_speeds_that_a_table_lacks_are_finite_numbers():
+    with pytest.raises(InputError, match="unsolved_speeds"):
+        replace(questioned(), unsolved_speeds=(math.nan,))

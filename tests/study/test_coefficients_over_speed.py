@@ -59,6 +59,13 @@ def test_a_following_stiffness_that_was_not_found_makes_no_table(monkeypatch):
         run.table()
 
 
+def test_speeds_without_a_film_are_named_in_the_table():
+    """At 0.001 rpm no film carries the load."""
+    table = run_over_speed(film(), [0.001 * RPM, 3000.0 * RPM]).table()
+    assert table.speeds == pytest.approx([3000.0 * RPM])
+    assert table.unsolved_speeds == pytest.approx([0.001 * RPM])
+
+
 def test_the_sense_of_rotation_is_that_of_the_case():
     # the grooves lie evenly about the vertical load: the clockwise bearing is the mirror of the other
     one, other = (run_over_speed(film(speed=speed), [200.0]).table() for speed in ("3000 rpm", "-3000 rpm"))

@@ -97,6 +97,7 @@ def test_speeds_without_equilibrium_are_left_out_of_the_table():
     assert [round(speed / RPM, 3) for speed, _ in found.unsolved] == [0.1]
     table = found.table()
     assert table.speeds == pytest.approx([2000.0 * RPM, 4000.0 * RPM])
+    assert table.unsolved_speeds == pytest.approx([0.1 * RPM])
     alone = result_of(load="150 kN", speed="2000 rpm", **ISOTHERMAL)
     assert table.stiffness[0] == pytest.approx(np.array(alone.arrays["stiffness"]), rel=1e-6, abs=1.0)
 

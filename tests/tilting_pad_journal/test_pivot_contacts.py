@@ -3,6 +3,7 @@
 import pytest
 from pad_journals import OIL, result_of
 
+from babbitt.kinds.tilting_pad_journal.report.tables import tables
 from babbitt.reynolds.tilting_pads.pivots import YIELD, PointContact
 
 POINT = {"kind": "point", "pivot_radius": "100 mm", "housing_radius": "110 mm"}
@@ -35,6 +36,38 @@ def test_a_pivot_yields_from_1_6_times_its_yield_strength_on(over):
     assert reached == pytest.approx(wanted, rel=0.01)
 
 
+@pytest.mark.parametrize("strength", [900.0, 1100.0])
+def test_a_pivot_yields_at_the_strength_that_is_given(strength):
+    """p_0 at yield is proportional to it; the film does not depend on it."""
+    pivot = POINT | {"housing_radius": "400 mm", "pivot_radius": "60 mm"}
+    assumed, given = (
+        result_of({"pads.pivot": pivot | own}, **ISOTHERMAL | {"load": "80 kN"})
+        for own in ({}, {"yield_strength": f"{strength} MPa"})
+    )
+    (notice, *_) = told(assumed, "W418")
+    assert notice.values["bearable"] == pytest.approx(1.6 * 650e6)
+    reached = given.values["largest_contact_pressure"]
+    assert reached == assumed.values["largest_contact_pressure"]
+    notices = told(given, "W418")
+    assert bool(notices) == (reached > 1.6e6 * strength)
+    assert all(one.values["bearable"] == pytest.approx(1.6e6 * strength) for one in notices)
+
+
+def test_contacts_of_rockers_are_listed_as_not_checked():
+    for pivot, listed in (({"kind": "rocker"}, True), (POINT, False)):
+        result = result_of({"pads.pivot": pivot}, **ISOTHERMAL)
+        assert ("C409" in [one.code for one in result.not_checked]) is listed
+
+
+@pytest.mark.parametrize(("pivot", "columns"), [(POINT, 4), ({"kind": "rocker"}, 3)])
+def test_the_note_below_the_pivots_names_what_its_columns_show(pivot, columns):
+    result = result_of({"pads.pivot": pivot}, **ISOTHERMAL)
+    (table,) = (one for one in tables(result) if one["title"] == "Pivots")
+    assert len(table["columns"]) == 1 + columns
+    assert table["note"].count(",") == columns - 1
+    assert ("pressure" in table["note"]) == ("pivot_contact_pressure" in result.arrays)
+
+
 def test_the_reynolds_number_is_given_at_both_clearances():
     thin = OIL | {"dynamic_viscosity": "1 mPa s"}
     fast = result_of(lubricant=thin, thermal="isothermal", speed="20000 rpm", load="3 kN")
@@ -43,3 +76,4 @@ def test_the_reynolds_number_is_given_at_both_clearances():
     assert values["preload"] == pytest.approx(0.47)
     assert values["at_assembled"] == pytest.approx(0.53 * values["film_reynolds_number"])
     assert values["assembled"] == pytest.approx(0.53 * values["machined"])
+    assert values["critical_assembled"] == pytest.approx(41.3 * (0.05 / values["assembled"]) ** 0.5)

@@ -346,7 +346,7 @@ NOT_READ = {
     "a plate that does not bend": ({"pad_bending": "plate"}, ("method.pad_bending",)),
     "a material of a pad that does nothing": (
         {"pads.each": [{"material": "C45"}, {}, {}, {}]},
-        ("pads.each.0.material",),
+        ("pads.each (pad 1).material",),
     ),
 }
 """Data of another thermal model or deformation, and the paths that are named as not used."""

@@ -83,6 +83,7 @@ class PointPivot(OwnPart, pivots.PointPivotInput):
         poisson_ratio: Quantity | None = ...,
         housing_elastic_modulus: Quantity | None = ...,
         housing_poisson_ratio: Quantity | None = ...,
+        yield_strength: Quantity | None = ...,
         kind: Literal["point"] | Enum | None = ...,
     ) -> None: ...
 
@@ -99,6 +100,7 @@ class LinePivot(OwnPart, pivots.LinePivotInput):
         poisson_ratio: Quantity | None = ...,
         housing_elastic_modulus: Quantity | None = ...,
         housing_poisson_ratio: Quantity | None = ...,
+        yield_strength: Quantity | None = ...,
         kind: Literal["line"] | Enum | None = ...,
         length: Quantity | None = ...,
         depth: Quantity | None = ...,

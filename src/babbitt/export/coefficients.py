@@ -55,6 +55,9 @@ class CoefficientTable:
     warnings : tuple of tuple of str
         At every speed the codes of the warnings that question its equilibrium or leave it without a verdict, such
         as ``W407``; empty where no speed has one, or where it is not known.
+    unsolved_speeds : tuple of float
+        Speeds that were asked for and are not in the table, rad/s: no equilibrium, or not the stiffness that
+        the case asks for.
 
     Raises
     ------
@@ -78,6 +81,7 @@ class CoefficientTable:
     over_frequency: OverFrequency | None = None
     systems: tuple[SystemMatrices, ...] = ()
     warnings: tuple[tuple[str, ...], ...] = ()
+    unsolved_speeds: tuple[float, ...] = ()
 
     def __post_init__(self) -> None:
         for attribute in ("name", "method", "temperatures"):
@@ -115,6 +119,8 @@ class CoefficientTable:
         if wrong := [code for one in codes for code in one if not (isinstance(code, str) and code.isalnum())]:
             raise InputError("E003", f"{self.name}: warnings must be codes such as W407, not {wrong[0]!r}")
         object.__setattr__(self, "warnings", codes if any(codes) else ())
+        unsolved = self._frozen("unsolved_speeds", np.asarray(self.unsolved_speeds))
+        object.__setattr__(self, "unsolved_speeds", tuple(unsolved.tolist()))
         static = {}
         for name, values in self.static.items():
             if name not in QUANTITIES:

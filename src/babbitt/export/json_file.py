@@ -15,7 +15,7 @@ from babbitt.core.files.writing import write_text
 from babbitt.core.notices import InputError
 from babbitt.export.coefficients import CoefficientTable
 from babbitt.export.frame import Frame, Rotation
-from babbitt.export.questioned import warnings_from, warnings_record
+from babbitt.export.questioned import unsolved_from, unsolved_record, warnings_from, warnings_record
 from babbitt.export.unit_names import static_column, static_quantity
 from babbitt.export.whirl import OverFrequency, SystemMatrices
 
@@ -127,6 +127,7 @@ def json_text(tables: CoefficientTable | Iterable[CoefficientTable]) -> str:
             "frame": frame_record(table.frame),
             _SPEED: table.speeds.tolist(),
             **warnings_record(table),
+            **unsolved_record(table),
         }
         for matrix, key in _MATRICES.items():
             values = getattr(table, matrix)
@@ -196,6 +197,7 @@ def _table(where: str, record: Any) -> CoefficientTable:
         over_frequency=over_frequency_from(where, record),
         systems=systems_from(where, record),
         warnings=warnings_from(where, record),
+        unsolved_speeds=unsolved_from(where, record),
     )
 
 

@@ -2,7 +2,7 @@
 
 Coefficients over frequency stand in further rows, one for each speed and frequency; rows without a frequency hold
 those of the speed itself, and the codes of the warnings that question them. Matrices of journal and pads stand in
-one cell each, row after row, with their labels.
+one cell each, row after row, with their labels; so do the speeds that the table lacks, in every row.
 
 One header line, comma, decimal point, UTF-8. Rows of several bearings stand below each other, as spreadsheets,
 pandas, COMSOL and other programs that interpolate in tables like it.
@@ -25,6 +25,7 @@ from babbitt.core.quantities import AXES
 from babbitt.export.coefficients import Array, CoefficientTable
 from babbitt.export.frame import Frame, Rotation
 from babbitt.export.numbers import number
+from babbitt.export.questioned import UNSOLVED
 from babbitt.export.unit_names import static_column, static_quantity
 from babbitt.export.whirl import OverFrequency, SystemMatrices
 
@@ -131,6 +132,7 @@ def _rows(table: CoefficientTable) -> Iterable[dict[str, Cell]]:
         "rotation": table.frame.rotation.value,
         "x_axis_angle_rad": table.frame.x_axis_angle,
         "load_angle_rad": load,
+        **({UNSOLVED: _joined(np.array(table.unsolved_speeds))} if table.unsolved_speeds else {}),
     }
     for i, speed in enumerate(table.speeds):
         row = {**shared, _SPEED: float(speed)}
@@ -156,16 +158,21 @@ def _rows(table: CoefficientTable) -> Iterable[dict[str, Cell]]:
 
 
 def _joined(matrix: Array) -> str:
-    """A matrix in one cell, row after row, in brackets: a minus alone would make a formula of it."""
+    """Numbers in one cell, a matrix row after row, in brackets: a minus alone would make a formula of it."""
     return "[" + " ".join(repr(float(one)) for one in matrix.flat) + "]"
 
 
 def _parted(where: str, cell: str, size: int) -> Array:
     """The matrix of a cell that `_joined` wrote."""
-    numbers = [number(where, one) for one in cell.strip("[]").split()]
+    numbers = _in_cell(where, cell)
     if len(numbers) != size * size:
         raise InputError("E004", f"{where} has {len(numbers)} numbers for {size} labels")
     return np.array(numbers).reshape(size, size)
+
+
+def _in_cell(where: str, cell: str) -> list[float]:
+    """The numbers of a cell that `_joined` wrote."""
+    return [number(where, one) for one in cell.strip("[]").split()]
 
 
 def _table(where: str, name: str, rows: list[dict[str, str]]) -> CoefficientTable:
@@ -212,6 +219,7 @@ def _table(where: str, name: str, rows: list[dict[str, str]]) -> CoefficientTabl
         method=first.get("method") or "",
         temperatures=first.get("temperatures") or "",
         over_frequency=_over_frequency(where, name, moving, len(rows)),
+        unsolved_speeds=tuple(_in_cell(f"{where}: {name}, {UNSOLVED}", first.get(UNSOLVED) or "")),
         warnings=tuple(tuple((row.get(_WARNINGS) or "").split()) for row in rows),
         systems=tuple(_system(f"{where}: {name}", row) for row in rows if row.get(_LABELS)),
     )

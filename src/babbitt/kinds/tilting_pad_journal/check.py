@@ -45,6 +45,7 @@ from babbitt.kinds.tilting_pad_journal.warnings import (
     warnings_about_kept_limits,
     warnings_of_solution,
 )
+from babbitt.reynolds.tilting_pads.pivots import RockerContact
 
 __all__ = ["LEAST_DECREMENT", "PadSolutionState", "least_decrement", "pad_solution", "refuse_starvation"]
 
@@ -227,6 +228,8 @@ def not_checked_here(case: PadCase, values: Mapping[str, float]) -> Iterator[Not
         yield Notice("C401")
     if "least_pad_margin" not in values:
         yield Notice("C402")
+    if any(isinstance(pad.pivot, RockerContact) for pad in case.bearing.pads):
+        yield Notice("C409")
     if case.thermal.is_resolved:
         return
     if case.probe_alarm is not None:

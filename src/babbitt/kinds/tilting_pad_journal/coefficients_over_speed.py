@@ -61,7 +61,7 @@ class PadSpeedRun:
     def table(self) -> CoefficientTable:
         """Give the coefficients over speed and frequency, with the equilibria and heat balances they belong to.
 
-        Speeds without an equilibrium (`unsolved`) are left out.
+        Speeds without an equilibrium (`unsolved`) are left out, as the `unsolved_speeds` of the table.
 
         Raises
         ------
@@ -71,7 +71,8 @@ class PadSpeedRun:
         kept = [one for one in self.solutions if one.result.outcome.solved]
         if not kept:
             raise InputError("E003", f"{self.case.name}: no equilibrium at any of the speeds")
-        return table_of([one.result for one in kept], [one.problem for one in kept])
+        table = table_of([one.result for one in kept], [one.problem for one in kept])
+        return replace(table, unsolved_speeds=tuple(speed for speed, _ in self.unsolved))
 
 
 def run_over_speed(case: PadCase, speeds: Iterable[float]) -> PadSpeedRun:

@@ -11,9 +11,9 @@ from babbitt.reynolds.tilting_pads.pivots import displacement_of
 from babbitt.reynolds.tilting_pads.solution import PadStatus, TiltingPadSolution
 from babbitt.reynolds.tilting_pads.solve import fold_of, tilting_pads_at
 
-__all__ = ["LIGHTLY_LOADED", "NEAR_FLUTTER", "PadMargin", "loaded_at_fold", "loading_preload", "pad_margins"]
+__all__ = ["LIGHTLY_LOADED", "NEAR_FOLD", "PadMargin", "loaded_at_fold", "loading_preload", "pad_margins"]
 
-NEAR_FLUTTER = 0.1
+NEAR_FOLD = 0.1
 """Eccentricity ratio at the pivot above that at which the pad unloads, below which it is reported: tolerances of a
 tenth of the machined clearance move it by as much (assumption)."""
 

@@ -28,7 +28,13 @@ from babbitt.reynolds.tilting_pads.pedestal import Pedestal
 __all__ = ["Accuracy", "Feed", "HeatChoices", "LIGHT", "PadBearing", "PadCase", "Thermal", "WHIRL_RATIOS"]
 
 LIGHT = 0.05
-"""Share of the load that a pad may carry at its fold and still be left without (assumption)."""
+"""Share of the load that a pad may carry at its fold and still be left without (assumption).
+
+More than the 2 % (`margins.LIGHTLY_LOADED`) below which a loaded pad is reported: offset pads of the bearings
+tried carry up to 3.5 % at their folds, and between a speed at which such a pad carries and one at which it does
+not there is no other answer. A removal is never silent: W417 always reports it, with what differs in films of one
+temperature. A heated pad that stays unloaded at the temperatures of the state without it is in equilibrium; W401
+reports it."""
 
 WHIRL_RATIOS = (0.2, 0.4, 0.6, 0.8, 1.0, 1.2)
 """Frequencies over the speed at which coefficients are given where the case names none."""

@@ -47,7 +47,8 @@ def thermal_films(case: PadCase) -> Equilibrium[PadFilms]:
             return Equilibrium(outcome, None, rounds, highest_usable(case.lubricant))
         if not math.isfinite(temperature):
             return Equilibrium(outcome, None, rounds, before)
-        if not outcome.solved or abs(temperature - before) <= SAME_TEMPERATURE:
+        goes_on = outcome.solved or outcome is Outcome.PAD_AT_LIMIT  # which the properties of the oil may change
+        if not goes_on or abs(temperature - before) <= SAME_TEMPERATURE:
             return Equilibrium(outcome, films_of(case, found, temperature), rounds, temperature)
     return Equilibrium(Outcome.NOT_CONVERGED, films_of(case, found, temperature), MOST_ROUNDS, temperature)
 

@@ -20,7 +20,7 @@ from babbitt.design.warnings import (
 from babbitt.kinds.tilting_pad_journal.dynamics import LARGEST_FIT_ERROR, PadDynamics, with_pedestal
 from babbitt.kinds.tilting_pad_journal.margins import (
     LIGHTLY_LOADED,
-    NEAR_FLUTTER,
+    NEAR_FOLD,
     PadMargin,
     loaded_at_fold,
     loading_preload,
@@ -28,7 +28,7 @@ from babbitt.kinds.tilting_pad_journal.margins import (
 from babbitt.kinds.tilting_pad_journal.model import PadCase
 from babbitt.kinds.tilting_pad_journal.state import PadFilms
 from babbitt.reynolds.tilting_pads.dynamics import condensed_at, full_coefficients
-from babbitt.reynolds.tilting_pads.pivots import YIELD, HertzContact, LineContact
+from babbitt.reynolds.tilting_pads.pivots import HertzContact, LineContact
 
 __all__ = ["starved_bounds", "warnings_about_kept_limits", "warnings_of_solution"]
 
@@ -110,14 +110,14 @@ def about_unloaded_pads(case: PadCase, films: PadFilms, margins: tuple[PadMargin
                 yield Notice("W401", "unknown", {"pad": one.number})
             continue
         share = films.solution.pads[one.number - 1].load / max(films.load, TINY)
-        if one.margin < NEAR_FLUTTER or share < LIGHTLY_LOADED:
+        if one.margin < NEAR_FOLD or share < LIGHTLY_LOADED:
             yield from about_nearly_unloaded(one, share)
 
 
 def about_nearly_unloaded(margin: PadMargin, share: float) -> Iterator[Notice]:
     """A pad that carries little or may soon carry nothing; one that unloads nowhere has no margin."""
-    if not math.isfinite(margin.margin):
-        yield Notice("W402", "light", {"pad": margin.number, "share": share})
+    if not margin.margin < NEAR_FOLD:
+        yield Notice("W402", light_variant(margin), {"pad": margin.number, "share": share})
         return
     ratio = margin.fold + margin.margin
     yield Notice("W402", "near", {
@@ -125,13 +125,23 @@ def about_nearly_unloaded(margin: PadMargin, share: float) -> Iterator[Notice]:
     })  # fmt: skip
 
 
+def light_variant(margin: PadMargin) -> str:
+    """Which message fits a pad that carries little but is not known to be near its fold."""
+    if math.isnan(margin.margin):
+        return "unknown"
+    return "kept" if math.isinf(margin.margin) else "light"
+
+
 def about_light_pads(
     case: PadCase, films: PadFilms, dynamics: PadDynamics, margins: tuple[PadMargin, ...]
 ) -> Iterator[Notice]:
-    """Pads that flutter about their folds, with what differs when they carry."""
+    """Pads without equilibrium about their folds, with what differs when they carry."""
     solution = films.solution
     for one in solution.light:
         pad, share = one.number + 1, one.need / films.load
+        if math.isnan(one.least):
+            yield Notice("W417", "heated", {"pad": pad, "need": one.need, "share": share})
+            continue
         other = None if films.thermal is not None else loaded_at_fold(case, solution, margins[one.number])
         if other is None or not other.outcome.solved:  # folds are those of films of one temperature
             yield Notice("W417", "alone", {"pad": pad, "need": one.need, "share": share, "least": one.least})
@@ -208,6 +218,7 @@ def about_laminar_films(values: Mapping[str, float]) -> Iterator[Notice]:
         yield Notice("W407", values={
             "film_reynolds_number": reynolds, "critical_reynolds_number": critical, "machined": machined,
             "assembled": assembled, "preload": values["preload"], "at_assembled": reynolds * assembled / machined,
+            "critical_assembled": critical * math.sqrt(machined / assembled),
         })  # fmt: skip
 
 
@@ -215,9 +226,12 @@ def about_contacts(films: PadFilms) -> Iterator[Notice]:
     """Contacts that begin to yield, and line contacts so wide that the law of Hertz ends."""
     for number, (pad, state) in enumerate(zip(films.solution.bearing.pads, films.solution.pads, strict=True), 1):
         if isinstance(pad.pivot, HertzContact) and state.load > 0.0:
-            pressure, bearable = pad.pivot.contact_pressure(state.load), pad.pivot.yield_factor * YIELD
+            pressure, bearable = pad.pivot.contact_pressure(state.load), pad.pivot.bearable_pressure
             if pressure > bearable:
-                yield Notice("W418", values={"pad": number, "pressure": pressure, "bearable": bearable})
+                yield Notice("W418", values={
+                    "pad": number, "pressure": pressure, "bearable": bearable,
+                    "strength": pad.pivot.yield_strength,
+                })  # fmt: skip
         if isinstance(pad.pivot, LineContact) and state.load > 0.0:
             half = pad.pivot.half_width(state.load)
             if half > WIDE_CONTACT * pad.pivot.radius:

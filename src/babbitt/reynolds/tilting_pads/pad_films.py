@@ -216,6 +216,15 @@ class PadFilms:
         fixed = (self.bearing, self.heat, self.axial, self.conduction, self.bending, self.walls.answer, self.oil)
         return deepcopy(self, {id(part): part for part in fixed})
 
+    def freed(self) -> PadFilms:
+        """A copy in which every pad carries what it can."""
+        free = self.copied()
+        free.without = ()
+        free.places.unloaded_below[:] = free.unloaded
+        free.places.fold[:] = np.nan
+        free.places.films[0] = 0
+        return free
+
     def drives(self) -> Array:
         """What drives the temperatures of every pad (`PadConduction`), shape (pads, n + 1 + 3)."""
         count = self.films.inlet.size

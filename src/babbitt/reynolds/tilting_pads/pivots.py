@@ -42,7 +42,8 @@ and N. That a rocker in its hollow gives way as a roller does is an assumption: 
 softer than the contact of Hertz at 100 kN."""
 
 YIELD = 650e6
-"""Pa, assumption: yield strength of pivots, that of 42CrMo4, quenched and tempered, 40 to 100 mm (ISO 683-2)."""
+"""Pa, assumption: yield strength of pivots of which none is given, that of 42CrMo4, quenched and tempered, 40 to
+100 mm (ISO 683-2)."""
 
 LIGHTEST = 1e-9
 """N: load at which the stiffness of an unloaded contact is taken, for that of a point vanishes with its load."""
@@ -129,6 +130,8 @@ class HertzContact:
     poisson_ratio, housing_poisson_ratio : float
     housing_stiffness : float
         In series, N/m; ``inf``: rigid.
+    yield_strength : float
+        Of the softer body, Pa.
     """
 
     radius: float
@@ -138,9 +141,12 @@ class HertzContact:
     housing_elastic_modulus: float = field(default=210e9, kw_only=True)
     housing_poisson_ratio: float = field(default=0.3, kw_only=True)
     housing_stiffness: float = field(default=math.inf, kw_only=True)
+    yield_strength: float = field(default=YIELD, kw_only=True)
 
     def __post_init__(self) -> None:
-        check_positive(self, "radius", "elastic_modulus", "housing_elastic_modulus", "housing_stiffness")
+        check_positive(
+            self, "radius", "elastic_modulus", "housing_elastic_modulus", "housing_stiffness", "yield_strength"
+        )
         if not self.housing_radius > self.radius:
             raise InputError("E101", f"housing_radius is {self.housing_radius} m; it must be more than the radius "
                              f"of the pivot in it, {self.radius} m (inf for a plane).")  # fmt: skip
@@ -170,6 +176,11 @@ class HertzContact:
 
     yield_factor: ClassVar[float]
     """p_0 at which the bodies begin to yield below their surfaces, over their yield strength."""
+
+    @property
+    def bearable_pressure(self) -> float:
+        """p_0 at which the bodies begin to yield, Pa."""
+        return self.yield_factor * self.yield_strength
 
 
 @dataclass(frozen=True)

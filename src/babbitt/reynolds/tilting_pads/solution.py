@@ -134,12 +134,17 @@ class LightPad:
     number : int
         From 0.
     need, least : float
-        What it would have to carry, and the least that it can, N.
+        What it would have to carry, and the least that it can, N. ``least`` is nan where the pad does carry
+        ``need`` at the temperatures of the state without it, but at no others.
+    returning : float
+        What it carries as soon as it comes back, where the journal stands without it, N; nan where that was not
+        found.
     """
 
     number: int
     need: float
     least: float
+    returning: float = math.nan
 
 
 @dataclass(frozen=True, eq=False)
@@ -173,7 +178,7 @@ class TiltingPadSolution:
     wall_time : float
         s.
     light : tuple of LightPad
-        Pads that go to and fro about their folds, here left without load.
+        Pads without equilibrium about their folds, here left without load.
     """
 
     bearing: TiltingPadBearing

@@ -113,36 +113,44 @@ def solve_tilting_pads(
 def solve_with_light_pads(
     bearing: TiltingPadBearing, load: tuple[float, float], resolution: Resolution, share: float
 ) -> TiltingPadSolution:
-    """`solve_tilting_pads`, with pads that flutter about a fold of little load left without any."""
+    """`solve_tilting_pads`, with pads that have no equilibrium about a fold of little load left without any."""
 
     def solve(without: tuple[int, ...], start: tuple[float, float]) -> TiltingPadSolution:
         return solve_tilting_pads(bearing, load, resolution, start=start, without=without)
 
-    return without_light_pads(solve, share * math.hypot(*load))
+    first, found, light = without_light_pads(solve, share * math.hypot(*load))
+    return replace(found, light=light) if found.outcome.solved else first
 
 
-def without_light_pads(solve: Callable[[tuple[int, ...], tuple[float, float]], S], most: float) -> S:
-    """Films with pads that flutter about a fold of little load left without any.
+def without_light_pads(
+    solve: Callable[[tuple[int, ...], tuple[float, float]], S], most: float
+) -> tuple[S, S, tuple[LightPad, ...]]:
+    """Films with pads that have no equilibrium about a fold of little load left without any.
 
     Where a pad would have to carry less than it can, it carries in turn nothing and the load of its fold. If that
-    is no more than ``most`` (N), the answer is that with the pad unloaded (``light`` names it); otherwise there is
-    none.
+    is no more than ``most`` (N), films are sought with the pad unloaded; otherwise there are none.
 
     Parameters
     ----------
     solve : callable
         Solution without the pads of given numbers, from a place of the journal in m on.
     most : float
+
+    Returns
+    -------
+    tuple
+        The films with all pads, those without the light ones, which may be the same, and what these pads would
+        have to carry.
     """
     first = found = solve((), (0.0, 0.0))
     light: dict[int, LightPad] = {}
     while found.outcome is Outcome.PAD_AT_LIMIT and found.limit_pad is not None:
         number, (need, least) = found.limit_pad, found.limit_loads
         if number in light or not least <= most:
-            return first
+            return first, first, ()
         light[number] = LightPad(number, need, least)
         found = solve(tuple(light), (float(found.position[0]), float(found.position[1])))
-    return replace(found, light=tuple(light.values())) if found.outcome.solved else first
+    return first, found, tuple(light.values())
 
 
 def stiff_pads_under(

@@ -34,12 +34,13 @@ that much, more or less of it with the layers of the film."""
 
 @dataclass(frozen=True, eq=False)
 class Settled:
-    """Where passes ended; ``passes`` of all attempts."""
+    """Where passes ended; ``passes`` of all attempts, ``bounces``: a pad went in and out of its limit."""
 
     films: PadFilms
     placement: Placement
     outcome: Outcome
     passes: int
+    bounces: bool = False
 
 
 def thermal_solution(found: Settled, begun: float) -> ThermalTiltingPadSolution:

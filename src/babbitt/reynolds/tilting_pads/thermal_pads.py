@@ -26,6 +26,7 @@ from babbitt.reynolds.tilting_pads.pad_heat import THERMAL_PADS, PadHeat
 from babbitt.reynolds.tilting_pads.solve import OUTCOMES, groove_force, without_light_pads
 from babbitt.reynolds.tilting_pads.thermal_pad_solution import ThermalTiltingPadSolution
 from babbitt.reynolds.tilting_pads.thermal_pad_states import Settled, thermal_solution
+from babbitt.reynolds.tilting_pads.thermal_returning_pads import returning_pads
 
 __all__ = ["find_thermal_tilting_pads", "thermal_pads_with_light_ones", "thermal_tilting_pads_at"]
 
@@ -59,13 +60,15 @@ after which an attempt is given up."""
 HELD = 6
 """Passes in a row with a pad at its limit, behind which temperatures may change by `SWING`: each takes thousands
 of films."""
-FLUTTERS = 4
-"""Times that a pad comes to its limit in an attempt, loaded in between, behind which it flutters: it has no place
-at the temperatures that belong to either state."""
+BOUNCES = 4
+"""Times that a pad comes to its limit in an attempt, loaded in between, behind which the attempt ends: steps as
+large as these lead from the temperatures of either state to the other."""
 MOST_FILMS = 40_000
 """Solutions of the film of a pad in one attempt: about 0.3 s."""
 ENDS = (Outcome.CONVERGED, Outcome.PAD_AT_LIMIT, Outcome.OUTSIDE_CLEARANCE)
-"""What smaller steps would not change."""
+"""What smaller steps would not change, unless a pad bounced into its limit."""
+DECIDED = (*ENDS, Outcome.NO_CLEARANCE)
+"""What counts more than a pad that bounced with larger steps."""
 CLOSING = (Outcome.NOT_CONVERGED, Outcome.OUTSIDE_CLEARANCE)
 """How a step of growth ends behind which no film exists: gaps shrink from pass to pass, or a pad is touched."""
 
@@ -93,7 +96,8 @@ def find_thermal_tilting_pads(
     start : tuple of float
         Where the search begins, m.
     without : tuple of int
-        Pads that are taken not to carry, as of `solve.solve_tilting_pads`.
+        Pads that are taken not to carry, as of `solve.solve_tilting_pads`; those that would at the temperatures
+        found are ``light``.
 
     Returns
     -------
@@ -110,19 +114,26 @@ def find_thermal_tilting_pads(
     begun, scales = time.perf_counter(), PadScales(bearing)
     wanted = (np.asarray(load) + groove_force(bearing)) * scales.sense / scales.force
     at = np.asarray(start) * scales.sense / scales.length
-    return thermal_solution(search(bearing, heat, resolution, wanted, at, without), begun)
+    settled = search(bearing, heat, resolution, wanted, at, without)
+    return replace(thermal_solution(settled, begun), light=returning_pads(settled, wanted))
 
 
 def thermal_pads_with_light_ones(
     bearing: TiltingPadBearing, load: tuple[float, float], heat: PadHeat, resolution: Resolution, share: float
 ) -> ThermalTiltingPadSolution:
-    """`find_thermal_tilting_pads`, with pads that flutter about a fold of no more than a share of the load left
-    without any (`solve.without_light_pads`)."""
+    """`find_thermal_tilting_pads`, with pads that have no equilibrium about a fold of no more than a share of the
+    load left without any (`solve.without_light_pads`).
+
+    At the temperatures of that state such a pad must not carry more than the share as soon as it comes back.
+    """
 
     def solve(without: tuple[int, ...], start: tuple[float, float]) -> ThermalTiltingPadSolution:
         return find_thermal_tilting_pads(bearing, load, heat, resolution, start=start, without=without)
 
-    return without_light_pads(solve, share * math.hypot(*load))
+    most = share * math.hypot(*load)
+    first, found, _ = without_light_pads(solve, most)
+    is_little = all(one.returning <= most and one.need <= most and not one.least > most for one in found.light)
+    return found if found.outcome.solved and is_little else first
 
 
 def thermal_tilting_pads_at(
@@ -146,15 +157,28 @@ def search(
 ) -> Settled:  # fmt: skip
     """Attempts with ever smaller steps of the viscosity, or with more and more growth; without a load the journal
     stands."""
-    passes = 0
+    passes, bounced = 0, None
     for part in RELAXATIONS:
         settled = settle(PadFilms.of(bearing, heat, resolution, without), load, at, part)
         passes += settled.passes
-        if settled.outcome in ENDS:
+        if is_end(settled):
             break
+        bounced = settled if settled.bounces else bounced
         if heat.growth is not None:
-            return grow(settled, load, at)
-    return replace(settled, passes=passes)
+            settled = grow(settled, load, at)
+            passes = settled.passes
+            break
+    return replace(behind_bounces(settled, bounced), passes=passes)
+
+
+def is_end(settled: Settled) -> bool:
+    """Whether smaller steps would not change how an attempt ended."""
+    return settled.outcome in ENDS and not settled.bounces
+
+
+def behind_bounces(last: Settled, bounced: Settled | None) -> Settled:
+    """The last attempt, or one whose pad bounced into its limit where smaller steps found nothing else."""
+    return last if bounced is None or last.outcome in DECIDED else bounced
 
 
 def grow(failed: Settled, load: Array | None, at: Array) -> Settled:
@@ -164,14 +188,16 @@ def grow(failed: Settled, load: Array | None, at: Array) -> Settled:
     the clearance closes. Where steps end otherwise, at a bound on work or a pad at its limit, that is the outcome.
     """
     films, passes = failed.films, failed.passes
-    best = failed
+    best, bounced = failed, None
     for part in RELAXATIONS:
         cold = PadFilms.of(films.bearing, films.heat, films.resolution, films.without)
         cold.share = 0.0
         best = settle(cold, load, at, part)
         passes += best.passes
-        if best.outcome in ENDS:
+        if is_end(best):
             break
+        bounced = best if best.bounces else bounced
+    best = behind_bounces(best, bounced)
     share, step, last = 0.0, FIRST_SHARE, best
     while best.outcome.solved and share < 1.0 and step >= LEAST_SHARE:
         trial = best.films.copied()
@@ -192,10 +218,10 @@ def settle(films: PadFilms, load: Array | None, at: Array, part: float, most: in
 
     Where the end of a film jumps from node to node for ever, temperatures next to it swing; they are let be once
     they only swing, by less than `SWING`. So are they where a pad stays at its limit. A pad that comes to its
-    limit again and again stays there, too.
+    limit again and again ends the attempt there.
     """
     tolerance, change, rises = LOOSE, math.inf, np.zeros_like(films.films.temperature)
-    nearest, reached, held, flutters = math.inf, 0, 0, 0
+    nearest, reached, held, bounces = math.inf, 0, 0, 0
     for passes in range(1, most + 1):
         behind = films.prepare(part) / THINNING
         if load is None:
@@ -218,12 +244,12 @@ def settle(films: PadFilms, load: Array | None, at: Array, part: float, most: in
         shaped, last = films.deform(placement.grid), rises
         rises = films.films.temperature - before
         swings = passes > PATIENT and float(np.vdot(rises, last)) < 0.0
-        flutters += placement.status == LIMIT and held == 0
+        bounces += placement.status == LIMIT and held == 0
         held = held + 1 if placement.status == LIMIT else 0
         if change < (SWING if swings or held >= HELD else SETTLED) and shaped < SHAPED:
             return Settled(films, placement, OUTCOMES.get(placement.status, Outcome.NOT_CONVERGED), passes)
-        if held and flutters >= FLUTTERS:
-            return Settled(films, placement, Outcome.PAD_AT_LIMIT, passes)
+        if held and bounces >= BOUNCES:
+            return Settled(films, placement, Outcome.PAD_AT_LIMIT, passes, bounces=True)
         tolerance = FINE * min(change, 1.0)
         if change < NEARER * nearest:
             nearest, reached = change, passes

@@ -53,7 +53,8 @@ class SpeedRun:
     def table(self) -> CoefficientTable:
         """Give the coefficients over speed, with the equilibria and heat balances they belong to.
 
-        Speeds without equilibrium (`unsolved`) or without the stiffness asked for (`unfollowed`) are left out.
+        Speeds without equilibrium (`unsolved`) or without the stiffness asked for (`unfollowed`) are left out, as
+        the `unsolved_speeds` of the table.
 
         Raises
         ------
@@ -77,6 +78,7 @@ class SpeedRun:
             static={**table.static, **heat},
             temperatures=temperatures_of_coefficients(self.case),
             warnings=tuple(one.result.questioning_codes for one in kept),
+            unsolved_speeds=tuple(sorted({*(speed for speed, _ in self.unsolved), *self.unfollowed})),
         )
 
 

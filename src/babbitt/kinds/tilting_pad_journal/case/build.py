@@ -20,7 +20,7 @@ from babbitt.kinds.tilting_pad_journal.case.heat import (
     heat_not_read,
     mode_stiffness,
 )
-from babbitt.kinds.tilting_pad_journal.case.pads import JournalPads, OnePad, clearances
+from babbitt.kinds.tilting_pad_journal.case.pads import JournalPads, OnePad, clearances, own_path
 from babbitt.kinds.tilting_pad_journal.model import Accuracy, Feed, PadBearing, PadCase, Thermal
 from babbitt.properties.materials import LoadCharacter
 from babbitt.reynolds.tilting_pads.model import TiltingPad
@@ -213,7 +213,7 @@ def fields_not_read(case: TiltingPadJournalCase, point: PadOperatingPoint | None
 def limits_not_used(case: TiltingPadJournalCase) -> Iterator[str]:
     """Paths of limits of clearances."""
     parts: list[tuple[str, JournalPads | OnePad]] = [("pads", case.pads)]
-    parts += [(f"pads.each.{number}", one) for number, one in enumerate(case.pads.each)]
+    parts += [(own_path(number), one) for number, one in enumerate(case.pads.each)]
     for path, part in parts:
         for name in ("clearance", "assembled_clearance"):
             clearance = getattr(part, name)
@@ -235,4 +235,4 @@ def masses_not_felt(case: TiltingPadJournalCase) -> Iterator[str]:
             yield f"pads.{name}"
         for number, one in enumerate(case.pads.each):
             if rigid[number] and is_given(one, name):
-                yield f"pads.each.{number}.{name}"
+                yield f"{own_path(number)}.{name}"

@@ -13,6 +13,7 @@ from babbitt.case.part import Issue, Part, is_given, refused
 from babbitt.case.parts.walls import ConductingJournalInput, Conductivity, HeatTransfer, Surroundings
 from babbitt.core.units import si, written
 from babbitt.kinds.tilting_pad_journal.case.materials import PadStructure
+from babbitt.kinds.tilting_pad_journal.case.pads import own_path
 from babbitt.kinds.tilting_pad_journal.model import HeatChoices, Thermal
 from babbitt.reynolds.heat.heat_model import JournalHeat
 from babbitt.reynolds.tilting_pads.bending_mode import bending_stiffness
@@ -157,7 +158,7 @@ def heat_not_read(case: TiltingPadJournalCase) -> Iterator[str]:
         yield from material_not_read(case, "materials.pads", case.materials.pads)
     for number, one in enumerate(case.pads.each):
         if one.material is not None:
-            yield from material_not_read(case, f"pads.each.{number}.material", one.material)
+            yield from material_not_read(case, f"{own_path(number)}.material", one.material)
 
 
 def material_not_read(case: TiltingPadJournalCase, path: str, material: PadStructure) -> Iterator[str]:

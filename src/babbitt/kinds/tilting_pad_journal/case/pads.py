@@ -17,7 +17,7 @@ from babbitt.core.units import si, written
 from babbitt.kinds.tilting_pad_journal.case.materials import PadStructureInput
 from babbitt.kinds.tilting_pad_journal.case.pivots import PivotInput, RigidPivotInput
 
-__all__ = ["THREE", "JournalPads", "OnePad", "clearances", "pad_fields"]
+__all__ = ["THREE", "JournalPads", "OnePad", "clearances", "own_path", "pad_fields"]
 
 Angle = Annotated[float, si("rad", "-360 deg", "360 deg")]
 Extent = Annotated[float, si("rad", "1 deg", "179 deg")]
@@ -184,6 +184,11 @@ class JournalPads(Part):
     def fields_of(self, number: int) -> dict[str, Any]:
         """Give the fields of a pad, its number from 0: its own where it has them."""
         return pad_fields(self, self.each[number] if number < len(self.each) else None)
+
+
+def own_path(number: int) -> str:
+    """What a pad has of its own, for people: its number from 0 is shown from 1, as in results."""
+    return f"pads.each (pad {number + 1})"
 
 
 def own_three(part: Part) -> list[str]:

@@ -11,6 +11,7 @@ from pydantic import Discriminator, Field
 from babbitt.case.part import Issue, Part, refused, rule
 from babbitt.core.units import si, written
 from babbitt.reynolds.tilting_pads.pivots import (
+    YIELD,
     HertzContact,
     LineContact,
     Pivot,
@@ -107,6 +108,11 @@ class _HertzPivot(_ElasticPivot):
     poisson_ratio: Poisson = Field(0.3, description="Poisson's ratio of the pivot.")
     housing_elastic_modulus: Modulus = Field(210e9, description="Young's modulus of the housing.")
     housing_poisson_ratio: Poisson = Field(0.3, description="Poisson's ratio of the housing.")
+    yield_strength: Annotated[float, si("Pa", "50 MPa", "5000 MPa", "MPa")] = Field(
+        YIELD,
+        description="Yield strength of the softer body, for the pressure in the contact alone. 650 MPa as of "
+        "42CrMo4, quenched and tempered, 40 to 100 mm.",
+    )
 
     @rule
     def _conforms(self) -> Iterator[Issue]:
@@ -130,6 +136,7 @@ class _HertzPivot(_ElasticPivot):
             "housing_elastic_modulus": self.housing_elastic_modulus,
             "housing_poisson_ratio": self.housing_poisson_ratio,
             "housing_stiffness": self.behind,
+            "yield_strength": self.yield_strength,
         }
 
 

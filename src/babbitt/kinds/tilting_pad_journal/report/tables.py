@@ -37,7 +37,13 @@ HEAT = (
     "pad_growth",
     "pad_bending",
 )
-PIVOTS = ("pad_load", "pivot_displacement", "pivot_stiffness", "pivot_contact_pressure")
+PIVOTS = {
+    "pad_load": "Load",
+    "pivot_displacement": "how far the pivot gives way",
+    "pivot_stiffness": "its stiffness under the load",
+    "pivot_contact_pressure": "the largest pressure in its contact by Hertz",
+}
+"""Quantities of pivots, and what the note below their table calls them."""
 BENDING = ("pad_load", "pad_bending", "pad_bending_stiffness")
 
 
@@ -72,13 +78,7 @@ def _tables(result: Result) -> Iterator[dict[str, Any]]:
     yield from sensitivity_tables(result)
     if "pivot_stiffness" in result.arrays:
         names = tuple(name for name in PIVOTS if name in result.arrays)
-        yield table_by_pad(
-            result,
-            "Pivots",
-            names,
-            "Load, how far the pivot gives way, its stiffness under the load, and the largest pressure in its "
-            "contact by Hertz.",
-        )
+        yield table_by_pad(result, "Pivots", names, f"{', '.join(PIVOTS[name] for name in names)}.")
     if "pad_bending_stiffness" in result.arrays:
         yield table_by_pad(
             result, "Bending", BENDING, "Load, how far the pad bends under it, and its stiffness against bending."
