@@ -19,7 +19,7 @@ from babbitt.design.screening import recommended_relative_clearance
 from babbitt.kinds.journal.iso7902.supply import FIT_RANGE
 from babbitt.properties.fits import Clearance
 from babbitt.properties.lubricants import catalogue
-from babbitt.study.rows import margin_name
+from babbitt.study.held_film import value_held
 from babbitt.study.size_choices import JOURNAL_CLASSES
 
 __all__ = [
@@ -50,6 +50,9 @@ OUTPUTS = (
     "supply_capacity",
     "recommended_relative_clearance",
     "surface_speed",
+    "hydrodynamic_speed",
+    "transition_speed",
+    "starved_transition_speed",
 )
 """Quantities that proposals are ranked by and shown with."""
 
@@ -331,8 +334,8 @@ def departures(line: Mapping[str, Any]) -> Iterator[str]:
 
 
 def _over_transition(line: Mapping[str, Any]) -> float:
-    """Speed over the transition speed; NaN where it was not checked."""
-    return 1.0 + float(line.get(margin_name("C111"), math.nan))
+    """Speed over the transition speed of the film that limits are held against; NaN where none is known."""
+    return float(line.get("hydrodynamic_speed", math.nan)) / value_held(line, "transition_speed")
 
 
 def _least_over_transition(line: Mapping[str, Any]) -> float:
