@@ -2,17 +2,28 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 
+import numpy as np
 import pytest
 from studied_cases import JOURNAL
 
 from babbitt.case.loading import case_from_dict
 from babbitt.kinds.journal.study import first_design
 from babbitt.solving import solve
-from babbitt.study.rows import margin_name
+from babbitt.study.candidates import candidates_of
+from babbitt.study.rows import advisory_name, margin_name
 
 COLD = {"row": 1, "margin": 0.2, "verdict": "pass", "governing_check": "C104", "codes": "", "surface_speed": 12.0}
+
+
+def candidate(lines, advisories=()):
+    """The one design of some lines, the smallest clearance first."""
+    whole = [{**COLD, "friction_power": 1e3, "total_flow": 1e-4, **line} for line in lines]
+    columns = {name: np.array([line[name] for line in whole]) for name in whole[0]}
+    (made,) = candidates_of(columns, (), advisories, lambda line: iter(()))
+    return made
 
 
 def test_the_speed_over_that_of_transition_is_of_both_speeds_whatever_c111_holds():
@@ -29,3 +40,21 @@ def test_the_speed_over_that_of_transition_is_of_both_speeds_whatever_c111_holds
     assert math.isnan(first_design._over_transition(by_film))
     assert not list(first_design.departures(by_film))
     assert list(first_design.departures({**by_film, "transition_speed": 100.0})) == ["n/n_tr"]
+
+
+@pytest.mark.parametrize("margins", list(itertools.permutations((math.nan, -0.5, 0.3))))
+def test_a_recommendation_that_one_clearance_does_not_know_is_missed_by_another(margins):
+    found = candidate([{advisory_name("C117"): margin} for margin in margins], ["C117"])
+    assert found.departures == ("C117",)
+    assert found.short == pytest.approx(0.5)
+    unknown = candidate([{advisory_name("C117"): math.nan}] * 3, ["C117"])
+    assert (unknown.departures, unknown.short) == ((), 0.0)
+
+
+@pytest.mark.parametrize("slow", list(itertools.permutations((math.nan, 40.0, 20.0))))
+def test_the_reasons_name_the_least_known_distance_from_transition(slow):
+    ratios = {"width_ratio": 0.5, "relative_clearance": 1e-3, "recommended_relative_clearance": 1e-3}
+    flows = {"supply_capacity": math.nan, "side_flow": 1e-4}
+    line = {**COLD, **ratios, **flows, "specific_load": 1e6, "hydrodynamic_speed": 200.0}
+    said = list(first_design.reasons([{**line, "transition_speed": one} for one in slow], {}))
+    assert any("5 times the transition speed" in one for one in said)

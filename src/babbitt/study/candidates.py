@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,7 +12,7 @@ import numpy as np
 from babbitt.core.result import ROUND_OFF, Verdict
 from babbitt.study.rows import Columns, advisory_name
 
-__all__ = ["CRITERION", "METHOD", "Candidate", "candidates_of", "key_of", "ranked", "standing"]
+__all__ = ["CRITERION", "METHOD", "Candidate", "candidates_of", "key_of", "least", "ranked", "standing"]
 
 METHOD = "method"
 """Path of the input that tells by what a design is solved."""
@@ -79,6 +79,15 @@ class Candidate:
         return self.lines[len(self.lines) // 2]
 
 
+def least(values: Iterable[float]) -> float:
+    """The least of numbers that are known; NaN where none is.
+
+    >>> least([math.nan, -0.5]), least([-0.5, math.nan]), least([math.nan])
+    (-0.5, -0.5, nan)
+    """
+    return min((value for value in values if math.isfinite(value)), default=math.nan)
+
+
 def key_of(fields: Mapping[str, Any]) -> tuple[Any, ...]:
     """What is the same of a design whatever method solves it."""
     return tuple(value for path, value in fields.items() if path != METHOD)
@@ -128,7 +137,7 @@ def _candidate(
     lines: Sequence[Line], paths: Sequence[str], advisories: Sequence[str], departures: Departures
 ) -> Candidate:
     worst = min(lines, key=lambda line: line["margin"] if math.isfinite(line["margin"]) else -math.inf)
-    margins = {code: min(line.get(advisory_name(code), math.nan) for line in lines) for code in advisories}
+    margins = {code: least(line.get(advisory_name(code), math.nan) for line in lines) for code in advisories}
     missed = {code: margin for code, margin in margins.items() if margin < -ROUND_OFF}
     rules = [said for line in lines for said in departures(line)]
     remarks = [code for line in lines if line["verdict"] == Verdict.REMARKS.key for code in line["codes"].split()]

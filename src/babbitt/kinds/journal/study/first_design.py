@@ -19,6 +19,7 @@ from babbitt.design.screening import recommended_relative_clearance
 from babbitt.kinds.journal.iso7902.supply import FIT_RANGE
 from babbitt.properties.fits import Clearance
 from babbitt.properties.lubricants import catalogue
+from babbitt.study.candidates import least
 from babbitt.study.held_film import value_held
 from babbitt.study.size_choices import JOURNAL_CLASSES
 
@@ -362,12 +363,13 @@ def reasons(lines: Sequence[Mapping[str, Any]], limits: Mapping[str, float]) -> 
     yield f"ψ = {1e3 * mean:.2f} ‰ {sign} {1e3 * wanted:.2f} ‰, the {rule}"
     low, high = WIDTH_RATIOS
     yield f"B/D = {values['width_ratio']:.2f}, usual {low:g} to {high:g} (assumption)"
-    ratio, least = min(_over_transition(line) for line in lines), _least_over_transition(values)
+    ratio = least(map(_over_transition, lines))
     if math.isfinite(ratio):
-        rule = f"usual at least {least:.3g}, U in m/s and no less than {LEAST_OVER_TRANSITION:g} (assumption)"
+        usual = f"usual at least {_least_over_transition(values):.3g}, U in m/s"
+        rule = f"{usual} and no less than {LEAST_OVER_TRANSITION:g} (assumption)"
         yield f"the speed is {ratio:.3g} times the transition speed, {rule}"
-    shares = [line["supply_capacity"] / line["side_flow"] for line in lines]
-    if math.isfinite(share := min(shares)):
+    share = least(line["supply_capacity"] / line["side_flow"] for line in lines)
+    if math.isfinite(share):
         held = "" if share >= 1.0 else f"; {_more_pressure(lines)}"
         yield f"the feed gives at least {share:.2g} of Q₃ (ISO 7902), whatever the clearance{held}"
 
