@@ -7,6 +7,7 @@ import math
 import pytest
 
 import babbitt as bb
+from babbitt.core.limited_flow import quantity_held
 from babbitt.core.notices import Effect, InputError
 from babbitt.core.result import Verdict
 from babbitt.study.design import designs_of
@@ -37,9 +38,9 @@ def test_every_proposal_keeps_its_limits_when_it_is_solved_again_by_either_metho
             assert min(result.governing_check.margin for result in results) == pytest.approx(
                 design.margin, abs=1e-6
             )
-        assert max(result.friction_power for result in bearing.solve().results) == pytest.approx(
-            one.power, rel=1e-9
-        )
+        for quantity, ranked in (("friction_power", one.power), ("total_flow", one.flow)):
+            held = [result.values[quantity_held(result, quantity)] for result in bearing.solve().results]
+            assert max(held) == pytest.approx(ranked, rel=1e-9)
 
 
 def test_proposals_have_the_reserve_and_follow_by_the_criterion(found):

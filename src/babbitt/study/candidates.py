@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from babbitt.core.result import ROUND_OFF, Verdict
+from babbitt.study.held_film import value_held
 from babbitt.study.rows import Columns, advisory_name
 
 __all__ = ["CRITERION", "METHOD", "Candidate", "candidates_of", "key_of", "least", "ranked", "standing"]
@@ -45,7 +46,7 @@ class Candidate:
         Of the worst bearing, operating point or clearance; the check with the least margin.
     margin : float
     power, flow : float
-        Largest friction power in W and oil flow in m3/s.
+        Largest friction power in W and oil flow in m3/s, of the films that limits are held against.
     lines : tuple of mapping
         Of each clearance, the smallest first, the columns of its line in SI.
     remarks : tuple of str
@@ -141,7 +142,9 @@ def _candidate(
     missed = {code: margin for code, margin in margins.items() if margin < -ROUND_OFF}
     rules = [said for line in lines for said in departures(line)]
     remarks = [code for line in lines if line["verdict"] == Verdict.REMARKS.key for code in line["codes"].split()]
-    power, flow = (float(np.max([line[name] for line in lines])) for name in ("friction_power", "total_flow"))
+    power, flow = (
+        float(np.max([value_held(line, name) for line in lines])) for name in ("friction_power", "total_flow")
+    )
     return Candidate(
         row=lines[0]["row"],
         fields={path: worst[path] for path in paths if path != METHOD},

@@ -46,6 +46,8 @@ OUTPUTS = (
     "total_flow",
     "starved_minimum_film_thickness",
     "starved_outlet_temperature",
+    "starved_friction_power",
+    "starved_total_flow",
     "side_flow",
     "supply_flow",
     "supply_capacity",
@@ -303,16 +305,11 @@ def fit_together(values: Mapping[str, Any], stated: Collection[str]) -> bool:
 
 def shown(fields: Mapping[str, Any], values: Mapping[str, float]) -> dict[tuple[str, str], str]:
     """The cells of a design in a table, by heading and unit: what was chosen, and what comes of it."""
-    film, outlet = (
-        values[f"starved_{name}"] if math.isfinite(values[f"starved_{name}"]) else values[name]
-        for name in ("minimum_film_thickness", "outlet_temperature")
-    )
     feed = str(fields["supply_element"]).replace("_", " ").replace(",", "")
     numbers = {
         "relative_clearance": values["relative_clearance"],
         "specific_load": values["specific_load"],
-        "minimum_film_thickness": film,
-        "outlet_temperature": outlet,
+        **{name: value_held(values, name) for name in ("minimum_film_thickness", "outlet_temperature")},
     }
     return {
         ("lubricant", ""): str(fields["lubricant"]),
