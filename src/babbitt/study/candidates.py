@@ -11,7 +11,7 @@ import numpy as np
 
 from babbitt.core.result import ROUND_OFF, Verdict
 from babbitt.study.held_film import value_held
-from babbitt.study.rows import Columns, advisory_name
+from babbitt.study.rows import Columns, advisory_name, kelvin_name
 
 __all__ = ["CRITERION", "METHOD", "Candidate", "candidates_of", "key_of", "least", "ranked", "standing"]
 
@@ -55,6 +55,8 @@ class Candidate:
         Recommendations and usual rules that it misses at some clearance.
     short : float
         By how much it misses the recommendations, the sum of the worst margins in steps of a tenth.
+    kelvin : float
+        The margin in K where the check is that of a temperature, else NaN.
     """
 
     row: int
@@ -68,6 +70,7 @@ class Candidate:
     remarks: tuple[str, ...]
     departures: tuple[str, ...]
     short: float = 0.0
+    kelvin: float = math.nan
 
     @property
     def within(self) -> bool:
@@ -157,4 +160,5 @@ def _candidate(
         remarks=tuple(dict.fromkeys(remarks)),
         departures=tuple(dict.fromkeys((*missed, *rules))),
         short=round(-sum(missed.values()), 1),
+        kelvin=worst.get(kelvin_name(worst["governing_check"]), math.nan),
     )
