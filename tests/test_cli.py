@@ -7,11 +7,13 @@ import re
 import sys
 from functools import partial
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from babbitt.case import kinds, parse_case, template
+from babbitt.cli import program
 from babbitt.export import mirrored, read_ansys, read_csv, read_json, read_ross, read_xltrc2
 from babbitt.solving import solve
 
@@ -631,3 +633,10 @@ def test_help_lists_commands_in_the_order_of_a_job(run):
         shown.index(f" {name} ") for name in ("new", "check", "solve", "compare", "study", "export", "upgrade")
     ]
     assert places == sorted(places)
+
+
+def test_commands_without_a_place_of_their_own_follow_in_the_order_they_have(monkeypatch):
+    others = [f"other{number}" for number in range(20)]
+    names = [*others, *program.FIRST]
+    monkeypatch.setattr(program, "get_command", lambda _: SimpleNamespace(commands=dict.fromkeys(names)))
+    assert list(program._command.__wrapped__().commands) == [*program.FIRST, *others]

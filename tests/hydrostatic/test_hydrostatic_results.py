@@ -863,3 +863,18 @@ def test_a_gap_that_warm_oil_would_not_keep_is_questioned():
     ).solve()
     assert warm.values["minimum_film_thickness"] < by_heat.minimum_film_thickness < limit
     assert "W312" not in [one.code for one in pad.replace(load=12e3).solve().warnings]
+
+
+def test_of_a_given_film_temperature_the_oil_that_leaves_is_warmer_by_less():
+    """The film that is questioned is about that of a film as warm as the oil leaves."""
+    pad = babbitt.parse_case(template("hydrostatic_pad"))
+    named = {"oil": None, "lubricant": "ISO VG 32", "supply.temperature": "42 degC", "load": 18.3e3}
+    film = pad.replace({**named, "film_temperature": "50 degC"}).solve()
+    (warm,) = [one for one in film.warnings if one.code == "W312"]
+    leaving = 42.0 + film.temperature_rise
+    hotter = pad.replace({**named, "film_temperature": f"{leaving} degC"}).solve()
+    assert warm.values["minimum_film_thickness"] == pytest.approx(hotter.minimum_film_thickness, rel=0.02)
+    assert "temperature of the film is given" in warm.message
+    assert "behind restrictors that stay cool" in warm.message
+    thicker = pad.replace({**named, "load": 16e3, "film_temperature": "50 degC"}).solve()
+    assert "W312" not in [one.code for one in thicker.warnings]

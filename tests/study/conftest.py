@@ -10,6 +10,8 @@ from registration import forget_words
 
 from babbitt.core import kind as registry
 from babbitt.core.quantities import QUANTITIES
+from babbitt.kinds.journal.study import many_rows
+from babbitt.study.rows import solved_one_by_one
 
 
 @pytest.fixture
@@ -34,3 +36,16 @@ def _registered(kind):
         for name in set(table) - names:
             del table[name]
     forget_words()
+
+
+@pytest.fixture
+def one_by_one(monkeypatch):
+    """Rows that were left to the way of one bearing."""
+    left = []
+
+    def counted(task, rows):
+        left.extend(rows["row"].tolist())
+        return solved_one_by_one(task, rows)
+
+    monkeypatch.setattr(many_rows, "solved_one_by_one", counted)
+    return left

@@ -7,6 +7,8 @@ import math
 import pytest
 
 import babbitt as bb
+from babbitt.core.check_text import distance, margin
+from babbitt.core.limited_flow import limited
 from babbitt.core.notices import Effect, InputError
 from babbitt.core.result import Verdict
 from babbitt.study.design import designs_of
@@ -37,9 +39,22 @@ def test_every_proposal_keeps_its_limits_when_it_is_solved_again_by_either_metho
             assert min(result.governing_check.margin for result in results) == pytest.approx(
                 design.margin, abs=1e-6
             )
-        assert max(result.friction_power for result in bearing.solve().results) == pytest.approx(
-            one.power, rel=1e-9
-        )
+        for quantity, ranked in (("friction_power", one.power), ("total_flow", one.flow)):
+            held = [
+                result.values.get(limited(quantity), result.values[quantity]) for result in bearing.solve().results
+            ]
+            assert max(held) == pytest.approx(ranked, rel=1e-9)
+
+
+def test_margins_of_temperatures_are_in_kelvin(found):
+    said = found.summary()
+    (one, _), *_ = found.answer.proposals
+    for method in ("iso7902", "film"):
+        results = found.case(one.row).solve(method=method).results
+        worst = min((result.governing_check for result in results), key=lambda check: check.margin)
+        assert f"{margin(worst)} ({worst.code}) by {method}" in said
+        assert f"{distance(worst.margin, worst.gap if worst.is_in_kelvin else math.nan, 1)} {worst.code}" in said
+    assert " K (C104) by " in said
 
 
 def test_proposals_have_the_reserve_and_follow_by_the_criterion(found):

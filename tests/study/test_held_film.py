@@ -8,8 +8,9 @@ from studied_cases import JOURNAL, block, journal
 
 from babbitt.case.loading import case_from_dict
 from babbitt.case.variation import variation_of
-from babbitt.core.limited_flow import is_limited, limited, quantity_held
+from babbitt.core.limited_flow import is_limited, limited, may_be_short, quantity_held, value_kept
 from babbitt.core.quantities import QUANTITIES
+from babbitt.core.result import Bound, Check, Outcome, Result
 from babbitt.report.columns import footnote
 from babbitt.report.content import content
 from babbitt.report.study_content import overview, study_tables
@@ -111,3 +112,29 @@ def test_the_margin_of_a_temperature_is_in_kelvin_and_codes_stand_beside_the_ver
         codes = [check.code for check in result.limits if not check.ok] or list(result.questioning_codes)
         assert row[place["codes"]] == " ".join(codes)
     assert {str(one).split()[0] for one in study.columns["codes"] if one} >= {"W198", "C101"}
+
+
+@pytest.mark.parametrize("pressure", ["0.05 MPa", "0.5 MPa", "5 MPa"])
+def test_every_film_with_less_oil_is_of_a_supply_whose_capacity_is_known(pressure):
+    """Pockets at the ends of a short arc give less than the standard has them."""
+    supply = {**JOURNAL["supply"], "pressure": pressure}
+    (result,) = solve(journal(span="120 deg", supply=supply)).results
+    assert result.values["supply_flow_at_place"] < result.values["supply_flow"]
+    assert "starved_total_flow" in result.values
+    assert result.values["supply_capacity"] > result.values["supply_flow_at_place"]
+    assert may_be_short([result], "friction_power")
+    assert not may_be_short([result], "load")
+
+
+def test_what_has_no_limit_is_read_of_one_film():
+    """Of a film short of oil nothing is read of the other, though that alone has a speed of transition."""
+    values = {"outlet_temperature": 340.0, "starved_outlet_temperature": 350.0, "minimum_film_thickness": 2e-5,
+              "starved_minimum_film_thickness": 2.1e-5, "friction_power": 900.0, "starved_friction_power": 800.0,
+              "transition_speed": 20.0, "load": 1e4}  # fmt: skip
+    hot = Check("C104", "starved_outlet_temperature", 350.0, 360.0, Bound.AT_MOST, "")
+    thin = Check("C101", "minimum_film_thickness", 2e-5, 1e-5, Bound.AT_LEAST, "")
+    result = Result("b", "journal", "iso7902", Outcome.CONVERGED, values, (hot, thin))
+    read = {name: value_kept(result, limited(name)) for name in values if not is_limited(name)}
+    assert np.isnan(read.pop("transition_speed"))
+    kept = {"outlet_temperature": 350.0, "minimum_film_thickness": 2e-5, "friction_power": 800.0, "load": 1e4}
+    assert read == kept

@@ -66,19 +66,6 @@ def assert_equal(many, one):
             assert_allclose(many[name], expected, rtol=EQUAL, atol=size, err_msg=name)
 
 
-@pytest.fixture
-def one_by_one(monkeypatch):
-    """Rows that were left to be solved one by one."""
-    left = []
-
-    def counted(task, rows):
-        left.extend(rows["row"].tolist())
-        return solved_one_by_one(task, rows)
-
-    monkeypatch.setattr(many_rows, "solved_one_by_one", counted)
-    return left
-
-
 def test_three_hundred_films_are_those_of_one_bearing(one_by_one):
     task, rows = rows_of({}, DUTY | SIZES, 300)
     many = solved_rows(task, rows)

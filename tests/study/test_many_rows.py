@@ -95,19 +95,6 @@ CASES = {
 }
 
 
-@pytest.fixture
-def one_by_one(monkeypatch):
-    """Rows that were left to the way of one bearing."""
-    left = []
-
-    def counted(task, rows):
-        left.extend(rows["row"].tolist())
-        return solved_one_by_one(task, rows)
-
-    monkeypatch.setattr(many_rows, "solved_one_by_one", counted)
-    return left
-
-
 def table_of(given, vary, samples=64, **options):
     made = plan(case_from_dict(given), block(kind="tolerance", vary=vary, samples=samples, **options))
     values, groups = grids.joint_sample(made.task.inputs, made.block)

@@ -54,7 +54,7 @@ def _command() -> Any:
     """All commands with their options, made once: a process that runs several would make them each time."""
     made = get_command(app)
     commands = made.commands  # type: ignore[attr-defined]
-    made.commands = {name: commands[name] for name in (*FIRST, *(commands.keys() - set(FIRST)))}  # type: ignore[attr-defined]
+    made.commands = {name: commands[name] for name in dict.fromkeys((*FIRST, *commands))}  # type: ignore[attr-defined]
     return made
 
 

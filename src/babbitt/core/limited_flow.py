@@ -45,14 +45,16 @@ def whole(quantity: str) -> str:
 def quantity_held(result: Result, quantity: str) -> str:
     """Of which film a quantity is read: of that against which its limits are held.
 
-    A quantity without limits is read of the film against which the others are held, so that what stands together
-    is of one film.
+    A quantity with limits is read as its check has it, so that a value beside its limit is the one that decides;
+    should a film short of oil be the worse at one limit and the better at another, they are of two films, as the
+    marks of tables say. Quantities without limits are all of one film: of that short of oil where any limit is
+    held against it, and then none is read of what it does not know.
     """
     own = next((check.quantity for check in result.limits if whole(check.quantity) == quantity), None)
     if own is not None:
         return own
     short = limited(quantity)
-    held = short in result.values and any(is_limited(check.quantity) for check in result.limits)
+    held = short in QUANTITIES and any(is_limited(check.quantity) for check in result.limits)
     return short if held else quantity
 
 
@@ -69,7 +71,9 @@ def value_kept(result: Result, quantity: str) -> Any:
 def may_be_short(results: Iterable[Result], quantity: str) -> bool:
     """Whether some result is of a bearing that may be short of oil, and the quantity one of its film.
 
-    Such a bearing has a supply whose capacity is known, and a heat balance that can be closed with it.
+    Such a bearing has a supply whose capacity is known, and a heat balance that can be closed with it. A capacity
+    is known of every film with less oil: elements that give less than the standard has them are holes and pockets,
+    which have one.
     """
     known = limited(quantity) in QUANTITIES
     return known and any(one.values.keys() >= BALANCED for one in results)

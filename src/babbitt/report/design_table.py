@@ -6,9 +6,9 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from babbitt.core.check_text import number
+from babbitt.core.check_text import distance, number
 from babbitt.core.quantities import QUANTITIES
-from babbitt.report.study_values import DASH, StudyTable, check_title, percent
+from babbitt.report.study_values import MARGIN_DECIMALS, StudyTable, check_title, percent
 from babbitt.report.text import plain_text
 from babbitt.study.best_designs import edges, reasons_of, recommendation, verdict_said
 from babbitt.study.candidates import CRITERION, Candidate
@@ -98,9 +98,9 @@ def _unit(quantity: str) -> str:
 
 
 def _margin(one: Candidate) -> str:
-    return f"{percent(one.margin)} {one.code}".strip() if math.isfinite(one.margin) else DASH
+    return f"{distance(one.margin, one.kelvin, MARGIN_DECIMALS)} {one.code}".strip()
 
 
 def _reasons(study: Study, one: Candidate) -> tuple[str, str]:
-    governing = f"{check_title(one.code)} {percent(one.margin)}"
+    governing = f"{check_title(one.code)} {distance(one.margin, one.kelvin, MARGIN_DECIMALS)}"
     return governing, plain_text("; ".join(reasons_of(study, one)))

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from babbitt.case.with_units import case_text
+from babbitt.core.check_text import distance
 from babbitt.core.files.writing import replace_synced
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Verdict
@@ -73,15 +74,15 @@ def recommendation(study: Study) -> str:
     """The first proposal in one line: its margins, its power, its remarks."""
     (one, again), *_ = design.designs_of(study).proposals
     first, second = design.rules_of(study.description["kind"]).METHODS
-    values = QUANTITIES["friction_power"].with_unit(one.power)
+    power = QUANTITIES["friction_power"].with_unit(one.power)
     margins = " and ".join(
-        f"{100.0 * each.margin:.0f} % ({each.code}) by {method}"
+        f"{distance(each.margin, each.kelvin)} ({each.code}) by {method}"
         for each, method in ((one, first), (again, second))
     )
     remarks = tuple(dict.fromkeys((*one.remarks, *again.remarks)))
     passes = f"passes with remarks ({', '.join(remarks)})" if remarks else "passes without remarks"
     missed = f"misses {', '.join(one.departures)}" if one.departures else ALL_KEPT
-    return f"no. 1 {passes}, margin {margins}, friction {values}; it {missed}"
+    return f"no. 1 {passes}, margin {margins}, friction {power}; it {missed}"
 
 
 def verdict_said(one: Candidate) -> str:

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from babbitt.core.result import ROUND_OFF, Verdict
-from babbitt.study.rows import Columns, advisory_name
+from babbitt.study.held_film import value_held
+from babbitt.study.rows import Columns, advisory_name, kelvin_name
 
-__all__ = ["CRITERION", "METHOD", "Candidate", "candidates_of", "key_of", "ranked", "standing"]
+__all__ = ["CRITERION", "METHOD", "Candidate", "candidates_of", "key_of", "least", "ranked", "standing"]
 
 METHOD = "method"
 """Path of the input that tells by what a design is solved."""
@@ -45,7 +46,7 @@ class Candidate:
         Of the worst bearing, operating point or clearance; the check with the least margin.
     margin : float
     power, flow : float
-        Largest friction power in W and oil flow in m3/s.
+        Largest friction power in W and oil flow in m3/s, of the films that limits are held against.
     lines : tuple of mapping
         Of each clearance, the smallest first, the columns of its line in SI.
     remarks : tuple of str
@@ -54,6 +55,8 @@ class Candidate:
         Recommendations and usual rules that it misses at some clearance.
     short : float
         By how much it misses the recommendations, the sum of the worst margins in steps of a tenth.
+    kelvin : float
+        The margin in K where the check is that of a temperature, else NaN.
     """
 
     row: int
@@ -67,6 +70,7 @@ class Candidate:
     remarks: tuple[str, ...]
     departures: tuple[str, ...]
     short: float = 0.0
+    kelvin: float = math.nan
 
     @property
     def within(self) -> bool:
@@ -77,6 +81,15 @@ class Candidate:
     def values(self) -> Line:
         """The columns of the mean clearance."""
         return self.lines[len(self.lines) // 2]
+
+
+def least(values: Iterable[float]) -> float:
+    """The least of numbers that are known; NaN where none is.
+
+    >>> least([math.nan, -0.5]), least([-0.5, math.nan]), least([math.nan])
+    (-0.5, -0.5, nan)
+    """
+    return min((value for value in values if math.isfinite(value)), default=math.nan)
 
 
 def key_of(fields: Mapping[str, Any]) -> tuple[Any, ...]:
@@ -128,11 +141,13 @@ def _candidate(
     lines: Sequence[Line], paths: Sequence[str], advisories: Sequence[str], departures: Departures
 ) -> Candidate:
     worst = min(lines, key=lambda line: line["margin"] if math.isfinite(line["margin"]) else -math.inf)
-    margins = {code: min(line.get(advisory_name(code), math.nan) for line in lines) for code in advisories}
+    margins = {code: least(line.get(advisory_name(code), math.nan) for line in lines) for code in advisories}
     missed = {code: margin for code, margin in margins.items() if margin < -ROUND_OFF}
     rules = [said for line in lines for said in departures(line)]
     remarks = [code for line in lines if line["verdict"] == Verdict.REMARKS.key for code in line["codes"].split()]
-    power, flow = (float(np.max([line[name] for line in lines])) for name in ("friction_power", "total_flow"))
+    power, flow = (
+        float(np.max([value_held(line, name) for line in lines])) for name in ("friction_power", "total_flow")
+    )
     return Candidate(
         row=lines[0]["row"],
         fields={path: worst[path] for path in paths if path != METHOD},
@@ -145,4 +160,5 @@ def _candidate(
         remarks=tuple(dict.fromkeys(remarks)),
         departures=tuple(dict.fromkeys((*missed, *rules))),
         short=round(-sum(missed.values()), 1),
+        kelvin=worst.get(kelvin_name(worst["governing_check"]), math.nan),
     )

@@ -64,7 +64,7 @@ class FirstDesign(Protocol):
     """What a kind says of its first designs; a module of the kind that `Kind.first_design` names."""
 
     OUTPUTS: tuple[str, ...]
-    """Quantities that are kept, among them friction_power and total_flow."""
+    """Quantities that are kept, among them friction_power and total_flow, of a film short of oil its own, too."""
 
     REASONS: Mapping[str, str]
     """By the path of a field why its values are tried."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
@@ -14,7 +15,7 @@ from babbitt.core.limited_flow import is_limited, limited, whole
 if TYPE_CHECKING:
     from babbitt.study.study import Study
 
-__all__ = ["WITH_LIMITED_FLOW", "as_read", "column_held"]
+__all__ = ["WITH_LIMITED_FLOW", "as_read", "column_held", "value_held"]
 
 WITH_LIMITED_FLOW = "with_limited_flow"
 """Column of a study that is read: whether the film of a line has no more oil than the supply delivers."""
@@ -23,6 +24,15 @@ WITH_LIMITED_FLOW = "with_limited_flow"
 def column_held(columns: Mapping[str, NDArray[Any]], name: str) -> NDArray[Any]:
     """The readings of a quantity that limits are held against, shape (n,)."""
     return columns[limited(name)] if limited(name) in columns else columns[name]
+
+
+def value_held(line: Mapping[str, Any], name: str) -> float:
+    """The reading of a quantity in one line that limits are held against; NaN where the line has none.
+
+    >>> value_held({"total_flow": 2.0, "starved_total_flow": 1.0}, "total_flow"), value_held({}, "total_flow")
+    (1.0, nan)
+    """
+    return float(line.get(limited(name), line.get(name, math.nan)))
 
 
 def as_read(study: Study) -> Study:

@@ -47,6 +47,14 @@ def warmed_gap(gap: float, rise: float) -> float:
     return gap * math.exp(-THINNED_BY_A_KELVIN * rise / 3.0)
 
 
+def beyond_film(case: HydrostaticCase, rise: float) -> float:
+    """Temperature in K of the oil that leaves over that of the film, of which a given one counts already."""
+    oil = case.oil
+    if oil.film_temperature is None or oil.supply_temperature is None:
+        return rise
+    return oil.supply_temperature + rise - oil.film_temperature
+
+
 def warnings_of_solution(case: HydrostaticCase, found: Answer, named: Mapping[str, float]) -> Iterator[Notice]:
     """All that is to be said of a solved bearing.
 
@@ -148,7 +156,7 @@ def of_powers(case: HydrostaticCase, named: Mapping[str, float]) -> Iterator[Not
     balanced = "energy_balance_error" in named
     if not (balanced or case.is_journal or case.duty.load is None) and case.least_gap is not None:
         gap, limit = named["minimum_film_thickness"], case.least_gap
-        warm = warmed_gap(gap, rise)
+        warm = warmed_gap(gap, beyond_film(case, rise))
         if warm < limit <= gap:
             yield Notice(
                 "W312", "kept", {"temperature_rise": rise, "minimum_film_thickness": warm, "limit": limit}

@@ -23,6 +23,7 @@ from babbitt.design.feeding import Arrival
 from babbitt.design.oil import properties_at
 from babbitt.design.screening import recommended_relative_clearance
 from babbitt.design.values import cooling_values, duty_values, heat_values, limit_values, oil_values, supply_values
+from babbitt.design.verdict_lanes import by_verdict
 from babbitt.kinds.journal.film.bore import RoundBore
 from babbitt.kinds.journal.film.check import METHOD, film_limits, film_warnings, pressure_not_checked
 from babbitt.kinds.journal.film.isothermal import FilmState, friction_of, resolution_of
@@ -284,22 +285,8 @@ def _judged(case: FilmCase, at: _Conditions, found: BatchSolution) -> Iterator[t
     for index, answer in in_branches(lambda lanes: _answered(*choose(lanes)), np.arange(found.solved.size)):
         if answer is None:
             continue
-        for lanes, result, verdict in _by_verdict(answer, index.size):
+        for lanes, result, verdict in by_verdict(answer, answer.checks, index.size, _failed, _with_remarks):
             yield index[lanes], result, verdict
-
-
-def _by_verdict(found: _Judged, count: int) -> Iterator[tuple[Index, Result, Verdict]]:
-    """Bearings by their verdict. One that misses a limit fails, whatever is to be remarked."""
-    choose = chooser(found)
-    fails = np.zeros(count, bool)
-    for check in found.checks:
-        if not check.advisory:
-            fails |= ~np.broadcast_to(np.asarray(check.kept, bool), (count,))
-    if (failing := np.flatnonzero(fails)).size:
-        yield failing, _result(choose(failing), ()), Verdict.FAIL
-    for index, answer in in_branches(lambda lanes: _with_remarks(choose(lanes)), np.flatnonzero(~fails)):
-        if answer is not None:
-            yield index, *answer
 
 
 def _many(case: FilmCase, at: _Conditions, found: BatchSolution) -> ManyFilms:
@@ -391,6 +378,10 @@ def _values(case: FilmCase, state: FilmState, films: ManyFilms) -> dict[str, Any
     for name, matrix in (("stiffness", films.stiffness), ("damping", films.damping)):
         values |= {f"{name}_{axes}": one for axes, one in zip(AXES, (*matrix[0], *matrix[1]), strict=True)}
     return {name: one for name, one in values.items() if not (feeds_itself(case) and name in OF_THE_SUPPLY)}
+
+
+def _failed(found: _Judged) -> Result:
+    return _result(found, ())
 
 
 def _with_remarks(found: _Judged) -> tuple[Result, Verdict]:

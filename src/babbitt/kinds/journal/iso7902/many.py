@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from babbitt.core.result import Outcome, Result, Verdict
 from babbitt.design.heat_balance import Equilibrium, NoFilmError, coolest_temperature, heat_surplus
 from babbitt.design.heat_balance_lanes import coolest_temperatures
+from babbitt.design.verdict_lanes import by_verdict
 from babbitt.kinds.journal.iso7902.film import (
     Film,
     SuppliedFilm,
@@ -100,7 +101,9 @@ def _check_many(case: DesignCase, count: int) -> Iterator[tuple[Index, Result, V
             lambda lanes: _found(own(lanes), full, starved, lanes), np.flatnonzero(kind)
         ):
             if found is not None:
-                for lanes, result, verdict in _judged(found, index.size):
+                for lanes, result, verdict in by_verdict(
+                    found, found.design.checks, index.size, _failed, _with_remarks
+                ):
                     yield index[lanes], result, verdict
 
 
@@ -117,30 +120,14 @@ def _equilibrium(film: FilmT) -> Equilibrium[FilmT]:
     return Equilibrium(Outcome.CONVERGED, film, 0, 0.0)
 
 
-def _judged(found: _Found, count: int) -> Iterator[tuple[Index, Result, Verdict]]:
-    """Bearings by their verdict. One that misses a limit fails, whatever is to be remarked."""
-    choose = chooser(found)
-    design = found.design
-    fails = np.zeros(count, bool)
-    for check in design.checks:
-        if not check.advisory:
-            fails |= ~np.broadcast_to(np.asarray(check.kept, bool), (count,))
-    failing = np.flatnonzero(fails)
-    if failing.size:
-        own = choose(failing)
-        of_checks = Result(
-            own.case.name, own.case.kind, METHOD, Outcome.CONVERGED, own.design.values, own.design.checks
-        )
-        yield failing, of_checks, Verdict.FAIL
+def _failed(found: _Found) -> Result:
+    case, design = found.case, found.design
+    return Result(case.name, case.kind, METHOD, Outcome.CONVERGED, design.values, design.checks)
 
-    def judged(index: Index) -> tuple[Result, Verdict]:
-        own = choose(index)
-        result = result_of(own.case, _equilibrium(own.film), own.starved, own.design, 0.0)
-        return result, result.verdict
 
-    for index, answer in in_branches(judged, np.flatnonzero(~fails)):
-        if answer is not None:
-            yield index, *answer
+def _with_remarks(found: _Found) -> tuple[Result, Verdict]:
+    result = result_of(found.case, _equilibrium(found.film), found.starved, found.design, 0.0)
+    return result, result.verdict
 
 
 def _temperatures(case: DesignCase, choose: Choose, bearings: Index, film_of: FilmAt) -> Array:

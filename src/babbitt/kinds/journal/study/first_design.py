@@ -19,7 +19,8 @@ from babbitt.design.screening import recommended_relative_clearance
 from babbitt.kinds.journal.iso7902.supply import FIT_RANGE
 from babbitt.properties.fits import Clearance
 from babbitt.properties.lubricants import catalogue
-from babbitt.study.rows import margin_name
+from babbitt.study.candidates import least
+from babbitt.study.held_film import value_held
 from babbitt.study.size_choices import JOURNAL_CLASSES
 
 __all__ = [
@@ -45,11 +46,16 @@ OUTPUTS = (
     "total_flow",
     "starved_minimum_film_thickness",
     "starved_outlet_temperature",
+    "starved_friction_power",
+    "starved_total_flow",
     "side_flow",
     "supply_flow",
     "supply_capacity",
     "recommended_relative_clearance",
     "surface_speed",
+    "hydrodynamic_speed",
+    "transition_speed",
+    "starved_transition_speed",
 )
 """Quantities that proposals are ranked by and shown with."""
 
@@ -299,16 +305,11 @@ def fit_together(values: Mapping[str, Any], stated: Collection[str]) -> bool:
 
 def shown(fields: Mapping[str, Any], values: Mapping[str, float]) -> dict[tuple[str, str], str]:
     """The cells of a design in a table, by heading and unit: what was chosen, and what comes of it."""
-    film, outlet = (
-        values[f"starved_{name}"] if math.isfinite(values[f"starved_{name}"]) else values[name]
-        for name in ("minimum_film_thickness", "outlet_temperature")
-    )
     feed = str(fields["supply_element"]).replace("_", " ").replace(",", "")
     numbers = {
         "relative_clearance": values["relative_clearance"],
         "specific_load": values["specific_load"],
-        "minimum_film_thickness": film,
-        "outlet_temperature": outlet,
+        **{name: value_held(values, name) for name in ("minimum_film_thickness", "outlet_temperature")},
     }
     return {
         ("lubricant", ""): str(fields["lubricant"]),
@@ -331,8 +332,8 @@ def departures(line: Mapping[str, Any]) -> Iterator[str]:
 
 
 def _over_transition(line: Mapping[str, Any]) -> float:
-    """Speed over the transition speed; NaN where it was not checked."""
-    return 1.0 + float(line.get(margin_name("C111"), math.nan))
+    """Speed over the transition speed of the film that limits are held against; NaN where none is known."""
+    return float(line.get("hydrodynamic_speed", math.nan)) / value_held(line, "transition_speed")
 
 
 def _least_over_transition(line: Mapping[str, Any]) -> float:
@@ -359,12 +360,13 @@ def reasons(lines: Sequence[Mapping[str, Any]], limits: Mapping[str, float]) -> 
     yield f"ψ = {1e3 * mean:.2f} ‰ {sign} {1e3 * wanted:.2f} ‰, the {rule}"
     low, high = WIDTH_RATIOS
     yield f"B/D = {values['width_ratio']:.2f}, usual {low:g} to {high:g} (assumption)"
-    ratio, least = min(_over_transition(line) for line in lines), _least_over_transition(values)
+    ratio = least(map(_over_transition, lines))
     if math.isfinite(ratio):
-        rule = f"usual at least {least:.3g}, U in m/s and no less than {LEAST_OVER_TRANSITION:g} (assumption)"
+        usual = f"usual at least {_least_over_transition(values):.3g}, U in m/s"
+        rule = f"{usual} and no less than {LEAST_OVER_TRANSITION:g} (assumption)"
         yield f"the speed is {ratio:.3g} times the transition speed, {rule}"
-    shares = [line["supply_capacity"] / line["side_flow"] for line in lines]
-    if math.isfinite(share := min(shares)):
+    share = least(line["supply_capacity"] / line["side_flow"] for line in lines)
+    if math.isfinite(share):
         held = "" if share >= 1.0 else f"; {_more_pressure(lines)}"
         yield f"the feed gives at least {share:.2g} of Q₃ (ISO 7902), whatever the clearance{held}"
 
