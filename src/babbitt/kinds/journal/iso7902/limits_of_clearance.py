@@ -43,7 +43,7 @@ def _missed(clearance: float, result: Result) -> Iterator[Notice]:
     if not result.outcome.solved:
         yield Notice("W174", "no_film", {"clearance": clearance})
         return
-    codes = tuple(dict.fromkeys(one.code for one in result.checks if not (one.ok or one.advisory)))
+    codes = tuple(dict.fromkeys(one.code for one in result.limits if not one.ok))
     if codes:
         yield Notice("W174", "misses", {"clearance": clearance, "checks": codes})
     elif result.verdict is Verdict.NO_VERDICT:
