@@ -166,12 +166,13 @@ def jacking_case(rng: random.Random) -> Case:
         "pocket_length": _mm(diameter * share * rng.uniform(0.1, 0.5)),
         "viscosity": f"{_log(rng, 30.0, 400.0):.4g} mPa s",
         "load": f"{_log(rng, 0.3, 3.0) * 1e3 * diameter**2 * share:.5g} kN",
-        "roughness": f"{_log(rng, 0.5, 5.0):.3g} um",
+        "roughness": f"{(roughness := _log(rng, 0.5, 5.0)):.3g} um",
     }
     if number > 1 and rng.random() < 0.3:
         case["own_restrictors"] = False
     if rng.random() < 0.5:
-        case["lift_gap"] = f"{1e6 * clearance * _log(rng, 0.06, 0.5):.4g} um"
+        gap = 1e6 * clearance * _log(rng, 0.06, 0.5)
+        case["lift_gap"] = f"{max(gap, 1.1 * roughness):.4g} um"
     else:
         case["pump_flow"] = f"{_log(rng, 1e-3, 1.0) * 3.0 * diameter**2:.4g} L/min"
     if rng.random() < 0.5:
