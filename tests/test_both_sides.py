@@ -61,7 +61,7 @@ SIDES = {
     "C108": ("journal", OWN | {"speed": "2000 rpm"}, OWN | {"speed": "12000 rpm"}),
     "C109": ("journal", B83 | {"speed": "300 rpm"}, B83 | {"speed": "6000 rpm"}),
     "C110": ("journal", {"speed": "2000 rpm"}, {"lubricant": THIN, "speed": "9000 rpm"}),
-    "C111": ("journal", {"speed": "2000 rpm"}, {"speed": "10 rpm"}),
+    "C111": ("journal", {"speed": "2000 rpm"}, {"speed": "50 rpm"}),
     "C112": ("journal", {"load": "60 kN"}, {"load": "2 kN"}),
     "C114": ("journal", {"clearance": {"kind": "relative", "mean": "2 permille"}}, {}),
     "C115": (FILM, {"rotor_mass": "300 kg"}, {"rotor_mass": "100 t"}),

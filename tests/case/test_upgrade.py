@@ -65,7 +65,7 @@ def test_examples_and_templates_are_what_upgrade_makes_of_those_of_before(file, 
     example = request.config.rootpath / "examples" / file.name
     new = example.read_text(encoding="utf-8") if example.exists() else template(file.stem)
     if file.stem == "journal":
-        new = template("journal")  # its comments were rewritten, too
+        new = template("journal").replace("journal: d8", "journal: e7")  # its fit is a wider one today
     assert case_hash(parse_case(new)) == case_hash(load_case(file))
     assert not former_places(parse_case(new))
 

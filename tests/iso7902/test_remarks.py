@@ -317,3 +317,33 @@ def test_pockets_nearly_as_wide_as_the_bearing_pass_what_is_told(width):
     assert told.values["times"] == pytest.approx(times)
     film = solved(f"{wide}effective_temperature: 55 degC\nmethod: {{kind: film, accuracy: draft}}\n")
     assert 0.9 < film.supply_flow / (times * found.supply_flow) < 1.6
+
+
+UNKNOWN = """
+kind: journal
+name: A
+diameter: 120 mm
+width: 90 mm
+clearance: {kind: relative, mean: 1.5 permille}
+span: 360 deg
+supply_element: {kind: pocket, width: 63 mm, place: both_sides}
+lubricant: ISO VG 68
+supply: {temperature: 82 degC, pressure: 0.2 MPa}
+materials: {bearing_metal: {name: Own alloy, specific_load: 6 MPa}, bearing: C10, journal: C45}
+load: 16 kN
+speed: 1500 rpm
+"""
+
+
+def test_a_metal_without_limit_is_questioned_where_films_of_their_own_temperatures_hold_it():
+    """An outlet of 90 degC passed without a remark; the film holds its bush of 92 against the general 90 degC."""
+    one, own = solved(UNKNOWN), solved(UNKNOWN + "method: {kind: film, thermal: full}\n")
+    assert own.verdict is Verdict.FAIL
+    general = next(check for check in own.checks if check.code == "C108")
+    (notice,) = [one for one in one.warnings if one.code == "W191"]
+    assert notice.values["limit"] == general.limit
+    assert notice.values["hottest"] >= own.maximum_bush_temperature > general.limit
+    assert one.verdict is Verdict.REMARKS
+    assert not said(solved(UNKNOWN.replace("82 degC", "45 degC")), "W191")
+    with_limit = UNKNOWN.replace("specific_load: 6 MPa", "specific_load: 6 MPa, temperature: 150 degC")
+    assert not said(solved(with_limit), "W191")

@@ -20,7 +20,7 @@ STEPS = [float(value) for value in range(1, 21)]
 
 @pytest.fixture(scope="module")
 def bearing():
-    return bb.parse_case(bb.template("journal"))
+    return bb.parse_case(bb.template("journal")).replace(clearance="H7/e7")
 
 
 @pytest.fixture(scope="module")

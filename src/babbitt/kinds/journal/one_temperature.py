@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import operator
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import reduce
 from typing import Any
@@ -13,12 +13,19 @@ from babbitt.core.limited_flow import is_limited, limited
 from babbitt.core.notices import Notice
 from babbitt.core.result import Check
 from babbitt.design.bounds import FILM_CHECKS
-from babbitt.design.conditions import Limits
+from babbitt.design.checks import limiting_temperature
+from babbitt.design.conditions import CheckedProblem, Limits
 from babbitt.design.kept_limits import about_kept_film, kept_by_little
 from babbitt.design.uncertainty import shear_heat
 from babbitt.numerics.scalar_or_array import functions_for, holds_anywhere, larger
+from babbitt.properties.materials.experience import metal_temperature_limit
 
-__all__ = ["checks_of_metal", "warnings_about_kept_limits", "warnings_about_margins"]
+__all__ = [
+    "checks_of_metal",
+    "warnings_about_kept_limits",
+    "warnings_about_margins",
+    "warnings_about_unknown_metal",
+]
 
 THINNER, HOTTER = 0.45, 15.0
 """Margin of the film thickness, and K above the outlet, by which films with temperatures of their own may differ.
@@ -130,10 +137,8 @@ def _near(
             if gap is not None:
                 yield _Near(True, lambda: gap)
     if check.code in of_metal:
-        sheared = check.value + HOTTER_BY_SHEAR * heat_of_shear(values)
-        hottest = larger(larger(check.value + HOTTER, sheared), above_inlet(values, RISE_OF_METAL))
         yield _Near(
-            check.limit < hottest,
+            check.limit < hottest_metal(check.value, values),
             lambda: Notice("W191", "temperature", {"margin": check.limit - check.value, "check": check.code}),
         )
     if check.code == "C110":
@@ -147,6 +152,28 @@ def _near(
             check.margin < LIGHTER,
             lambda: Notice("W191", "critical_mass", {"margin": check.margin, "check": check.code}),
         )
+
+
+def warnings_about_unknown_metal(
+    case: CheckedProblem, checks: Iterable[Check], values: Mapping[str, float]
+) -> Iterator[Notice]:
+    """A bush that may be hotter than films with temperatures of their own permit where its metal has no limit.
+
+    Those films hold it against the general limit of bearing temperatures; where only the temperature of the oil
+    that leaves is known, no check does.
+    """
+    if case.limits.temperature is not None or limiting_temperature(case, values) is not None:
+        return
+    general = metal_temperature_limit(case.bearing.metal, case.limits.tables).value
+    for check in checks:
+        if check.code == "C104" and general < (hottest := hottest_metal(check.value, values)):
+            yield Notice("W191", "metal", {"hottest": hottest, "limit": general, "check": "C108"})
+
+
+def hottest_metal(leaving: float, values: Mapping[str, float]) -> float:
+    """Temperature in K that a bush may have whose oil leaves at one temperature."""
+    sheared = leaving + HOTTER_BY_SHEAR * heat_of_shear(values)
+    return larger(larger(leaving + HOTTER, sheared), above_inlet(values, RISE_OF_METAL))
 
 
 def _about_film(check: Check, values: Mapping[str, float], thinner: float) -> Notice:

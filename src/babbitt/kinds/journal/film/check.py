@@ -67,6 +67,7 @@ from babbitt.kinds.journal.one_temperature import (
     checks_of_metal,
     warnings_about_kept_limits,
     warnings_about_margins,
+    warnings_about_unknown_metal,
 )
 from babbitt.reynolds.model import END_DAM, Cavitation
 from babbitt.reynolds.stability.whirl_checks import (
@@ -340,6 +341,7 @@ def film_warnings(
         metal = checks_of_metal(case.limits)
         yield from _warnings_about_feed_pressure(case, state, values)
         yield from warnings_about_margins(checks, values, metal, viscosity, over_viscosity)
+        yield from warnings_about_unknown_metal(case, checks, values)
     elif case.oil_supply is not None:
         supplied = case.oil_supply.temperature
         yield from warnings_about_kept_limits(checks, checks_of_metal(case.limits), supplied)

@@ -1,4 +1,4 @@
-"""What the limits of a clearance miss whose mean alone is solved and passes."""
+"""What stands against the limits of a clearance whose mean alone is solved and passes."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def at_limits(case: DesignCase) -> Iterator[tuple[Any, DesignCase]]:
 
 
 def about_missed_limits(found: Iterable[tuple[float, Result]]) -> Iterator[Notice]:
-    """Warn of clearances at which a bearing misses limits that it keeps at the mean, or has no verdict.
+    """Warn of clearances at which a bearing misses limits that it keeps at the mean, or is questioned.
 
     Parameters
     ----------
@@ -48,3 +48,5 @@ def _missed(clearance: float, result: Result) -> Iterator[Notice]:
         yield Notice("W174", "misses", {"clearance": clearance, "checks": codes})
     elif result.verdict is Verdict.NO_VERDICT:
         yield Notice("W174", "no_verdict", {"clearance": clearance})
+    elif result.verdict is Verdict.REMARKS:
+        yield Notice("W174", "questioned", {"clearance": clearance, "remarks": result.questioning_codes})

@@ -61,7 +61,7 @@ def check_many(case: DesignCase, count: int) -> Iterator[tuple[Index, Result, Ve
     index : ndarray of int
         Bearings whose checks are the same, and their verdict. Those that are left out are for `procedure.check`:
         what has no solution, a heat balance whose way is not plain, and what passes at its mean clearance and
-        not at its limits.
+        not so at its limits.
     result : Result
         Its numbers in lanes; remarks only as far as the verdict depends on them.
     verdict : Verdict
@@ -77,12 +77,12 @@ def check_many(case: DesignCase, count: int) -> Iterator[tuple[Index, Result, Ve
 
 
 def _keeps_limits(case: DesignCase, count: int) -> NDArray[np.bool_]:
-    """Bearings that miss nothing at the limits of their clearance either."""
+    """Bearings that pass at the limits of their clearance, too."""
     keeps = np.ones(count, bool)
     for _, other in at_limits(case):
         kept = np.zeros(count, bool)
         for index, _, verdict in _check_many(other, count):
-            kept[index] = verdict in (Verdict.PASS, Verdict.REMARKS)
+            kept[index] = verdict is Verdict.PASS
         keeps &= kept
     return keeps
 

@@ -33,7 +33,11 @@ from babbitt.kinds.journal.iso7902.supply import (
     Pockets,
     fitted_width,
 )
-from babbitt.kinds.journal.one_temperature import checks_of_metal, warnings_about_margins
+from babbitt.kinds.journal.one_temperature import (
+    checks_of_metal,
+    warnings_about_margins,
+    warnings_about_unknown_metal,
+)
 from babbitt.numerics.scalar_or_array import functions_for, larger
 
 STANDARD_WIDTH_RATIOS = (0.125, 1.0)
@@ -246,6 +250,7 @@ def _of_running(
     yield from warnings_about_slope(case, values, checks)
     viscosity = usable_viscosity(case.lubricant)
     yield from warnings_about_margins(checks, values, checks_of_metal(case.limits), viscosity)
+    yield from warnings_about_unknown_metal(case, checks, values)
     screening = next((check for check in checks if check.code == "C112"), None)
     if case.rotor_mass is not None and screening is not None and screening.ok:
         heavier = case.rotor_mass * STANDARD_GRAVITY / values["load"]
