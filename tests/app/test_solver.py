@@ -68,3 +68,18 @@ def test_of_questions_that_wait_the_latest_is_answered(solver):
     assert last == 8
     assert first in (0, None)
     assert between == [None] * 3
+
+
+def test_a_question_that_waits_for_a_process_can_be_withdrawn(solver):
+    async def asked():
+        latest, busy = Latest(solver), solver.start(asleep, longest=0.5)
+        while not busy.running():
+            await asyncio.sleep(0.05)
+        waiting = asyncio.create_task(latest.ask(doubled, 1))
+        await asyncio.sleep(0.1)
+        latest.withdraw()
+        with pytest.raises(Ended) as ended:
+            await waiting
+        return busy.done(), ended.value.why, await latest.ask(doubled, 2)
+
+    assert asyncio.run(asked()) == (False, "cancelled", 4)

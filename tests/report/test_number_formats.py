@@ -63,7 +63,7 @@ def test_the_unit_suits_the_size_and_changes_no_value(name, si):
 
 def test_a_limit_barely_missed_is_told_with_the_digits_that_tell_so():
     missed = Check("C117", "supply_capacity", 1.3001 / 6e4, 1.3049 / 6e4, Bound.AT_LEAST, "a test")
-    assert value_and_limit(missed) == ("1.3001 L/min", "1.3 L/min")
+    assert value_and_limit(missed) == ("1.3001 L/min", "1.3049 L/min")
 
 
 def test_margins_beyond_measure_are_told_as_such():

@@ -12,20 +12,25 @@ from babbitt.app.solver import LONGEST_STUDY, Solver
 
 __all__ = ["Service", "started"]
 
+BEHIND = 10
+"""Niceness of processes whose answers may come a moment later than those of a value that moves."""
+
 
 class Service:
     """Worker processes of a server.
 
     Attributes
     ----------
+    drafts : Solver
+        Of answers while a value moves: they wait for nothing else.
     solver : Solver
-        Of answers.
+        Of answers on the grid of the case.
     slow : Solver
         Of studies and other work of minutes, so that no answer waits for them.
     """
 
     def __init__(self) -> None:
-        self.solver, self.slow = Solver(), Solver(workers=1)
+        self.drafts, self.solver, self.slow = Solver(), Solver(niceness=BEHIND), Solver(1, niceness=BEHIND)
         self._folder = TemporaryDirectory(prefix="babbitt-")
         self._compiling: Any = None
 
@@ -43,6 +48,7 @@ class Service:
 
     def load_kernels(self) -> None:
         """Have the kernels loaded, or compiled where there are none, so that no question of a visitor waits."""
+        self.drafts.start(kernels_loaded)
         self.solver.start(kernels_loaded).add_done_callback(self._compile_missing)
 
     def _compile_missing(self, loaded: Any) -> None:
@@ -52,6 +58,7 @@ class Service:
 
     def close(self) -> None:
         """End all processes."""
+        self.drafts.close()
         self.solver.close()
         self.slow.close()
         self._folder.cleanup()

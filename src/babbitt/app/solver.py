@@ -58,16 +58,20 @@ class Solver:
     Parameters
     ----------
     workers : int, optional
-        As many as cores less one by default, and at least one.
+        Half as many as cores by default, and at least one.
+    niceness : int
+        By how much they stand back for other processes, where the system knows such a thing.
     """
 
-    def __init__(self, workers: int | None = None) -> None:
-        self._count = workers or max(1, (os.cpu_count() or 1) - 1)
+    def __init__(self, workers: int | None = None, niceness: int = 0) -> None:
+        self._count = workers or max(1, (os.cpu_count() or 1) // 2)
+        self._niceness = niceness
         self._pool = self._new_pool()
         self._open: set[ProcessFuture[Any]] = set()
 
     def _new_pool(self) -> ProcessPool:
-        return ProcessPool(max_workers=self._count, initializer=_prepared, context=get_context("spawn"))
+        given = {"initializer": _prepared, "initargs": (self._niceness,), "context": get_context("spawn")}
+        return ProcessPool(max_workers=self._count, **given)
 
     def start(self, function: Callable[..., Any], *given: Any, longest: float = LONGEST) -> ProcessFuture[Any]:
         """Ask; the answer comes by the future."""
@@ -167,6 +171,12 @@ class Latest:
         except BrokenExecutor:  # a process died before it took the question
             return await self._answer(mine)
 
+    def withdraw(self) -> None:
+        """Take back what no process has taken up yet: its answer would be of a case that has changed since."""
+        self._waiting = None
+        if self._running is not None and not self._running.running():
+            self._running.cancel()  # type: ignore[no-untyped-call]
+
     async def _answer(self, question: _Question) -> Any:
         self._begun = math.inf
         self._running = future = self._solver.start(question.function, *question.given)
@@ -186,8 +196,10 @@ class Latest:
                 running.cancel()  # type: ignore[no-untyped-call]
 
 
-def _prepared() -> None:
-    """Bound the memory of a worker, and load what the first question needs."""
+def _prepared(niceness: int) -> None:
+    """Bound the memory of a worker, have it stand back, and load what the first question needs."""
+    if hasattr(os, "nice"):  # not on Windows
+        os.nice(niceness)
     if find_spec("resource") is not None:  # not on Windows: there memory is not bounded
         resource = import_module("resource")
         resource.setrlimit(resource.RLIMIT_DATA, (LARGEST, LARGEST))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Callable
+from itertools import count
 from typing import Any
 
 from nicegui import background_tasks, context, events, ui
@@ -45,7 +46,9 @@ class Workbench:
     """
 
     def __init__(self, service: Service, text: str) -> None:
-        self.service, self.latest = service, Latest(service.solver)
+        self.service = service
+        self._drafts, self._settled = Latest(service.drafts), Latest(service.solver)
+        self._questions, self._shown = count(1), 0
         self.document = CaseDocument(text)
         self.found = Answer()
         self.place = 0
@@ -217,14 +220,18 @@ class Workbench:
             await self._answered(quick)
 
     async def _answered(self, quick: bool) -> None:
+        mine, latest = next(self._questions), self._drafts if quick else self._settled
+        if quick:
+            self._settled.withdraw()
         try:
-            found = await self.latest.ask(answer, self.document.text, quick)
+            found = await latest.ask(answer, self.document.text, quick)
         except Ended as ended:
             if ended.why != "cancelled":
                 ui.notify(tell_ended(ended), type="warning")
             return
-        if found is None:
+        if found is None or mine < self._shown:  # a later question was answered already
             return
+        self._shown = mine
         if found.faults or self.found.faults:
             self._form.blame(found.faults)
         self.found = found

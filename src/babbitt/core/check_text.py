@@ -61,7 +61,7 @@ def comparison(check: Check) -> str:
 
 
 def value_and_limit(check: Check) -> tuple[str, str]:
-    """Both in one unit; of a limit that is barely missed as many digits of the value as tell so."""
+    """Both in one unit; of a limit that is barely missed as many digits of both as tell so."""
     value, limit = alike(check.quantity, check.value, check.limit)
     known = QUANTITIES.get(check.quantity)
     if value != limit or check.ok or known is None:
@@ -69,8 +69,10 @@ def value_and_limit(check: Check) -> tuple[str, str]:
     shown = known.suited(check.value, check.limit)
     bound = shown.shown(check.limit)
     for digits in range(5, 16):
-        if float(f"{shown.shown(check.value):.{digits}g}") != float(f"{bound:.{digits}g}"):
-            return decimal(f"{shown.shown(check.value):.{digits}g} {shown.display.label}").rstrip(), limit
+        both = tuple(f"{one:#.{digits}g}" for one in (shown.shown(check.value), bound))
+        if float(both[0]) != float(both[1]):
+            texts = (decimal(f"{one} {shown.display.label}").rstrip() for one in both)
+            return next(texts), next(texts)
     return translated("{value} (rounded)", value=value), limit
 
 

@@ -56,7 +56,7 @@ SI = {
     "degC": DisplayUnit("°C", 1.0, -ZERO_CELSIUS, decimals=1),
     "rpm": DisplayUnit("rpm", 9.549296585513721, decimals=0),
     "rpm2": DisplayUnit("rpm", 9.549296585513721, decimals=2),
-    "deg": DisplayUnit("°", 57.29577951308232, decimals=1),
+    "deg": DisplayUnit("°", 57.29577951308232, decimals=1, nothing=1e-9),
     "kN": DisplayUnit("kN", 1e-3, decimals=2),
     "Nm": DisplayUnit("N m", decimals=2),
     "kW": DisplayUnit("kW", 1e-3, decimals=2, nothing=1e-7),
