@@ -70,8 +70,12 @@ class Solver:
         self._open: set[ProcessFuture[Any]] = set()
 
     def _new_pool(self) -> ProcessPool:
-        given = {"initializer": _prepared, "initargs": (self._niceness,), "context": get_context("spawn")}
-        return ProcessPool(max_workers=self._count, **given)
+        return ProcessPool(
+            max_workers=self._count,
+            initializer=_prepared,
+            initargs=(self._niceness,),
+            context=get_context("spawn"),
+        )
 
     def start(self, function: Callable[..., Any], *given: Any, longest: float = LONGEST) -> ProcessFuture[Any]:
         """Ask; the answer comes by the future."""
