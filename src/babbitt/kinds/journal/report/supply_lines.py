@@ -43,6 +43,8 @@ def flow_lines(case: DesignCase, sheet: Worksheet) -> Iterator[Line]:
         return
     if case.bearing.supply_element is not None and "supply_flow_number" in sheet:
         yield from _element(case, sheet)
+        if not (case.oil_supply.tubes or case.oil_supply.holes):
+            yield sheet.line("element_pressure", "supply_pressure", "no losses on the way")
         yield sheet.line(
             "supply_flow",
             "supply_flow_number * diameter**3 * operating_relative_clearance**3 * element_pressure"
