@@ -80,6 +80,7 @@ def content(machine: MachineResult, level: Level = Level.FULL) -> Data:
             "governing": _governing(results),
             "scope": list(scope_of(results)),
             "legend": _legend(results),
+            "ranks": [column.rank for column in columns_of(results)],
             "references": [] if level is Level.SUMMARY else _references(machine),
         },
         "totals": _totals(summed) if summed else None,

@@ -95,7 +95,7 @@ JOURNAL: tuple[Quantity, ...] = (
         "starved_heat_to_surroundings", "P_amb,st", "W", "kW", 4, "Heat to the surroundings with the limited flow"
     ),
     quantity("starved_film_reynolds_number", "Re_st", "1", "count", 3, "Reynolds number with the limited flow"),
-    quantity("starved_transition_speed", "ω_tr,st", "rad/s", "rpm", 4, "Transition speed with the limited flow"),
+    quantity("starved_transition_speed", "N_tr,st", "rad/s", "rpm", 4, "Transition speed with the limited flow"),
     quantity(
         "starved_operating_relative_clearance",
         "ψ_eff,st",
