@@ -11,8 +11,8 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from babbitt.core.language import language, phrases, translated
-from babbitt.core.report_level import Level
 from babbitt.core.quantities import QUANTITIES
+from babbitt.core.report_level import Level
 from babbitt.core.result import Result, Verdict
 from babbitt.report import findings
 from babbitt.report.bearing_content import (
@@ -96,7 +96,7 @@ def content(machine: MachineResult, level: Level = Level.FULL) -> Data:
 
 
 def _governing(results: Sequence[Result]) -> Data | None:
-    """The limit that all bearings come closest to, or are farthest beyond; None where nothing was held against one."""
+    """The limit that all bearings come closest to, or are farthest beyond; None where nothing was checked."""
     pairs = [(result, check) for result in results if (check := result.governing_check) is not None]
     if not pairs:
         return None

@@ -36,13 +36,13 @@ def scope_of(results: Sequence[Result]) -> Iterator[str]:
         )
     else:
         yield translated(
-            "One operating point of each bearing. Other loads and speeds, overload and the other sense of rotation "
-            "are not part of this report."
+            "One operating point of each bearing. Other loads and speeds, overload and the other sense of "
+            "rotation are not part of this report."
         )
     yield from _clearances(results, names)
     yield translated(
-        "Checked is what the tables of checks list. Strength and fatigue of parts, wear, starting and stopping are "
-        "not, unless they stand there."
+        "Checked is what the tables of checks list. Strength and fatigue of parts, wear, starting and stopping "
+        "are not, unless they stand there."
     )
 
 
