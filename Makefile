@@ -11,6 +11,9 @@ unexport PYTHONDONTWRITEBYTECODE
 FAST := src tests/case tests/characteristics tests/design tests/docs tests/files tests/fits tests/export \
 	tests/infinitely_long_bearing tests/lubricants tests/materials tests/grooved_long_bearing tests/shaft tests/iso7902 tests/units
 
+# Tests misspell on purpose, to see what is said of it.
+SPELLED := *.md docs src scripts benchmarks validation examples Makefile pyproject.toml
+
 .PHONY: demo test test-fast test-thorough minima lint docs bench clean
 
 demo: $(VENV)/.demo  ## solve the marine reverse gear: table, PDF and JSON
@@ -35,9 +38,10 @@ minima: $(VENV)-minima/.made  ## a smoke set on the lowest versions that pyproje
 	$(VENV)-minima/bin/python -m pytest -p no:xdist tests/units tests/case/test_bad_files.py tests/case/test_build.py \
 		tests/export tests/design tests/report/test_export.py
 
-lint: $(VENV)/.lint  ## style, types, direction of imports
+lint: $(VENV)/.lint  ## style, spelling, types, direction of imports
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
+	$(BIN)/codespell $(SPELLED)
 	$(BIN)/mypy
 	$(BIN)/lint-imports
 

@@ -31,7 +31,17 @@ CASES = {
 """Name of the golden: kind of a template, or file of an example."""
 
 VOLATILE = {"case_hash", "hash", "babbitt", "version", "wall_time", "iterations", "svg", "case_text"}
-VOLATILE |= {"level", "shared_assumptions", "sketch", "language", "words", "checker", "advice"}
+VOLATILE |= {
+    "level",
+    "shared_assumptions",
+    "sketch",
+    "language",
+    "words",
+    "checker",
+    "advice",
+    "conclusion",
+    "decides",
+}
 """What may differ from run to run, or is a picture, a copy of the input or the layout of a report."""
 
 FORMULAS, FILMS, COEFFICIENTS = 1e-10, 1e-7, 1e-4

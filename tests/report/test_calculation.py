@@ -8,6 +8,7 @@ from dataclasses import replace
 import gear_cases
 import pytest
 
+from babbitt.core.limited_flow import is_limited
 from babbitt.core.quantities import QUANTITIES
 from babbitt.kinds.journal.iso7902.model import DesignCase, PrescribedLoad
 from babbitt.kinds.journal.iso7902.procedure import check
@@ -53,6 +54,7 @@ def test_the_order_is_that_of_the_standard():
         "Oil flow",
         "Heat balance",
         "Supply capacity",
+        "The film with the flow that the supply delivers",
         "Permissible values",
         "Screening for whirl and clearance",
         "Pressure losses in the supply",
@@ -67,6 +69,15 @@ def test_a_prescribed_temperature_leaves_the_heat_balance_out():
     told = {name for line in lines_of(case) for name in (line.name, *line.numbers)}
     assert "friction_power" in told
     assert not told & {"outlet_temperature", "heat_to_oil"}
+
+
+def test_the_film_that_the_limits_are_held_against_can_be_followed():
+    """Every reading of the film with limited flow that a check holds has a line."""
+    case = CASES["losses"]
+    result = check(case)
+    held = {check.quantity for check in result.limits if is_limited(check.quantity)}
+    assert held == {"starved_film_reynolds_number", "starved_minimum_film_thickness", "starved_outlet_temperature"}
+    assert held <= {line.name for line in lines_of(case)}
 
 
 def test_a_line_reads_formula_numbers_result_unit():

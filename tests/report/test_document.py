@@ -355,7 +355,7 @@ def clearances(case):
 def test_clearances_stand_side_by_side_and_the_rest_once():
     machine = solved("Gear", *clearances(GEAR[0]), GEAR[1])
     page, paper = on_page_and_paper(machine)
-    assert [attributes["id"] for attributes in page.all("h2")] == ["bearing-1", "bearing-2"]
+    assert [attributes["id"] for attributes in page.all("h2")] == ["bearing-1", "bearing-2", "references"]
     assert {link["href"] for link in page.all("a")} == {"#bearing-1", "#bearing-2"}
     assert len(page.all("img")) == 2 * 5
     chapter = page.text.split("Prepared")[1].split(GEAR[1].name)[0]

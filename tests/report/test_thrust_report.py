@@ -66,7 +66,10 @@ def test_the_report_answers_and_tabulates(line):
     ]
     assert all(figure["svg"].lstrip().startswith("<?xml") for figure in chapter["figures"])
     titles = [group["title"] for group in chapter["inputs"]]
-    assert titles == ["As given", "Lubricant", "Material"]
+    assert titles == ["As given", "Operation", "Lubricant", "Material"]
+    thrust, speed = chapter["inputs"][1]["rows"]
+    assert (thrust["label"], thrust["value"], thrust["unit"]) == ("Thrust", "500", "kN")
+    assert (speed["value"], speed["unit"]) == ("125", "rpm")
     json.dumps(chapter)
 
 

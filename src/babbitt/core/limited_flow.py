@@ -14,7 +14,16 @@ from babbitt.core.quantities import QUANTITIES
 if TYPE_CHECKING:
     from babbitt.core.result import Result
 
-__all__ = ["LIMITED", "is_limited", "limited", "may_be_short", "quantity_held", "value_kept", "whole"]
+__all__ = [
+    "LIMITED",
+    "is_limited",
+    "is_short_of_oil",
+    "limited",
+    "may_be_short",
+    "quantity_held",
+    "value_kept",
+    "whole",
+]
 
 LIMITED = "starved_"
 """How the quantity of a film begins that has no more oil than the supply delivers."""
@@ -54,8 +63,12 @@ def quantity_held(result: Result, quantity: str) -> str:
     if own is not None:
         return own
     short = limited(quantity)
-    held = short in QUANTITIES and any(is_limited(check.quantity) for check in result.limits)
-    return short if held else quantity
+    return short if short in QUANTITIES and is_short_of_oil(result) else quantity
+
+
+def is_short_of_oil(result: Result) -> bool:
+    """Whether a limit is held against the film with the flow that the supply delivers."""
+    return any(is_limited(check.quantity) for check in result.limits)
 
 
 def value_kept(result: Result, quantity: str) -> Any:

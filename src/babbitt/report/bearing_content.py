@@ -8,8 +8,9 @@ from dataclasses import replace
 from typing import Any
 
 from babbitt.core.language import translated, translated_if_known, unit_sign
+from babbitt.core.limited_flow import is_short_of_oil, limited
 from babbitt.core.notices import Effect, explanations
-from babbitt.core.quantities import QUANTITIES
+from babbitt.core.quantities import QUANTITIES, Quantity
 from babbitt.core.result import Result
 from babbitt.report import findings
 from babbitt.report import verdict as verdicts
@@ -33,6 +34,9 @@ Data = dict[str, Any]
 
 NOT_FOR_PAPER = ("wall_time", "iterations")
 """Results about the run rather than the bearing, and differ from run to run."""
+
+OF_EVERY_FILM = ("specific_load", "surface_speed")
+"""Results that load, speed and inputs alone decide."""
 
 WARNING_HEADINGS = {
     Effect.NO_VERDICT: "No verdict: outside the validity of the model",
@@ -175,14 +179,13 @@ def _key_results(chapter: Chapter) -> list[Data]:
         if name in QUANTITIES and any(map(math.isfinite, values)):
             quantity = suited_among(name, *(r.values for r in chapter.results if r.outcome.solved))
             zero = "".join({remark_on_zero(name, value) for value in values})
-            rows.append(
-                {
-                    "label": label(name, result.kind) + zero + temperature_remark(name, result),
-                    "symbol": symbol_node(quantity.symbol),
-                    "values": [quantity.format(value) if math.isfinite(value) else ABSENT for value in values],
-                    "unit": quantity.display.label,
-                }
-            )
+            row = {
+                "label": label(name, result.kind) + zero + temperature_remark(name, result),
+                "symbol": symbol_node(quantity.symbol),
+                "values": [quantity.format(value) if math.isfinite(value) else ABSENT for value in values],
+                "unit": quantity.display.label,
+            }
+            rows.append(row | _of_limited_film(chapter, name, quantity))
     rows += [
         {
             "label": f"{label(name, result.kind)}: {translated(reason)}",
@@ -193,6 +196,15 @@ def _key_results(chapter: Chapter) -> list[Data]:
         for name, reason in result.missing.items()
     ]
     return [*rows, *(row | {"label": translated(row["label"])} for row in chapter.view.rows(chapter.results))]
+
+
+def _of_limited_film(chapter: Chapter, name: str, quantity: Quantity) -> Data:
+    """The same with the flow that the supply delivers, for a bearing short of oil; a dash where it has none."""
+    result = chapter.shown.result
+    if len(chapter.members) > 1 or not is_short_of_oil(result):
+        return {}
+    value = result.values.get(name if name in OF_EVERY_FILM else limited(name), math.nan)
+    return {"limited": quantity.format(value) if math.isfinite(value) else ABSENT}
 
 
 def _line(line: Line) -> Data:

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from typing import Any
+
 from babbitt import __version__
 from babbitt.case import CaseFile
 from babbitt.properties.lubricants import AstmD341, Exponential, TabulatedViscosity, Vogel, Walther
-from babbitt.report.view import find_view
+from babbitt.report.view import View, find_view
 
-__all__ = ["REVERSE_GEAR", "REYNOLDS", "UNFOUND", "citations_of"]
+__all__ = ["REVERSE_GEAR", "REYNOLDS", "UNFOUND", "citations_of", "references"]
 
 BABBITT = f"The Babbitt developers: Babbitt {__version__}, calculation and design of fluid-film bearings, 2026."
 REYNOLDS = (
@@ -38,11 +41,26 @@ VISCOSITY_LAWS: dict[type, str] = {
 
 def citations_of(case: CaseFile) -> tuple[str, ...]:
     """References for the software, the methods, their characteristics and the lubricants of a case."""
+    return references((one.problem, find_view(one.problem.kind, one.method.name)) for one in case.calculations())
+
+
+def references(computed: Iterable[tuple[Any, View]]) -> tuple[str, ...]:
+    """References for the software, the methods and the lubricants of some problems.
+
+    Parameters
+    ----------
+    computed : iterable of (Problem, View)
+        Each problem with the view of the method that solves it.
+
+    Returns
+    -------
+    tuple of str
+        Each once, those of the lubricants last.
+    """
     found, oils = [BABBITT], {}
-    for one in case.calculations():
-        view = find_view(one.problem.kind, one.method.name)
-        found += view.citations(one.problem)
-        oil = view.oil(one.problem)
+    for problem, view in computed:
+        found += view.citations(problem)
+        oil = view.oil(problem)
         if oil is not None:
             found += [VISCOSITY_LAWS[type(oil.viscosity_law)]] if type(oil.viscosity_law) in VISCOSITY_LAWS else []
             found += [ISO_2909] if oil.viscosity_index is not None else []

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
@@ -46,6 +47,11 @@ class Column:
     def unit(self) -> str:
         """Unit of its numbers."""
         return QUANTITIES[self.quantity].display.label if self.quantity else self.label
+
+    @property
+    def symbols(self) -> tuple[str, ...]:
+        """The symbols of its heading."""
+        return tuple(re.split(" → | / ", self.heading))
 
     def cells(self, results: Sequence[Result]) -> list[str]:
         """The text of each row; a dash where a bearing has no operating point or no such quantity."""

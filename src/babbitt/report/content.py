@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from babbitt.core.language import language, phrases, translated
+from babbitt.core.quantities import QUANTITIES
 from babbitt.core.report_level import Level
 from babbitt.core.result import Result, Verdict
 from babbitt.report import findings
@@ -25,13 +26,17 @@ from babbitt.report.bearing_content import (
 from babbitt.report.chapters import Chapter, chapters
 from babbitt.report.check_content import check_content
 from babbitt.report.checker_page import checker_content
+from babbitt.report.citations import references
 from babbitt.report.columns import footnote
 from babbitt.report.findings import Group
+from babbitt.report.labels import label
 from babbitt.report.machine_table import columns_of, in_machine_table, overview_columns, overview_results
 from babbitt.report.names import counted_results
+from babbitt.report.scope import scope_of
 from babbitt.report.symbols import symbol_node
 from babbitt.report.text import plain_lines, plain_text
 from babbitt.report.totals import Totals, totals
+from babbitt.report.view import view_of
 
 if TYPE_CHECKING:
     from babbitt.solving import MachineResult
@@ -71,6 +76,13 @@ def content(machine: MachineResult, level: Level = Level.FULL) -> Data:
         "rows": _rows(parts, results),
         "incomplete": any(result.not_checked for result in results),
         **({"footnote": marks} if marks else {}),
+        "conclusion": {
+            "governing": _governing(results),
+            "scope": list(scope_of(results)),
+            "legend": _legend(results),
+            "ranks": [column.rank for column in columns_of(results)],
+            "references": [] if level is Level.SUMMARY else _references(machine),
+        },
         "totals": _totals(summed) if summed else None,
         "worst": worst,
         "overview": _overview(() if level is Level.SUMMARY else results),
@@ -81,6 +93,32 @@ def content(machine: MachineResult, level: Level = Level.FULL) -> Data:
         "checker": checker_content(parts, worst) if level is not Level.SUMMARY else None,
         "case_text": plain_lines(machine.case_text).strip("\n") if level is Level.FULL else "",
     }
+
+
+def _governing(results: Sequence[Result]) -> Data | None:
+    """The limit that all bearings come closest to, or are farthest beyond; None where nothing was checked."""
+    pairs = [(result, check) for result in results if (check := result.governing_check) is not None]
+    if not pairs:
+        return None
+    result, check = min(pairs, key=lambda pair: pair[1].margin)
+    return {**check_content(check), "bearing": plain_text(result.name)}
+
+
+def _legend(results: Sequence[Result]) -> list[Data]:
+    """What the symbols of the machine's table mean; of a limit its quantity says it."""
+    if not any(in_machine_table(result) for result in results):
+        return []
+    solved = [result for result in results if result.outcome.solved]
+    known = {
+        QUANTITIES[name].symbol: (name, one.kind) for one in solved for name in one.values if name in QUANTITIES
+    }
+    wanted = dict.fromkeys(symbol for column in columns_of(results) for symbol in column.symbols)
+    return [{"symbol": symbol_node(symbol), "said": label(*known[symbol])} for symbol in wanted if symbol in known]
+
+
+def _references(machine: MachineResult) -> list[str]:
+    computed = [(one.problem, view_of(one.result)) for one in machine.solutions]
+    return [plain_text(said) for said in references(computed)]
 
 
 MOST_WITH_FIGURES = 3
@@ -216,7 +254,11 @@ def _findings(results: Sequence[Result], level: Level) -> list[Data]:
         ("Not checked, for want of data", findings.not_checked(results)),
     )
     return [
-        {"heading": translated(heading), "groups": [_group(group) for group in groups]}
+        {
+            "heading": translated(heading),
+            "groups": [_group(group) for group in groups],
+            "decides": heading not in NOT_IN_SUMMARY and heading != "Not checked, for want of data",
+        }
         for heading, groups in sections
         if groups and not (level is Level.SUMMARY and heading in NOT_IN_SUMMARY)
     ]

@@ -6,6 +6,7 @@ the class of each shape, so that one drawing serves light and dark pages and pap
 
 from __future__ import annotations
 
+import copy
 import itertools
 import math
 import re
@@ -42,7 +43,7 @@ STYLE = Path(__file__).parent / "templates" / "picture.css"
 """Of every drawing, its colours by the names that a page gives values."""
 
 PAPER = {
-    "ink": "#222", "quiet": "#777", "paper": "#fff", "metal": "#dcdcdc", "steel": "#98a4b0", "oil": "#2f6090",
+    "ink": "#222", "quiet": "#555", "paper": "#fff", "metal": "#dcdcdc", "steel": "#98a4b0", "oil": "#2f6090",
     "bad": "#a02020", "good": "#207040", "near": "#9a6a10",
 }  # fmt: skip
 """Values of the colours on paper, for programs that know no names of colours."""
@@ -52,6 +53,12 @@ LETTERS = 'text { font-family: "Libertinus Serif", serif; }'
 
 CYCLE = "6s"
 """Time that a motion takes until it begins anew."""
+
+SUBSCRIPT = re.compile(r"(?<=[A-Za-zα-ωΑ-Ω])_([A-Za-z0-9]+(?:,[A-Za-z0-9]+)?)")
+"""What stands below the line, behind the letter of a symbol."""
+
+LARGER = 1.25
+"""Letters on paper over those on the screen, which can be enlarged."""
 
 BANDS = (0.02, 0.2, 0.4, 0.6, 0.8)
 """Shares of the highest value at which a shade more begins."""
@@ -164,12 +171,21 @@ class Canvas:
             "dominant-baseline": "middle",
             "stroke-width": _number(0.25 * self.letter),
         }
-        self._add("text", style, place | aligned).text = plain_text(words)
+        self._write(self._add("text", style, place | aligned), plain_text(words))
+
+    def _write(self, text: ElementTree.Element, words: str) -> None:
+        """Words whose symbols have subscripts: ψ_eff is written as such, with smaller letters below the line."""
+        stem, *others = re.split(SUBSCRIPT, words)
+        text.text = stem
+        for subscript, after in zip(others[::2], others[1::2], strict=True):
+            lower = {"dy": _number(0.3 * self.letter), "font-size": _number(0.75 * self.letter)}
+            ElementTree.SubElement(text, "tspan", lower).text = subscript
+            ElementTree.SubElement(text, "tspan", {"dy": _number(-0.3 * self.letter)}).text = after
 
     def notes(self, x: float, y: float, lines: Iterable[str], anchor: str = "start") -> None:
         """Lines of words one below the other, the first at a place."""
         for number, words in enumerate(lines):
-            self.text(x, y - 1.3 * number * self.letter, words, "note", anchor)
+            self.text(x, y - 1.5 * number * self.letter, words, "note", anchor)
 
     def _arrow(self, x: Array, y: Array, style: str, handle: Handle | None) -> None:
         along = math.atan2(y[-1] - y[-2], x[-1] - x[-2])
@@ -233,7 +249,9 @@ class Picture(Canvas):
         style.text = re.sub(r"var\(--(\w+)\)", lambda name: PAPER[name[1]], named) + LETTERS
         size = {"width": f"{PRINTED:g}", "height": f"{PRINTED * 0.5 * (self.high - self.low) / self.reach:.5g}"}
         page = ElementTree.Element("svg", self._root.attrib | size)
-        page.extend((style, *self._root))
+        page.extend((style, *copy.deepcopy(list(self._root))))
+        for letters in (one for one in page.iter() if "font-size" in one.attrib):
+            letters.set("font-size", _number(LARGER * float(letters.attrib["font-size"])))
         for moved in page.iter("g"):
             for motion in moved.findall("animateTransform"):
                 moved.remove(motion)

@@ -95,7 +95,30 @@ JOURNAL: tuple[Quantity, ...] = (
         "starved_heat_to_surroundings", "P_amb,st", "W", "kW", 4, "Heat to the surroundings with the limited flow"
     ),
     quantity("starved_film_reynolds_number", "Re_st", "1", "count", 3, "Reynolds number with the limited flow"),
-    quantity("starved_transition_speed", "ω_tr,st", "rad/s", "rpm", 4, "Transition speed with the limited flow"),
+    quantity("starved_transition_speed", "N_tr,st", "rad/s", "rpm", 4, "Transition speed with the limited flow"),
+    quantity(
+        "starved_operating_relative_clearance",
+        "ψ_eff,st",
+        "1",
+        "permille",
+        4,
+        "Relative clearance at T_eff with the limited flow",
+    ),
+    quantity("starved_effective_viscosity", "η_eff,st", "Pa s", "mPas", 4, "Viscosity with the limited flow"),
+    quantity("starved_sommerfeld_number", "So_st", "1", "", 3, "Sommerfeld number with the limited flow"),
+    quantity("starved_attitude_angle", "β_st", "rad", "deg", 3, "Attitude angle with the limited flow"),
+    quantity(
+        "starved_maximum_pressure", "p_max,st", "Pa", "MPa", 3, "Largest film pressure with the limited flow"
+    ),
+    quantity("starved_friction_coefficient", "f_st", "1", "", 3, "Friction coefficient with the limited flow"),
+    quantity(
+        "starved_critical_reynolds_number",
+        "Re_cr,st",
+        "1",
+        "count",
+        4,
+        "Reynolds number where laminar flow ends, with the limited flow",
+    ),
     quantity("given_flow", "Q_given", "m3/s", "L/min", 3, "Oil flow that the supplies are given"),
     quantity("surplus_flow", "Q_over", "m3/s", "L/min", 3, "Given flow that returns without passing the film"),
     quantity("pump_flow", "Q_pump", "m3/s", "L/min", 3, "Oil flow that the pump of a machine has to deliver"),

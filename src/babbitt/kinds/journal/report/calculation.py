@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 from babbitt.core.result import Result
 from babbitt.kinds.journal.iso7902.film import curves_of
 from babbitt.kinds.journal.iso7902.model import Friction, PrescribedEccentricity
+from babbitt.kinds.journal.report.limited_lines import limited_lines
 from babbitt.kinds.journal.report.oil_lines import oil_lines
 from babbitt.kinds.journal.report.sheet import JournalSheet
 from babbitt.kinds.journal.report.supply_lines import capacity_lines, flow_lines, loss_lines
@@ -21,8 +22,9 @@ from babbitt.report.line import SUBSTITUTED_DIGITS, Line, Section
 if TYPE_CHECKING:
     from babbitt.kinds.journal.iso7902.model import DesignCase
 
-LOAD_SCALE = "{width} * diameter * effective_viscosity * hydrodynamic_speed"
+LOAD_SCALE = "{width} * diameter * {viscosity} * hydrodynamic_speed"
 HALVES = "2 * half_bearing_width"
+LIMITED_REMARK = "The limits are held against the worse of both films; of this one its symbols have the index st."
 
 
 def calculation(case: DesignCase, result: Result) -> tuple[Section, ...]:
@@ -57,6 +59,7 @@ def calculation(case: DesignCase, result: Result) -> tuple[Section, ...]:
         Section("Oil flow", (*_side_flow(sheet), *flow_lines(case, sheet))),
         Section("Heat balance", tuple(_heat(case, sheet)), _iteration(result)),
         Section("Supply capacity", tuple(capacity_lines(case, sheet))),
+        Section("The film with the flow that the supply delivers", tuple(_limited(case, sheet)), LIMITED_REMARK),
         Section("Permissible values", tuple(_limits(case, sheet))),
         Section("Transition to mixed friction", tuple(_transition(case, sheet))),
         Section("Screening for whirl and clearance", tuple(_screening(sheet))),
@@ -106,7 +109,8 @@ def _validity(sheet: JournalSheet) -> Iterator[Line]:
 
 
 def _position(case: DesignCase, sheet: JournalSheet) -> Iterator[Line]:
-    scale, arguments = LOAD_SCALE.format(width=_loaded_width(sheet)), _arguments(sheet)
+    scale = LOAD_SCALE.format(width=_loaded_width(sheet), viscosity="effective_viscosity")
+    arguments = _arguments(sheet)
     if isinstance(case.duty, PrescribedEccentricity):
         yield sheet.given("eccentricity_ratio", "prescribed")
         yield sheet.read("sommerfeld_number", "eccentricity_ratio", *arguments)
@@ -157,6 +161,11 @@ def _sheared_arc(case: DesignCase, sheet: JournalSheet) -> float:
     """The integral I that the friction number of the result contains."""
     so, eps, beta = (sheet[k] for k in ("sommerfeld_number", "eccentricity_ratio", "attitude_angle"))
     return 2.0 * so * (sheet["friction_number"] / case.friction_factor - eps / 2.0 * math.sin(beta))
+
+
+def _limited(case: DesignCase, sheet: JournalSheet) -> Iterator[Line]:
+    scale = LOAD_SCALE.format(width=_loaded_width(sheet), viscosity="starved_effective_viscosity")
+    yield from limited_lines(case, sheet, scale, _arguments(sheet))
 
 
 def _side_flow(sheet: JournalSheet) -> Iterator[Line]:

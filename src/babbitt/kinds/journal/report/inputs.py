@@ -91,13 +91,21 @@ def _holes(number: float) -> str:
     return f"{number:.0f} holes" if number.is_integer() else f"{number:.4g} holes (a slot: equivalent holes)"
 
 
+def _place_of_pockets(pockets: Pockets) -> str:
+    """Where pockets stand; of two in places of their own, which of them counts for what."""
+    if pockets.behind is None or pockets.edge is None:
+        return f"Pocket {PLACES[pockets.arrangement]}"
+    before, behind = (math.degrees(angle) for angle in (pockets.edge + 0.5 * pockets.extent, pockets.behind))
+    return f"Pockets {before:.4g}° before and {behind:.4g}° behind the load"
+
+
 def _element(element: SupplyElement) -> Iterator[Row]:
     match element:
         case Holes():
             yield Row("Supply element", f"{_holes(element.number)} {PLACES[element.arrangement]}")
             yield named_row("hole_diameter", element.diameter)
         case Pockets():
-            yield Row("Supply element", f"Pocket {PLACES[element.arrangement]}")
+            yield Row("Supply element", _place_of_pockets(element))
             yield named_row("pocket_width", element.width)
         case CircumferentialGroove():
             yield Row("Supply element", "Groove around the circumference, between two half bearings")

@@ -50,6 +50,9 @@ def _density(case: DesignCase, sheet: Worksheet) -> Iterator[Line]:
             density_slope=line.slope,
             reference_temperature=line.reference_temperature - ZERO_CELSIUS,
         )
+        yield sheet.given("reference_temperature")
+        yield sheet.given("reference_density", "of the lubricant")
+        yield sheet.given("density_slope", "of the lubricant")
         yield sheet.line(
             "density", "reference_density + density_slope * (effective_temperature - reference_temperature)"
         )
@@ -64,6 +67,13 @@ def _viscosity(case: DesignCase, sheet: Worksheet) -> Iterator[Line]:
     match law:
         case Walther() | AstmD341():
             sheet.note(walther_intercept=law.intercept, walther_slope=law.slope)
+            through = (
+                ""
+                if isinstance(law, AstmD341)
+                else "of lg lg(ν + a_W) = A_W − B_W lg(T), ν in mm²/s, by the viscosities of the lubricant"
+            )
+            yield sheet.given("walther_intercept", through)
+            yield sheet.given("walther_slope")
             yield sheet.line("absolute_temperature", "effective_temperature + 273.15")
             yield sheet.line("double_logarithm", _DOUBLE_LOGARITHM, "Walther, ASTM D341")
             if isinstance(law, Walther):

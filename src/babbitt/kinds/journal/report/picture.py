@@ -3,17 +3,26 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
 
 import numpy as np
 
 from babbitt.core.language import translated
+from babbitt.core.limited_flow import quantity_held
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Matrix
 from babbitt.core.solution import Solution
 from babbitt.kinds.journal.film.field import Array, field_of, inside, step_patches
 from babbitt.kinds.journal.film.isothermal import under_found_load
 from babbitt.kinds.journal.film.model import FeedSize, FilmCase
+from babbitt.kinds.journal.iso7902.supply import (
+    Arrangement,
+    CircumferentialGroove,
+    HalfCircumferentialGroove,
+    Holes,
+    Pockets,
+)
 from babbitt.report.labels import label
 from babbitt.report.picture import Handle, Picture
 from babbitt.report.picture_words import enlarged, named
@@ -35,20 +44,60 @@ DOWN = -0.5 * math.pi
 
 
 def round_picture(solution: Solution) -> Picture | None:
-    """A round bore with its journal; the load downward, as the methods of one dimension have it."""
-    values = solution.result.values
-    if not {"eccentricity_ratio", "attitude_angle"} <= values.keys():
+    """A round bore with its feed and journal; the load downward, as the methods of one dimension have it.
+
+    Of a bearing short of oil it shows the film that limits are held against.
+    """
+    result = solution.result
+    position = [quantity_held(result, name) for name in ("eccentricity_ratio", "attitude_angle")]
+    clearance = quantity_held(result, "operating_relative_clearance")
+    values = result.values
+    if not {*position, clearance} <= values.keys():
         return None
-    picture = _empty(solution)
-    _sizes(picture, values, PLAY / values["operating_relative_clearance"])
+    picture = _empty(solution, position)
+    _sizes(picture, values, PLAY / values[clearance], clearance)
     around = np.linspace(0.0, 2.0 * math.pi, 181)
     _bush(picture, np.full_like(around, 1.0 + PLAY), around)
     sense = math.copysign(1.0, values.get("angular_speed", 1.0))
-    centres = DOWN + sense * values["attitude_angle"]
-    ratio = PLAY * values["eccentricity_ratio"]
-    _journal(picture, ratio * math.cos(centres), ratio * math.sin(centres))
+    for middle, half in _supplies(solution.problem):
+        _notch(picture, DOWN - sense * middle, half)
+    eccentricity, attitude = (values[name] for name in position)
+    centres = DOWN + sense * attitude
+    _journal(picture, PLAY * eccentricity * math.cos(centres), PLAY * eccentricity * math.sin(centres))
     picture.load(DOWN, values.get("load", math.nan), sense)
     return picture
+
+
+def _supplies(problem: Any) -> Iterator[tuple[float, float]]:
+    """Middle, before the load in the sense of rotation, and half the extent of each supply of ISO 7902, rad."""
+    bearing = problem.bearing
+    match getattr(bearing, "supply_element", None):
+        case Holes() as holes:
+            half = holes.diameter / bearing.diameter
+            for middle in _middles(holes, math.radians(bearing.span)):
+                yield middle, half
+        case Pockets() as pockets:
+            for middle in _middles(pockets, math.radians(bearing.span)):
+                yield middle, 0.5 * pockets.extent
+        case HalfCircumferentialGroove():
+            yield math.pi, 0.5 * math.pi
+        case CircumferentialGroove():
+            yield math.pi, math.pi
+
+
+def _middles(element: Holes | Pockets, span: float) -> tuple[float, ...]:
+    if element.arrangement is Arrangement.OPPOSITE:
+        return (math.pi,)
+    before, behind = element.places(span)
+    return (before, -behind) if element.arrangement is Arrangement.BOTH_SIDES else (before,)
+
+
+def _notch(picture: Picture, middle: float, half: float) -> None:
+    """A recess of the round bore."""
+    angles = middle + np.linspace(-1.0, 1.0, 91) * max(half, NARROWEST)
+    both = np.concatenate((angles, angles[::-1]))
+    ring = np.repeat([1.0 + PLAY, 1.0 + PLAY + DEEP], angles.size)
+    picture.area((ring * np.cos(both), ring * np.sin(both)), "feed")
 
 
 def film_picture(solution: Solution) -> Picture | None:
@@ -76,23 +125,21 @@ def film_picture(solution: Solution) -> Picture | None:
     return picture
 
 
-def _empty(solution: Solution) -> Picture:
+def _empty(solution: Solution, position: Sequence[str] = ("eccentricity_ratio", "attitude_angle")) -> Picture:
     values = solution.result.values
-    said = [
-        f"{label(name)}: {QUANTITIES[name].with_unit(values[name])}"
-        for name in ("eccentricity_ratio", "attitude_angle")
-        if name in values
-    ]
+    said = [f"{label(name)}: {QUANTITIES[name].with_unit(values[name])}" for name in position if name in values]
     return Picture(
         1.0 + PLAY + BACK + HIGHEST + NAMES,
         translated("{bearing} seen along the shaft; {sizes}", bearing=solution.result.name, sizes="; ".join(said)),
     )
 
 
-def _sizes(picture: Picture, values: Mapping[str, float], factor: float) -> None:
+def _sizes(
+    picture: Picture, values: Mapping[str, float], factor: float, clearance: str = "operating_relative_clearance"
+) -> None:
     """Diameter, width and clearance, and by how much the film is drawn thicker than it is."""
     top = 0.94 * picture.reach
-    picture.notes(-0.98 * picture.reach, top, named(values, "diameter", "width", "operating_relative_clearance"))
+    picture.notes(-0.98 * picture.reach, top, named(values, "diameter", "width", clearance))
     picture.notes(0.98 * picture.reach, top, (enlarged("film", factor),), "end")
 
 

@@ -6,7 +6,6 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from babbitt.core.units import ZERO_CELSIUS
 from babbitt.design.ducts import LAMINAR_UP_TO, TURBULENT_FROM, Duct, pipe_friction_factor
 from babbitt.kinds.journal.iso7902.film import returned_gap, start_of_film
 from babbitt.kinds.journal.iso7902.supply import (
@@ -44,6 +43,8 @@ def flow_lines(case: DesignCase, sheet: Worksheet) -> Iterator[Line]:
         return
     if case.bearing.supply_element is not None and "supply_flow_number" in sheet:
         yield from _element(case, sheet)
+        if not (case.oil_supply.tubes or case.oil_supply.holes):
+            yield sheet.line("element_pressure", "supply_pressure", "no losses on the way")
         yield sheet.line(
             "supply_flow",
             "supply_flow_number * diameter**3 * operating_relative_clearance**3 * element_pressure"
@@ -108,27 +109,9 @@ def _place(arrangement: Arrangement) -> str:
 
 
 def capacity_lines(case: DesignCase, sheet: Worksheet) -> Iterator[Line]:
-    """What the supply can deliver, and the heat balance with that flow where it is less than Q₃."""
-    if "supply_capacity" not in sheet:
-        return
-    yield from _capacity(case, sheet)
-    if "starved_total_flow" not in sheet:
-        return
-    yield sheet.given("starved_effective_temperature", "closes the balance with the flow that the supply delivers")
-    yield sheet.given("starved_eccentricity_ratio", "by the steps above at that temperature")
-    yield sheet.given("starved_minimum_film_thickness")
-    yield sheet.given("starved_friction_power")
-    yield sheet.given("starved_total_flow", "what the supply delivers there")
-    if "starved_outlet_temperature" in sheet:
-        yield sheet.given("starved_outlet_temperature")
-    if case.cooling is None:
-        warm = sheet["starved_effective_temperature"] + ZERO_CELSIUS
-        sheet.note(starved_heat_capacity=case.lubricant.volumetric_heat_capacity(warm))
-        yield sheet.line(
-            "starved_friction_power",
-            "starved_heat_capacity * starved_total_flow * (starved_outlet_temperature - supply_temperature)",
-            "the balance closes",
-        )
+    """What the supply can deliver."""
+    if "supply_capacity" in sheet:
+        yield from _capacity(case, sheet)
 
 
 def _capacity(case: DesignCase, sheet: Worksheet) -> Iterator[Line]:

@@ -37,6 +37,7 @@ JOURNAL_WORDS = (
     local("groove_width", "b_G", "m", "Width of the groove", 4, MILLI),
     local("element_ratio", "s", "1", "Relative width of the supply element"),
     local("fitted_element_ratio", "s_q", "1", "Relative width at which the correction is taken"),
+    local("starved_density", "ρ_st", "kg/m³", "Density of the oil at T_eff,st", 4),
     local("starved_heat_capacity", "ρc_st", "J/(m3 K)", "Heat capacity of the oil at T_eff,st", 5),
     local("supply_edge_angle", "α_s", "rad", "From the edge of the supply to the load", 4, ANGLE),
     local(

@@ -1,10 +1,10 @@
-"""What a thrust bearing was computed from: its oil and metal; the case file says the rest."""
+"""What a thrust bearing was computed from: its load, speed, oil and metal; the case file says the other inputs."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from babbitt.kinds.thrust.design import ThrustDesign
+from babbitt.kinds.thrust.design import PrescribedFilm, PrescribedThrust, ThrustDesign
 from babbitt.report.inputs import InputGroup, Row, metal_rows, named_row, oil_rows
 
 __all__ = ["thrust_inputs"]
@@ -12,8 +12,18 @@ __all__ = ["thrust_inputs"]
 
 def thrust_inputs(design: ThrustDesign) -> Iterator[InputGroup]:
     """Groups of inputs of a thrust bearing."""
+    yield InputGroup("Operation", tuple(_operation(design)))
     yield InputGroup("Lubricant", (*oil_rows(design.lubricant), *_oil(design)))
     yield InputGroup("Material", tuple(metal_rows(design.temperatures.given_metal)))
+
+
+def _operation(design: ThrustDesign) -> Iterator[Row]:
+    match design.duty:
+        case PrescribedThrust(thrust):
+            yield named_row("load", thrust, "Thrust")
+        case PrescribedFilm(film):
+            yield Row("Prescribed mean film at the pivots", f"{1e6 * film:.4g}", None, "µm")
+    yield named_row("angular_speed", design.speed)
 
 
 def _oil(design: ThrustDesign) -> Iterator[Row]:

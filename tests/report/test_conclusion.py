@@ -1,0 +1,94 @@
+"""The first page: what governs, what the report covers, what its symbols mean, and one film in each row."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import gear_cases
+import pytest
+
+import babbitt
+from babbitt.core.limited_flow import is_short_of_oil
+from babbitt.core.report_level import Level
+from babbitt.core.result_name import ResultName
+from babbitt.kinds.journal.iso7902.procedure import check
+from babbitt.report.content import content
+from babbitt.report.scope import scope_of
+
+GEAR = Path(babbitt.__file__).parents[2] / "examples" / "marine_reverse_gear.yaml"
+
+
+@pytest.fixture(scope="module")
+def gear():
+    return babbitt.load_case(GEAR).solve().machine
+
+
+@pytest.fixture(scope="module")
+def said(gear):
+    return content(gear, Level.STANDARD)
+
+
+def test_the_governing_check_is_the_least_margin_of_the_machine(gear, said):
+    governing = said["conclusion"]["governing"]
+    least = min(check.margin for result in gear.results for check in result.limits)
+    assert governing["margin"] == f"{least:+.0%}"
+    assert governing in said["checker"]["governing"]
+    assert not governing["advice"]
+
+
+def test_a_row_of_the_first_table_is_of_one_film(gear):
+    """From clearance and eccentricity of a row follows its film thickness, from the clearance its limit of Re."""
+    short = [result for result in gear.results if is_short_of_oil(result)]
+    assert len(short) >= 5
+    for result in short:
+        values = result.values
+        clearance, eccentricity = (
+            values[f"starved_{name}"] for name in ("operating_relative_clearance", "eccentricity_ratio")
+        )
+        film = clearance * values["diameter"] / 2.0 * (1.0 - eccentricity)
+        assert film == pytest.approx(values["starved_minimum_film_thickness"], rel=1e-12)
+        limit = next(one.limit for one in result.limits if one.quantity == "starved_film_reynolds_number")
+        assert limit == pytest.approx(41.3 / clearance**0.5, rel=1e-12)
+        assert limit == pytest.approx(values["starved_critical_reynolds_number"], rel=1e-12)
+
+
+def test_the_page_of_a_bearing_short_of_oil_shows_both_films(gear, said):
+    for result, bearing in zip(gear.results, said["bearings"], strict=True):
+        rows = {row["label"]: row for row in bearing["results"]}
+        film = rows["Minimum film thickness"]
+        assert ("limited" in film) is is_short_of_oil(result)
+        if "limited" in film:
+            held = next(one for one in bearing["checks"] if one["code"] == "C101")
+            assert held["value"] == f"{film['limited']} µm" != f"{film['values'][0]} µm"
+            assert rows["Specific load"]["limited"] == rows["Specific load"]["values"][0]
+            assert rows["Side flow"]["limited"] == "–"
+
+
+def test_every_symbol_of_the_first_table_is_explained(said):
+    explained = {tuple(one["symbol"]) for one in said["conclusion"]["legend"]}
+    shown = [node for column in said["columns"] for node in column["heading"] if isinstance(node, list)]
+    assert {tuple(node) for node in shown if node[2] != "lim"} == explained
+
+
+def test_references_name_the_edition_of_the_standard(said, gear):
+    cited = said["conclusion"]["references"]
+    assert any(one.startswith("ISO 7902-1:2020") for one in cited)
+    assert any(one.startswith("TP-46 STO upper") for one in cited)
+    assert content(gear, Level.SUMMARY)["conclusion"]["references"] == []
+
+
+def named(*names):
+    return [replace(check(gear_cases.EXAMPLE), name=name) for name in names]
+
+
+def test_the_scope_names_points_and_clearances():
+    one = " ".join(scope_of(named("Fan")))
+    assert "One operating point" in one
+    assert "One clearance" in one
+    both = named(
+        *(ResultName("Fan", point, which) for point in ("ahead", "astern") for which in ("minimum", "maximum"))
+    )
+    two = " ".join(scope_of(both))
+    assert "Operating points: ahead, astern." in two
+    assert "smallest and largest value of each bearing" in two
+    mixed = " ".join(scope_of([*both, *named("Pump")]))
+    assert "smallest and largest value of Fan; one value of the others" in mixed
