@@ -367,7 +367,7 @@ def test_the_totals_of_a_machine_are_the_sums_over_its_bearings() -> None:
     found = bb.solve(gear)
     assert {"total_flow", "friction_power"} <= set(found.totals)
     assert found.totals["pump_flow"] == sum(one.total_flow for one in found), "what the films want"
-    assert found.totals["pump_flow"] > found.totals["total_flow"], "what the supplies of bearings short of oil deliver"
+    assert found.totals["pump_flow"] > found.totals["total_flow"], "what supplies short of oil deliver"
     for name in found.totals.keys() - {"pump_flow"}:
         assert found.totals[name] == sum(
             one.result.values.get(f"starved_{name}", getattr(one, name)) for one in found
