@@ -28,7 +28,7 @@ from babbitt.app.studies import (
 from babbitt.app.words import word
 from babbitt.case.with_units import case_text
 from babbitt.core.notices import InputError
-from babbitt.study.study import Study
+from babbitt.study.size import size_of
 
 __all__ = ["StudiesView"]
 
@@ -164,20 +164,18 @@ class StudiesView:
         with ui.row():
             for ending, says in FILES.items():
                 ui.button(word(says), on_click=lambda _, e=ending: self._download(e)).props("flat dense no-caps")
-        if found.study.kind == "size" and self._kind == "size":
-            self._offer(found.study)
+        if found.study.kind == "size" and (sizes := sizes_of(found.study)) is not None:
+            self._offer(size_of(found.study).path, sizes)
         for table in found.tables:
             show_table(table)
         show_figures(found.figures)
 
-    def _offer(self, study: Study) -> None:
+    def _offer(self, path: str, sizes: tuple[str, ...]) -> None:
         """Buttons that put a value which keeps all limits into the case."""
-        (axis,) = self._axes.values()
-        found = sizes_of(study, axis)
         with ui.row().classes("items-center"):
-            ui.label(word("take_size" if found else "no_size"))
-            for text in found:
-                ui.button(text, on_click=lambda _, text=text: self._take(axis.path, text)).props("outline no-caps")
+            ui.label(word("take_size" if sizes else "no_size"))
+            for text in sizes:
+                ui.button(text, on_click=lambda _, text=text: self._take(path, text)).props("outline no-caps")
 
     def _take(self, path: str, text: str) -> None:
         self.document.write(case_text(with_value(self.document.given, path, text)))
