@@ -64,11 +64,10 @@ class StudiesView:
         self.draw()
 
     def draw(self) -> None:
-        """Draw the choices anew: another case."""
+        """Draw the choices anew: another case. What was typed stays where the case has the same value."""
         kinds = kinds_of(self.document.given)
         self._kind = self._kind if self._kind in kinds else kinds[0]
-        self._known = axes_of(self.document, self._kind)
-        self._axes = {path: axis for path, axis in self._known.items() if path in self._axes}
+        self._follow()
         self._box.clear()
         with self._box:
             names = {kind: word(f"study_{kind}") for kind in kinds}
@@ -80,6 +79,15 @@ class StudiesView:
                     word("samples"), value=self._samples, min=10, max=MOST_SAMPLES, precision=0,
                     on_change=lambda event: setattr(self, "_samples", int(event.value or 0)),
                 )  # fmt: skip
+
+    def _follow(self) -> None:
+        """Take the axes of the case."""
+        before, self._known = self._known, axes_of(self.document, self._kind)
+        self._axes = {
+            path: self._axes[path] if before.get(path) == axis else axis
+            for path, axis in self._known.items()
+            if path in self._axes
+        }
 
     def _asks(self, event: Any) -> None:
         self._kind, self._axes = event.value, {}
