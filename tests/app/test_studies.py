@@ -106,7 +106,7 @@ def test_tolerances_take_the_fit_and_the_grade():
     load = Axis("load", "1 kN", "3 kN", law="triangular")
     block = block_of("tolerance", [axes["clearance"], axes["lubricant"], load], 20)
     assert block["vary"] == {
-        "clearance": {"fit": "H7/e7"},
+        "clearance": {"fit": "H7/d8"},
         "lubricant": {"scatter": "vg"},
         "load": {"triangular": ["1 kN", "2 kN", "3 kN"]},
     }
