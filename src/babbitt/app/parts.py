@@ -88,7 +88,7 @@ def tell_ended(error: Ended | InputError, longest: float = LONGEST) -> str:
 
 def answer_box() -> ui.column:
     """A place for what was computed of the case, under a remark that shows when the case has changed since."""
-    ui.label(word("outdated")).classes("fault since")
+    ui.label(word("outdated")).classes("since")
     return plain_box().mark(OF_CASE)
 
 
