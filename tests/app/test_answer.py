@@ -43,6 +43,13 @@ def test_the_numbers_are_those_of_solve():
     assert film_card.share == pytest.approx(check.limit / check.value)
 
 
+def test_cards_of_a_bearing_short_of_oil_are_of_the_film_that_limits_are_held_against():
+    (shown,) = answer(JOURNAL).bearings
+    symbols = {card.symbol for card in shown.cards}
+    assert symbols >= {"T_ex,st", "h_min,st", "ε_st"}
+    assert not symbols & {"T_ex", "h_min", "ε"}
+
+
 def test_a_quick_answer_is_one_on_the_draft_grid():
     document = CaseDocument(film())
     document.change(("method",), {"kind": "film"})

@@ -167,7 +167,7 @@ def test_the_sizes_that_a_study_found_keep_all_limits(tmp_path):
     document = CaseDocument(TEMPLATES["journal"])
     axis = replace(axes_of(document, "size")["clearance.mean"], points=5)
     found = studied(asked_text(document.given, block_of("size", [axis])), str(tmp_path / "progress"))
-    sizes = sizes_of(found.study, axis)
+    sizes = sizes_of(found.study)
     assert 2 <= len(sizes) <= 3
     for text in sizes:
         (result,) = solved(case_text(with_value(document.given, axis.path, text))).results
@@ -175,6 +175,13 @@ def test_the_sizes_that_a_study_found_keep_all_limits(tmp_path):
     lower = min(float(text.split()[0]) for text in sizes)
     (result,) = solved(case_text(with_value(document.given, axis.path, f"{0.99 * lower} permille"))).results
     assert not all(check.ok for check in result.limits)
+
+
+def test_sizes_are_offered_only_in_the_unit_in_which_they_were_asked_for(tmp_path):
+    """A case with a size of its own may list plain numbers; then nothing says how a case file would have them."""
+    given = CaseDocument(TEMPLATES["journal"]).given
+    listed = {"kind": "size", "vary": {"load": ["6 kN", "12 kN", "24 kN"]}}
+    assert sizes_of(studied(asked_text(given, listed), str(tmp_path / "progress")).study) is None
 
 
 def test_a_study_of_a_fit_begins_with_its_mean_clearance():

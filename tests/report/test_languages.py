@@ -6,8 +6,10 @@ import re
 from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
+from matplotlib.text import Text
 
 import babbitt
 from babbitt.case.parts.title_block import TitleBlock
@@ -17,11 +19,13 @@ from babbitt.core.notices import words as loader
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.report_level import Level
 from babbitt.kinds.journal.report.key_results import KEY_RESULTS
+from babbitt.kinds.journal.report.stribeck import stribeck
 from babbitt.kinds.journal.report.words import JOURNAL_WORDS
 from babbitt.report.bearing_content import calculation_content, figures_content
 from babbitt.report.chapters import chapters
 from babbitt.report.content import content
 from babbitt.report.document import TEMPLATES, report, write_report
+from babbitt.report.figure_words import translate_figure
 from babbitt.report.labels import SHORT, label
 
 GEAR = Path(babbitt.__file__).parents[2] / "examples" / "marine_reverse_gear.yaml"
@@ -174,6 +178,21 @@ def test_plurals_and_composed_texts():
     with written_in("de"):
         assert translated("mean 395.75 µm") == "Mittel 395,75 µm"
     assert all("{" in text for text in composed("de"))
+
+
+@pytest.mark.parametrize("language", OTHERS)
+def test_speeds_in_a_stribeck_curve_have_the_unit_of_the_language(language):
+    speeds = [10.0, 30.0, 100.0]
+    rows = [(speed, 0.01, 0.005, 0.2, 1e-6) for speed in speeds]
+    known = {"angular_speed": 50.0, "mixed_friction_coefficient": 0.01, "asperity_load_share": 0.2}
+    known |= {"composite_roughness": 1e-6, "film_parameter": 1.0}
+    result = SimpleNamespace(arrays={"stribeck": rows}, values={"transition_speed": 40.0}, **known)
+    with written_in(language):
+        figure = stribeck(result)
+        translate_figure(figure)
+    (said,) = figure.axes[0].texts
+    assert "382" in said.get_text()
+    assert not [one.get_text() for one in figure.findobj(Text) if "rpm" in one.get_text()]
 
 
 def test_a_notice_is_written_in_the_language_when_it_is_shown():

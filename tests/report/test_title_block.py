@@ -9,6 +9,7 @@ import babbitt
 from babbitt.case import CaseError, Reach, load_case, parse_case
 from babbitt.case.case_hash import case_hash
 from babbitt.cli.program import app
+from babbitt.core.notices import InputError
 from babbitt.report.document import report
 from babbitt.report.title_block import title_block_of_options, title_content
 from babbitt.solving import solve
@@ -108,6 +109,8 @@ def test_the_command_line_completes_the_block_of_the_case(tmp_path):
     assert "Checked: B. Jones" in page
     assert "Prepared: A. Smith" in page
     assert CliRunner().invoke(app, given).exit_code != 0  # of a report, and there is none
+    with pytest.raises(InputError, match="add --report"):
+        CliRunner().invoke(app, [*given[:2], "--language", "de"], catch_exceptions=False)
 
 
 @pytest.mark.parametrize("option", ["revision", "nunber=3", "date=tomorrow", "logo=logo.svg"])

@@ -2,12 +2,20 @@
 
 import math
 import re
+from pathlib import Path
 
+import numpy as np
 import pint
 import pytest
+from matplotlib.figure import Figure
+from matplotlib.text import Text
 
+import babbitt
+from babbitt.case import load_case, parse_case
 from babbitt.core.quantities import QUANTITIES, displayed_in
 from babbitt.core.quantities.display import SI, US
+from babbitt.report.view import view_of
+from babbitt.solving import solve
 
 REGISTRY = pint.UnitRegistry(autoconvert_offset_to_baseunit=True)
 REGISTRY.define("cSt_ = 1e-6 m**2/s")
@@ -93,3 +101,65 @@ def test_the_option_leaves_json_alone_and_ends_with_the_command(tmp_path):
     assert "psi" in found["us"][0]
     assert not re.search(r"µm|MPa|kN|kW|L/min", found["us"][0])
     assert QUANTITIES["load"].display.label == "kN"
+
+
+EXAMPLES = Path(babbitt.__file__).parents[2] / "examples"
+BY_LABEL = {
+    (SI[name].label, us.label): (
+        us.scale / SI[name].scale,
+        us.offset - SI[name].offset * us.scale / SI[name].scale,
+    )
+    for name, us in US.items()
+}
+"""Factor and offset from a number in one unit of an axis to that in another one."""
+
+
+def figures_of(machine, monkeypatch):
+    """The figures of a machine in both systems of units."""
+    made = []
+    monkeypatch.setattr(
+        Figure, "savefig", lambda figure, target, **_: made.append(figure) or target.write(b"<svg/>")
+    )
+    for system in ("si", "us"):
+        with displayed_in(system):
+            for solution in machine.solutions:
+                view_of(solution.result).figures(solution, "svg")
+    half = len(made) // 2
+    return list(zip(made[:half], made[half:], strict=True))
+
+
+def unit_of(label):
+    return label.rpartition(" in ")[2]
+
+
+@pytest.mark.parametrize("name", ["grooved.yaml", "pump_footstep.yaml"])
+def test_curves_are_in_the_units_that_stand_at_their_axes(name, monkeypatch):
+    """What is drawn in US units is what is drawn in those of the SI, converted from label to label."""
+    compared = 0
+    for figure, other in figures_of(solve(load_case(EXAMPLES / name)), monkeypatch):
+        for axes, theirs in zip(figure.axes, other.axes, strict=True):
+            for axis in "xy":
+                ours, own = (unit_of(getattr(one, f"get_{axis}label")()) for one in (axes, theirs))
+                factor, offset = (1.0, 0.0) if ours == own else BY_LABEL[ours, own]
+                for line, drawn in zip(axes.get_lines(), theirs.get_lines(), strict=True):
+                    if line.get_transform() == axes.transData and ours:
+                        values, shown = (
+                            np.asarray(getattr(one, f"get_{axis}data")(), float) for one in (line, drawn)
+                        )
+                        assert shown == pytest.approx(factor * values + offset, rel=1e-6, abs=1e-9, nan_ok=True)
+                        compared += ours != own
+    assert compared > 10
+
+
+def test_maps_of_a_film_name_the_unit_of_their_numbers(monkeypatch):
+    given = (EXAMPLES / "stribeck_mixed.yaml").read_text(encoding="utf-8")
+    plain = re.sub("(?m)^mixed_friction.*$", "", given).replace(
+        "method: film", "method: {kind: film, accuracy: draft}"
+    )
+    machine = solve(parse_case(plain))
+    thinnest = machine.results[0].values["minimum_film_thickness"]
+    figure, other = figures_of(machine, monkeypatch)[0]
+    for one, unit, value in ((figure, "µm", 1e6 * thinnest), (other, "mil", thinnest / 25.4e-6)):
+        said = {text.get_text() for text in one.findobj(Text)}
+        assert f"film thickness in {unit}" in said
+        assert any(abs(float(text) - value) < 0.01 * value for text in said if re.fullmatch(r"[\d.]+", text))

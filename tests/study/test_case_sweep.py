@@ -11,9 +11,10 @@ from rich.console import Console
 from babbitt.case import CaseError, parse_case, template
 from babbitt.case.case_hash import case_hash
 from babbitt.case.variation import case_variation
+from babbitt.core.files.spreadsheet import rows_text
 from babbitt.core.notices import InputError
 from babbitt.core.result import Result, Verdict
-from babbitt.report.sweep_table import codes_of, print_sweep, sweep_csv, sweep_rows
+from babbitt.report.sweep_table import codes_of, print_sweep, sweep_rows
 from babbitt.solving import solve
 from babbitt.study.case_sweep import sweep_case
 from babbitt.study.sweep_values import values_of
@@ -156,7 +157,7 @@ def test_a_value_that_is_refused_stops_nothing(film, capsys):
     shown = " ".join(capsys.readouterr().out.split())
     assert "refused" in shown
     assert "'3 m' is a length" in shown
-    lines = sweep_csv(found).splitlines()
+    lines = rows_text(sweep_rows(found)).splitlines()
     assert [line.split(",")[2] for line in lines[1:]] == ["converged", "refused", "converged"]
     assert {line.count(",") for line in lines} == {lines[0].count(",")}
 

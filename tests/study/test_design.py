@@ -10,7 +10,9 @@ import babbitt as bb
 from babbitt.core.check_text import distance, margin
 from babbitt.core.limited_flow import limited
 from babbitt.core.notices import Effect, InputError
+from babbitt.core.quantities import displayed_in
 from babbitt.core.result import Verdict
+from babbitt.report.design_figure import design_figures
 from babbitt.study.design import designs_of
 from babbitt.study.study import open_study
 
@@ -137,6 +139,17 @@ def test_a_diameter_in_inches_gives_widths_and_pockets_in_inches_and_us_units_he
         assert unit in heads
     assert "µm" not in heads
     assert "psi" in (tmp_path / "gear" / "proposal-1.yaml").read_text().partition("kind:")[0]
+
+
+def test_the_figure_has_the_power_in_the_unit_of_its_axis(found):
+    (proposal, _), *_ = found.answer.proposals
+    for system, unit, watts in (("si", "kW", 1e3), ("us", "hp", 745.6998716)):
+        with displayed_in(system):
+            ((_, _, figure),) = design_figures(found._study)
+        (panel,) = figure.axes
+        assert panel.get_xlabel() == f"friction power in {unit}"
+        rings = [line.get_xdata()[0] for line in panel.get_lines() if line.get_markersize() == 8.0]
+        assert rings[0] == pytest.approx(proposal.power / watts, rel=1e-6)
 
 
 def test_an_oil_is_given_the_same_design_whatever_others_are_offered(found):

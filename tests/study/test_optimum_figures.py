@@ -5,6 +5,9 @@ from __future__ import annotations
 import pytest
 from studied_cases import block, journal
 
+from babbitt import parse_case
+from babbitt.core.kind import kinds
+from babbitt.core.quantities import QUANTITIES
 from babbitt.report import optimum_figures as figures
 from babbitt.study.optimum import optimum_of
 from babbitt.study.plan import plan
@@ -53,3 +56,18 @@ def test_the_points_of_a_front_are_named_by_the_choice_that_varies():
     )
     assert {one.get_text() for one in figure.axes[0].texts} <= set(OILS)
     assert len(figure.axes[0].texts) >= 2
+
+
+def test_a_machine_is_drawn_with_the_friction_and_the_limits_of_all_its_bearings():
+    machine = parse_case(kinds()["machine"].read_template())
+    asked = block(
+        kind="optimise", vary={"lubricant": OILS}, minimise=["friction_power"], population=8, generations=2
+    )
+    study = run_study(plan(machine, asked))
+    ((_, _, figure),) = figures.optimum_figures(study)
+    kept, beyond, best = figure.axes[0].get_lines()
+    ((least,),) = optimum_of(study).values
+    assert best.get_ydata().tolist() == [QUANTITIES["friction_power"].shown(least)]
+    failing = study.columns["verdict"] == "fail"
+    assert sorted(OILS[int(at)] for at in beyond.get_xdata()) == sorted({*study.columns["lubricant"][failing]})
+    assert min(kept.get_ydata()) == best.get_ydata()[0]

@@ -14,6 +14,7 @@ from babbitt.case.method_mapping import METHOD, choices_of
 from babbitt.core.check_text import margin, value_and_limit
 from babbitt.core.files.reading import Reach
 from babbitt.core.language import written_in
+from babbitt.core.limited_flow import quantity_held
 from babbitt.core.notices import Effect, InputError, explanations
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Bound, Check, Result
@@ -256,7 +257,8 @@ def shown(solution: Solution) -> Shown:
 
 
 def cards_of(result: Result) -> tuple[Card, ...]:
-    """The strictest check of each quantity, then the results that matter most."""
+    """The strictest check of each quantity, then the results that matter most, of the film that limits are held
+    against."""
     if not result.outcome.solved:
         return ()
     view = view_of(result)
@@ -264,7 +266,8 @@ def cards_of(result: Result) -> tuple[Card, ...]:
     for check in sorted(result.checks, key=lambda one: (one.advisory, one.margin)):
         if check.quantity not in found and len(found) < MOST_CHECKED:
             found[check.quantity] = _checked(check, result)
-    for name in (*view.sweep, *(column.quantity for column in view.columns), *view.key_results):
+    for wanted in (*view.sweep, *(column.quantity for column in view.columns), *view.key_results):
+        name = quantity_held(result, wanted)
         value = result.values.get(name, math.nan)
         if name not in found and name in QUANTITIES and math.isfinite(value):
             quantity = suited_among(name, result.values)

@@ -42,8 +42,7 @@ class AnswerView:
         self._place = place
         self._faults.clear()
         if answer.faults:
-            for part in (self._verdict, self._cards, self._findings):
-                part.content = ""
+            self._clear()
             with self._faults:
                 ui.label(word("faults")).classes("heading")
                 show_faults(answer.faults)
@@ -56,6 +55,17 @@ class AnswerView:
         self._verdict.content = verdict_markup(shown, answer)
         self._cards.content = cards_markup(shown.cards, kept)
         self._findings.content = findings_markup(shown.findings)
+
+    def fail(self, why: str) -> None:
+        """Show why there is no answer."""
+        self._faults.clear()
+        self._clear()
+        with self._faults:
+            ui.label(why).classes("fault").props('role="alert"')
+
+    def _clear(self) -> None:
+        for part in (self._verdict, self._cards, self._findings):
+            part.content = ""
 
 
 class DrawingView:
@@ -92,7 +102,12 @@ class ResultsView:
 
     def show(self, shown: Shown) -> None:
         """Fill the table anew."""
+        self._table.classes(remove="stale")
         self._table.rows = rows_of_table(shown.rows)
+
+    def fade(self) -> None:
+        """Show that the numbers are not those of the case on the page."""
+        self._table.classes(add="stale")
 
 
 def _markup(style: str) -> ui.html:

@@ -8,7 +8,7 @@ from typing import Any
 
 from nicegui import ui
 
-from babbitt.app.coefficients import FEWEST, CoefficientFile, coefficient_file, first_speeds
+from babbitt.app.coefficients import FEWEST, CoefficientFile, Speeds, coefficient_file, first_speeds
 from babbitt.app.document import CaseDocument
 from babbitt.app.parts import LongWork, Question, show_faults
 from babbitt.app.solver import Solver
@@ -33,14 +33,17 @@ class CoefficientsView:
     def __init__(self, document: CaseDocument, solver: Solver, bearing: Callable[[], str | None]) -> None:
         self._document, self._bearing = document, bearing
         self._format = next(iter(FORMATS))
+        self._first: Speeds | None = None
         ui.label(word("coefficients_help")).classes("small")
         self._box = ui.row().classes("axis")
         LongWork(solver, word("run_coefficients"), self._asked, self._show)
         self.draw()
 
     def draw(self) -> None:
-        """Draw the speeds anew: another case."""
-        self._speeds = first_speeds(self._document)
+        """Draw the speeds anew: another case. What was typed stays where the case has the same speed."""
+        first = first_speeds(self._document)
+        if first != self._first:
+            self._first = self._speeds = first
         self._box.clear()
         with self._box:
             for part, says in (("first", "from"), ("last", "to")):

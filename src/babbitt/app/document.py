@@ -54,16 +54,6 @@ class CaseDocument:
                 self._drawn = (self.text, ())
         return self._drawn[1]
 
-    @property
-    def can_undo(self) -> bool:
-        """Whether there is an earlier text."""
-        return self._place > 0
-
-    @property
-    def can_redo(self) -> bool:
-        """Whether a change was taken back."""
-        return self._place + 1 < len(self._texts)
-
     def write(self, text: str) -> None:
         """Take another text in its place; a movement ends before."""
         self.keep()

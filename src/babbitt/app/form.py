@@ -70,7 +70,6 @@ class Choice:
     way: str
     items: tuple[Item, ...]
     is_required: bool = False
-    first: Mapping[str, Any] | None = None
 
 
 @dataclass(frozen=True)

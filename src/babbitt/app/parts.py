@@ -7,7 +7,7 @@ from concurrent.futures import BrokenExecutor
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from nicegui import context, ui
+from nicegui import ElementFilter, context, ui
 
 from babbitt.app.answer import Fault, Figure, Table
 from babbitt.app.progress import progress_in
@@ -19,12 +19,17 @@ __all__ = [
     "LongWork",
     "icon_button",
     "on_request",
+    "outdate",
+    "plain_box",
     "rows_of_table",
     "show_faults",
     "show_figures",
     "show_table",
     "tell_ended",
 ]
+
+OF_CASE = "of_case"
+"""Mark of places for what was computed of the case."""
 
 LOOK = 0.5
 """Seconds between two looks at how far long work is."""
@@ -81,13 +86,31 @@ def tell_ended(error: Ended | InputError, longest: float = LONGEST) -> str:
     return word(error.why, seconds=longest) if isinstance(error, Ended) else error.message
 
 
+def answer_box() -> ui.column:
+    """A place for what was computed of the case, under a remark that shows when the case has changed since."""
+    ui.label(word("outdated")).classes("since")
+    return plain_box().mark(OF_CASE)
+
+
+def plain_box() -> ui.column:
+    """A place for what was computed."""
+    return ui.column().classes("w-full")
+
+
+def outdate() -> None:
+    """Say wherever something was computed of the case of a page that it has changed since."""
+    for box in ElementFilter(kind=ui.column, marker=OF_CASE):
+        box.classes(add="outdated")
+
+
 def on_request(says: str, work: Callable[[ui.column], Any]) -> ui.column:
     """A button, and under it what it asked for."""
     button = ui.button(says).props("outline no-caps")
-    box = ui.column().classes("w-full")
+    box = answer_box()
 
     async def pressed() -> None:
         button.disable()
+        box.classes(remove="outdated")
         box.clear()
         with box:
             ui.label(word("working")).props('role="status"')
@@ -118,10 +141,17 @@ class LongWork:
         there is nothing to ask.
     show : callable
         Shows the answer.
+    place : callable
+        Makes the place where it is shown.
     """
 
     def __init__(
-        self, solver: Solver, says: str, question: Callable[[], Question | None], show: Callable[[Any], None]
+        self,
+        solver: Solver,
+        says: str,
+        question: Callable[[], Question | None],
+        show: Callable[[Any], None],
+        place: Callable[[], ui.column] = answer_box,
     ) -> None:
         self._solver, self._question, self._show = solver, question, show
         self._running: Any = None
@@ -132,7 +162,7 @@ class LongWork:
             self._bar = ui.linear_progress(value=0.0, show_value=False).classes("grow progress")
             self._bar.props(f'aria-label="{word("progress")}"')
             self._said = ui.label("").classes("small").props('role="status"')
-        self._box = ui.column().classes("w-full")
+        self._box = place()
         self._timer = ui.timer(LOOK, self._look, active=False)
         self._idle(True)
         context.client.on_delete(self._end)
@@ -157,6 +187,7 @@ class LongWork:
         if asked is None:
             return
         function, given = asked
+        self._box.classes(remove="outdated")
         self._box.clear()
         self._said.text = word("working")
         self._idle(False)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from nicegui import ui
 
 from babbitt.app.answer import Table
-from babbitt.app.parts import LongWork, Question, show_table
+from babbitt.app.parts import LongWork, Question, plain_box, show_table
 from babbitt.app.published import published, scoreboard
 from babbitt.app.solver import Solver
 from babbitt.app.words import word
@@ -27,7 +27,7 @@ class PublishedView:
         found = published()
         self._chosen = ui.select([row[0] for row in found.rows], multiple=True, label=word("choose_cases"))
         self._chosen.props("dense use-chips").classes("w-full")
-        LongWork(solver, word("run_cases"), self._asked, self._show)
+        LongWork(solver, word("run_cases"), self._asked, self._show, plain_box)
         show_table(found)
 
     def _asked(self) -> Question | None:

@@ -27,12 +27,15 @@ class Service:
         Of answers on the grid of the case.
     slow : Solver
         Of studies and other work of minutes, so that no answer waits for them.
+    is_ready : bool
+        Whether no kernels are to be loaded or compiled any more.
     """
 
     def __init__(self) -> None:
         self.drafts, self.solver, self.slow = Solver(), Solver(niceness=BEHIND), Solver(1, niceness=BEHIND)
         self._folder = TemporaryDirectory(prefix="babbitt-")
         self._compiling: Any = None
+        self.is_ready = False
 
     @property
     def compiling(self) -> Progress | None:
@@ -53,8 +56,13 @@ class Service:
 
     def _compile_missing(self, loaded: Any) -> None:
         if loaded.cancelled() or loaded.exception() is not None or loaded.result():
+            self.is_ready = True
             return
         self._compiling = self.slow.start(kernels_compiled, self._file, longest=LONGEST_STUDY)
+        self._compiling.add_done_callback(self._end_compiling)
+
+    def _end_compiling(self, _: Any) -> None:
+        self.is_ready = True
 
     def close(self) -> None:
         """End all processes."""

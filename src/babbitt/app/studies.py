@@ -178,12 +178,18 @@ def _mean_of(given: Mapping[str, Any]) -> str:
     return f"{1e3 * bearing.mean_relative_clearance:.6g} permille"
 
 
-def sizes_of(study: Study, axis: Axis) -> tuple[str, ...]:
-    """Values that keep all limits, as a case file has them: ends and best of each interval, or choices."""
+def sizes_of(study: Study) -> tuple[str, ...] | None:
+    """Values that keep all limits, as a case file has them: ends and best of each interval, or choices.
+
+    None where the study does not say in which unit a case file has them.
+    """
     size = size_of(study)
     if size.choices:
         return tuple(str(choice) for choice, one in size.choices.items() if one.permitted)
-    unit = axis.first.partition(" ")[2]
+    asked = study.block.vary.get(size.path)
+    if asked is None or asked.range is None:
+        return None
+    unit = str(asked.range[0]).partition(" ")[2]
     found = [
         f"{rounded(from_si(trial.value, unit), upward=upward)} {unit}".strip()
         for one in size.intervals

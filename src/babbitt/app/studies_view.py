@@ -28,7 +28,7 @@ from babbitt.app.studies import (
 from babbitt.app.words import word
 from babbitt.case.with_units import case_text
 from babbitt.core.notices import InputError
-from babbitt.study.study import Study
+from babbitt.study.size import size_of
 
 __all__ = ["StudiesView"]
 
@@ -64,11 +64,10 @@ class StudiesView:
         self.draw()
 
     def draw(self) -> None:
-        """Draw the choices anew: another case."""
+        """Draw the choices anew: another case. What was typed stays where the case has the same value."""
         kinds = kinds_of(self.document.given)
         self._kind = self._kind if self._kind in kinds else kinds[0]
-        self._known = axes_of(self.document, self._kind)
-        self._axes = {path: axis for path, axis in self._known.items() if path in self._axes}
+        self._follow()
         self._box.clear()
         with self._box:
             names = {kind: word(f"study_{kind}") for kind in kinds}
@@ -80,6 +79,15 @@ class StudiesView:
                     word("samples"), value=self._samples, min=10, max=MOST_SAMPLES, precision=0,
                     on_change=lambda event: setattr(self, "_samples", int(event.value or 0)),
                 )  # fmt: skip
+
+    def _follow(self) -> None:
+        """Take the axes of the case."""
+        before, self._known = self._known, axes_of(self.document, self._kind)
+        self._axes = {
+            path: self._axes[path] if before.get(path) == axis else axis
+            for path, axis in self._known.items()
+            if path in self._axes
+        }
 
     def _asks(self, event: Any) -> None:
         self._kind, self._axes = event.value, {}
@@ -164,20 +172,18 @@ class StudiesView:
         with ui.row():
             for ending, says in FILES.items():
                 ui.button(word(says), on_click=lambda _, e=ending: self._download(e)).props("flat dense no-caps")
-        if found.study.kind == "size" and self._kind == "size":
-            self._offer(found.study)
+        if found.study.kind == "size" and (sizes := sizes_of(found.study)) is not None:
+            self._offer(size_of(found.study).path, sizes)
         for table in found.tables:
             show_table(table)
         show_figures(found.figures)
 
-    def _offer(self, study: Study) -> None:
+    def _offer(self, path: str, sizes: tuple[str, ...]) -> None:
         """Buttons that put a value which keeps all limits into the case."""
-        (axis,) = self._axes.values()
-        found = sizes_of(study, axis)
         with ui.row().classes("items-center"):
-            ui.label(word("take_size" if found else "no_size"))
-            for text in found:
-                ui.button(text, on_click=lambda _, text=text: self._take(axis.path, text)).props("outline no-caps")
+            ui.label(word("take_size" if sizes else "no_size"))
+            for text in sizes:
+                ui.button(text, on_click=lambda _, text=text: self._take(path, text)).props("outline no-caps")
 
     def _take(self, path: str, text: str) -> None:
         self.document.write(case_text(with_value(self.document.given, path, text)))

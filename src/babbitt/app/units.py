@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 from babbitt.core.quantities.display import us_partner
@@ -20,9 +21,7 @@ def split(text: str, units: Sequence[str]) -> tuple[str, str]:
     (('120', 'mm'), ('0', 'mm'), ('H7/e7', ''))
     """
     number, _, unit = text.strip().partition(" ")
-    try:
-        float(number)
-    except ValueError:
+    if not is_number(number):
         return text, ""
     if not unit:
         return (number, units[0]) if units else (text, "")
@@ -65,9 +64,12 @@ def shown_in(system: str, number: str, unit: str, units: Sequence[str]) -> tuple
 
 
 def is_number(text: str) -> bool:
-    """Whether a text is a number alone."""
+    """Whether a text is a finite number alone.
+
+    >>> is_number("-1.5e3"), is_number("nan"), is_number("1e400"), is_number("12 mm")
+    (True, False, False, False)
+    """
     try:
-        float(text)
+        return math.isfinite(float(text))
     except ValueError:
         return False
-    return True

@@ -15,13 +15,13 @@ from babbitt.app.answer_view import AnswerView, DrawingView, ResultsView
 from babbitt.app.catalogue_view import CatalogueView
 from babbitt.app.coefficients_view import CoefficientsView
 from babbitt.app.designs_view import DesignsView
-from babbitt.app.document import CaseDocument, path_in
+from babbitt.app.document import CaseDocument, path_in, with_changed
 from babbitt.app.figures import all_figures
 from babbitt.app.form_view import FormView
 from babbitt.app.head import Head
 from babbitt.app.link import case_of
 from babbitt.app.maps_view import MapsView
-from babbitt.app.parts import LongWork, on_request, show_faults, show_figures, show_table, tell_ended
+from babbitt.app.parts import LongWork, on_request, outdate, show_faults, show_figures, show_table, tell_ended
 from babbitt.app.published_view import PublishedView
 from babbitt.app.service import Service
 from babbitt.app.slider import Slider
@@ -52,6 +52,7 @@ class Workbench:
         self.document = CaseDocument(text)
         self.found = Answer()
         self.place = 0
+        self._computed: dict[str, Any] = {}
         self._key = f"babbitt:{hashlib.sha256(text.encode()).hexdigest()[:16]}"
 
     def build(self) -> None:
@@ -105,7 +106,7 @@ class Workbench:
                     draw()
 
     def _sliders(self) -> None:
-        self._slider = Slider(self.document, self._slid, self._changed)
+        self._slider = Slider(self.document, self._slid, self._stopped)
 
     def _result_table(self) -> None:
         self._results = ResultsView()
@@ -160,7 +161,7 @@ class Workbench:
         now = self.service.compiling
         self._compiling.text = "" if now is None else word("compiling", done=now.done, rows=now.rows)
         self._compiling.set_visibility(now is not None)
-        if now is None:
+        if self.service.is_ready:
             self._timer.deactivate()
 
     def _replace(self, text: str) -> None:
@@ -174,9 +175,14 @@ class Workbench:
     def _all_anew(self) -> None:
         self._form.draw()
         self._slider.draw()
+        self._follow()
+
+    def _follow(self) -> None:
+        """Text and studies are those of the document, which is answered."""
         self._studies.draw()
         self._coefficients.draw()
-        self._editor.set_value(self.document.text)
+        if self._editor.value != self.document.text:
+            self._editor.set_value(self.document.text)
         self._ask(False)
 
     def _set_elsewhere(self) -> None:
@@ -186,15 +192,17 @@ class Workbench:
     def _typed(self, event: events.ValueChangeEventArguments[Any]) -> None:
         if event.value != self.document.text:
             self.document.write(event.value)
-            self._form.draw()
-            self._slider.draw()
-            self._ask(False)
+            self._all_anew()
 
     def _changed(self) -> None:
         """The form changed the document."""
-        if self._editor.value != self.document.text:
-            self._editor.set_value(self.document.text)
-        self._ask(False)
+        self._slider.draw()
+        self._follow()
+
+    def _stopped(self) -> None:
+        """A slider came to a stop."""
+        self._form.draw()
+        self._follow()
 
     def _slid(self) -> None:
         """A slider is moving: an answer on the draft grid will do."""
@@ -216,8 +224,16 @@ class Workbench:
     async def _answer(self, quick: bool) -> None:
         with self._client:
             if not quick:
+                self._outdate()
                 ui.run_javascript(f"babbitt.keep({json.dumps(self._key)}, {json.dumps(self.document.text)})")
             await self._answered(quick)
+
+    def _outdate(self) -> None:
+        """Mark what was computed of another case; the study that is asked of a case does not change it."""
+        case = with_changed(self.document.given, ("study",), None)
+        if case != self._computed:
+            self._computed = case
+            outdate()
 
     async def _answered(self, quick: bool) -> None:
         mine, latest = next(self._questions), self._drafts if quick else self._settled
@@ -227,8 +243,11 @@ class Workbench:
             found = await latest.ask(answer, self.document.text, quick)
         except Ended as ended:
             if ended.why != "cancelled":
-                ui.notify(tell_ended(ended), type="warning")
+                self._fail(tell_ended(ended))
             return
+        except Exception:  # an error of the program, or all processes died: what is shown is not of this case
+            self._fail(word("died"))
+            raise
         if found is None or mine < self._shown:  # a later question was answered already
             return
         self._shown = mine
@@ -243,12 +262,22 @@ class Workbench:
             return
         self._view.show(self.found, self.place, self._designs.of(self.place))
         if self.found.faults:
-            self._drawing.fade()
+            self._fade()
             return
         shown = self.found.bearings[self.place]
         self._drawing.show(shown)
         if not self.found.quick:
             self._results.show(shown)
+
+    def _fail(self, why: str) -> None:
+        """Show that the case has no answer, and why."""
+        self.found = Answer()
+        self._view.fail(why)
+        self._fade()
+
+    def _fade(self) -> None:
+        self._drawing.fade()
+        self._results.fade()
 
     def _chosen(self, place: int) -> None:
         self.place = place

@@ -93,23 +93,17 @@ def solve(
 
     cases = load_cases(files, reach(allow_outside))  # every problem of every file first; nothing is written before
     cases = _with_title_blocks(cases, document, report)
-    plan = outputs(
-        files,
-        json,
-        report,
-        plots,
-        fields,
-        [table for case in cases for table in case.files],
-        report_level,
-        units,
-        language,
-    )
+    tables = [table for case in cases for table in case.files]
+    plan = outputs(files, json, report, plots, fields, tables, report_level, units, language)
     if report is not None or plots is not None:
-        from babbitt.report.languages import require_words
+        from babbitt.report.languages import chosen_language
 
         for case in cases:
-            own = case.title_block.language if case.title_block is not None else None
-            require_words([case.kind], language or own or Tongue.EN)
+            chosen_language(case.title_block, [case.kind], language)
+    elif language is not None:
+        raise InputError(
+            "E007", "--language is of report and plots, and there are none; add --report OUT.pdf or --plots DIR"
+        )
     if fields is not None:
         from babbitt.report.fields import require_films
 

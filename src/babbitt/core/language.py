@@ -19,7 +19,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass, field
-from functools import cache
+from functools import cache, lru_cache
 from importlib.resources import files
 from importlib.resources.abc import Traversable
 from typing import Any
@@ -58,6 +58,9 @@ NUMBER = re.compile(r"[±+−-]?\d+(\.\d+)?(e[+−-]?\d+)?\D{0,12}")
 
 UNITS = {"de": {"rpm": "1/min"}, "ru": {"rpm": "r/min"}}
 """Labels of units that are English words, and their signs: DIN 1301-1, GOST 8.417 (international sign)."""
+
+MOST_TEXTS = 10_000
+"""Composed texts that are remembered: cases hold any number of others, and a server writes reports for long."""
 
 _OTHERS: list[str] = []
 """Packages of other kinds that have texts."""
@@ -229,7 +232,7 @@ def _piece(placeholder: str) -> str:
     return f"(?P<{name}>[+−-]?\\d[\\d.]*)" if kind else f"(?P<{name}>.+?)"
 
 
-@cache
+@lru_cache(MOST_TEXTS)
 def _recognised(text: str, tongue: str) -> str | None:
     """A composed text in a language, by the phrase it was composed from; None where there is none."""
     for pattern, said in _patterns(tongue):

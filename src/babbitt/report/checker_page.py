@@ -7,12 +7,12 @@ from collections.abc import Sequence
 from typing import Any
 
 from babbitt.core.quantities import QUANTITIES
-from babbitt.core.result import Result
 from babbitt.report.chapters import Chapter
 from babbitt.report.check_content import check_content
 from babbitt.report.columns import ABSENT
 from babbitt.report.symbols import symbol_node
 from babbitt.report.text import plain_text
+from babbitt.report.verdict import worst_verdict
 
 __all__ = ["checker_content"]
 
@@ -50,10 +50,9 @@ def checker_content(parts: Sequence[Chapter], limits: Sequence[Data]) -> Data:
     dict
         ``columns`` and ``rows`` of inputs, ``governing`` checks of each bearing, ``limits``.
     """
-    shown = [part.shown.result for part in parts]
-    names = [name for name in INPUTS if any(_has(result, name) for result in shown)]
+    names = [name for name in INPUTS if any(_values(part, name) for part in parts)]
     quantities = [
-        QUANTITIES[name].suited(*(one.values[name] for one in shown if _has(one, name))) for name in names
+        QUANTITIES[name].suited(*(one for part in parts for one in _values(part, name))) for name in names
     ]
     return {
         "columns": [{"heading": [symbol_node(one.symbol)], "unit": one.display.label} for one in quantities],
@@ -61,21 +60,28 @@ def checker_content(parts: Sequence[Chapter], limits: Sequence[Data]) -> Data:
             {
                 "name": plain_text(part.name),
                 "cells": [
-                    quantity.format(part.shown.result.values[name]) if _has(part.shown.result, name) else ABSENT
+                    " / ".join(dict.fromkeys(map(quantity.format, _values(part, name)))) or ABSENT
                     for name, quantity in zip(names, quantities, strict=True)
                 ],
-                "verdict": part.shown.result.verdict.value,
+                "verdict": worst_verdict(part.results).value,
             }
             for part in parts
         ],
-        "governing": [
-            check_content(governing) | {"bearing": plain_text(part.name)}
-            for part in parts
-            if (governing := part.shown.result.governing_check) is not None
-        ],
+        "governing": [governing for part in parts if (governing := _governing(part)) is not None],
         "limits": [one for one in limits if not one["advice"]],
     }
 
 
-def _has(result: Result, name: str) -> bool:
-    return name in QUANTITIES and math.isfinite(result.values.get(name, math.nan))
+def _values(part: Chapter, name: str) -> list[float]:
+    """A number of a bearing at each of its clearances that has it."""
+    values = [result.values.get(name, math.nan) for result in part.results]
+    return [value for value in values if name in QUANTITIES and math.isfinite(value)]
+
+
+def _governing(part: Chapter) -> Data | None:
+    """The check with the least margin at any of the clearances of a bearing."""
+    found = [(check, result.name) for result in part.results if (check := result.governing_check) is not None]
+    if not found:
+        return None
+    check, name = min(found, key=lambda one: one[0].margin if math.isfinite(one[0].margin) else -math.inf)
+    return check_content(check) | {"bearing": plain_text(name)}

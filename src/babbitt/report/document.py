@@ -11,14 +11,14 @@ from typing import TYPE_CHECKING, Any, Literal
 from babbitt import __version__
 from babbitt.core.files.marks import CREATOR
 from babbitt.core.files.writing import require_writable, write_file
-from babbitt.core.language import ENGLISH, written_in
+from babbitt.core.language import written_in
 from babbitt.core.nearest_name import unknown_name
 from babbitt.core.notices import InputError
 from babbitt.core.quantities import SYSTEMS, displayed_in
 from babbitt.core.report_level import Level
 from babbitt.report.content import content
 from babbitt.report.drawing import missing_extra
-from babbitt.report.languages import require_words
+from babbitt.report.languages import chosen_language
 from babbitt.report.text import needs_system_fonts
 from babbitt.report.title_block import title_content
 
@@ -101,10 +101,7 @@ def language_of(machine: MachineResult, asked: str | None = None) -> str:
     InputError
         E005 for one that is not known, or that lacks the words of a kind of the machine.
     """
-    own = None if machine.title_block is None else machine.title_block.language
-    chosen = asked or own or ENGLISH
-    require_words((result.kind for result in machine.results), chosen)
-    return chosen
+    return chosen_language(machine.title_block, (result.kind for result in machine.results), asked)
 
 
 def report(machine: MachineResult, report_format: Format, level: Level = Level.STANDARD) -> bytes:

@@ -4,13 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from importlib.resources import files
+from typing import TYPE_CHECKING
 
 from babbitt.core.kind import Kind, find_kind, kinds
 from babbitt.core.language import ENGLISH, LANGUAGES, read_words
 from babbitt.core.nearest_name import unknown_name
 from babbitt.core.notices import InputError
 
-__all__ = ["knows", "require_words"]
+if TYPE_CHECKING:
+    from babbitt.case.parts.title_block import TitleBlock
+
+__all__ = ["chosen_language", "knows", "require_words"]
 
 
 def knows(tongue: str, kind: Kind) -> bool:
@@ -22,6 +26,20 @@ def knows(tongue: str, kind: Kind) -> bool:
     """
     package = kind.words or ".".join(kind.model.partition(":")[0].split(".")[:3])
     return tongue == ENGLISH or bool(read_words(files(package), tongue))
+
+
+def chosen_language(block: TitleBlock | None, wanted: Iterable[str], asked: str | None = None) -> str:
+    """The language to write in: the one asked for, else that of the title block of a case, else English.
+
+    Raises
+    ------
+    InputError
+        E005 for one that is not known, or that lacks the words of one of the kinds that are wanted.
+    """
+    own = None if block is None else block.language
+    chosen = asked or own or ENGLISH
+    require_words(wanted, chosen)
+    return chosen
 
 
 def require_words(wanted: Iterable[str], tongue: str) -> None:

@@ -8,15 +8,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.core.result import Verdict
 from babbitt.report.drawing import GREY, INK, PALE, Sheet, mathematics
-from babbitt.report.study_panels import WIDTH, Drawn, axis_text, bearings_of, lines_of, scaled
+from babbitt.report.study_panels import WIDTH, Drawn, axis_text, scaled
 from babbitt.report.study_values import Scale, input_scale, output_scale
 from babbitt.report.text import plain_text
-from babbitt.study.optimum import Optimum, optimum_of
+from babbitt.study.optimum import KEPT, Optimum, designs, optimum_of
 from babbitt.study.rows import Columns
 from babbitt.study.study import Study
-from babbitt.study.yields import WITHIN
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -29,8 +27,6 @@ Array = NDArray[np.float64]
 MOST_LINES = 400
 """Designs that parallel coordinates show, the last ones."""
 
-KEPT = (*WITHIN, Verdict.NO_VERDICT.key)
-
 
 def optimum_figures(study: Study) -> Iterator[Drawn]:
     """The front of two objectives and the designs; of one field and one objective the one over the other."""
@@ -41,12 +37,12 @@ def optimum_figures(study: Study) -> Iterator[Drawn]:
     if len(varying) == len(found.objectives) == 1:
         path, goal = plain_text(varying[0]["path"]), plain_text(output_scale(found.objectives[0]).name)
         said = f"{goal} over {path}: designs within all limits (filled), beyond one (crosses), the best (ringed)."
-        yield "designs", said, _over_field(study, varying[0], found)
+        yield "designs", said, _over_field(designs(study), varying[0], found)
         return
     if len(found.objectives) > 1:
         said = f"Pareto front: of {found.feasible} designs within all limits (pale) no other is better in both."
         yield "pareto", said, _front(study, found)
-    axes, alike = _axes_of(study, lines_of(study.columns, bearings_of(study)[0]))
+    axes, alike = _axes_of(study, designs(study))
     if len(axes) > 1:
         caption = (
             "Designs within all limits in parallel coordinates, each axis from its least to its largest value;"
@@ -61,10 +57,11 @@ def _front(study: Study, found: Optimum) -> Figure:
     goals = [output_scale(name) for name in found.objectives]
     figure, axes = Sheet(110.0, 76.0, left=16.0, bottom=11.0).panels()
     panel = axes[0][0]
-    kept = np.isin(study.columns["verdict"], KEPT)
-    x, y = (scale.shown(study.columns[name]) for scale, name in zip(goals, found.objectives[:2], strict=False))
-    if len(bearings_of(study)) == 1:
-        panel.plot(x[kept], y[kept], ".", color=PALE, markersize=3.0)
+    every = designs(study)
+    x, y = (
+        scale.shown(every[name][every[KEPT]]) for scale, name in zip(goals[:2], found.objectives, strict=False)
+    )
+    panel.plot(x, y, ".", color=PALE, markersize=3.0)
     front = [scale.shown(found.values[:, place]) for place, scale in enumerate(goals[:2])]
     order = np.argsort(front[0])
     panel.plot(front[0][order], front[1][order], "o-", color=INK, markersize=3.5, linewidth=0.8)
@@ -87,10 +84,9 @@ def _name_choices(panel: Axes, study: Study, found: Optimum, front: Sequence[Arr
     panel.margins(x=0.15)
 
 
-def _over_field(study: Study, about: Mapping[str, Any], found: Optimum) -> Figure:
-    """The objective over the one field that varies, of the first bearing."""
+def _over_field(own: Columns, about: Mapping[str, Any], found: Optimum) -> Figure:
+    """The objective over the one field that varies."""
     (name,) = found.objectives
-    own = lines_of(study.columns, bearings_of(study)[0])
     scale, goal = input_scale(about), output_scale(name)
     figure, axes = Sheet(110.0, 70.0, left=16.0, bottom=11.0).panels()
     panel = axes[0][0]
@@ -102,7 +98,7 @@ def _over_field(study: Study, about: Mapping[str, Any], found: Optimum) -> Figur
     else:
         x = scaled(about, own)
     y = goal.shown(own[name])
-    kept, best = np.isin(own["verdict"], KEPT), np.isin(own["row"], found.rows)
+    kept, best = own[KEPT], np.isin(own["row"], found.rows)
     panel.plot(x[kept], y[kept], "o", color=INK, markersize=3.0)
     panel.plot(x[~kept], y[~kept], "x", color=GREY, markersize=4.0, markeredgewidth=0.8)
     panel.plot(x[best], y[best], "o", color=INK, markersize=8.0, markerfacecolor="none", markeredgewidth=0.9)
@@ -114,7 +110,7 @@ def _over_field(study: Study, about: Mapping[str, Any], found: Optimum) -> Figur
 
 def _axes_of(study: Study, own: Columns) -> tuple[dict[str, tuple[Scale, Array, tuple[str, ...]]], list[str]]:
     """Axes of fields and objectives with the height of every line and their labels, and names that do not vary."""
-    kept = np.isin(own["verdict"], KEPT)
+    kept = own[KEPT]
     scales = {one["path"]: input_scale(one) for one in study.inputs}
     scales |= {name: output_scale(name) for name in (*study.block.minimise, *study.block.maximise)}
     words = {one["path"]: one.get("values", ()) for one in study.inputs}
@@ -145,9 +141,9 @@ def _column(
 def _parallel(
     study: Study, best: tuple[int, ...], axes_of: Mapping[str, tuple[Scale, Array, tuple[str, ...]]]
 ) -> Figure:
-    """Parallel coordinates of fields and objectives of the first bearing."""
-    own = lines_of(study.columns, bearings_of(study)[0])
-    kept = np.flatnonzero(np.isin(own["verdict"], KEPT))[-MOST_LINES:]
+    """Parallel coordinates of fields and objectives."""
+    own = designs(study)
+    kept = np.flatnonzero(own[KEPT])[-MOST_LINES:]
     figure, axes = Sheet(WIDTH, 70.0, left=10.0, bottom=16.0).panels()
     panel = axes[0][0]
     lines = np.array([heights for _, heights, _ in axes_of.values()])

@@ -10,7 +10,7 @@ from rich.table import Table
 from rich.text import Text
 
 from babbitt.core.check_text import margin
-from babbitt.core.files.spreadsheet import Cell, rows_text
+from babbitt.core.files.spreadsheet import Cell
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Result, Verdict
 from babbitt.export.unit_names import static_column
@@ -139,11 +139,6 @@ def in_engineers_units(name: str) -> tuple[str, Callable[[float], float]]:
     """Columns in the units of tables and reports."""
     label = QUANTITIES[name].display.label
     return f"{name} [{label}]" if label else name, QUANTITIES[name].shown
-
-
-def sweep_csv(sweep: CaseSweep) -> str:
-    """The answers as CSV in UTF-8, with comma and decimal point: `sweep_rows`, in which no word is a formula."""
-    return rows_text(sweep_rows(sweep))
 
 
 def sweep_rows(sweep: CaseSweep, units: Units = in_si, chosen: Sequence[str] = ()) -> list[list[Cell]]:

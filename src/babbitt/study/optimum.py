@@ -22,10 +22,13 @@ if TYPE_CHECKING:
     from babbitt.study.engine import Engine
     from babbitt.study.study import Study
 
-__all__ = ["Optimum", "optimum_of", "optimised"]
+__all__ = ["KEPT", "Optimum", "designs", "optimum_of", "optimised"]
 
 ADDED = ("friction_power", "total_flow", "side_flow", "supply_flow", "carry_over_flow")
 """Quantities of which a machine has the sum of its bearings; of all others the worst bearing counts."""
+
+KEPT = "within_limits"
+"""Column of `designs`: whether all bearings of a design keep their limits."""
 
 NO_SOLUTION = 1e3
 """Violation of the limits that counts where there is no solution: larger than any margin."""
@@ -48,6 +51,11 @@ class _Problem:
     def names(self) -> tuple[str, ...]:
         return (*self.minimise, *self.maximise)
 
+    @property
+    def signs(self) -> NDArray[np.float64]:
+        """Of the objectives as they are minimised."""
+        return np.array([1.0] * len(self.minimise) + [-1.0] * len(self.maximise))
+
     def judged(self, columns: Columns) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Objectives to be minimised, shape (rows, objectives), and violation of the limits, shape (rows,)."""
         _, places = np.unique(columns["row"], return_inverse=True)
@@ -60,8 +68,7 @@ class _Problem:
         np.minimum.at(worst, places, np.where(solved, margin, -NO_SOLUTION))
         objectives = np.empty((rows, len(self.names)))
         for place, name in enumerate(self.names):
-            sign = -1.0 if name in self.maximise else 1.0
-            value = sign * column_held(columns, name)
+            value = self.signs[place] * column_held(columns, name)
             if name in ADDED:
                 made = np.bincount(places, weights=np.where(np.isfinite(value), value, 0.0), minlength=rows)
             else:
@@ -231,7 +238,6 @@ def optimum_of(study: Study) -> Optimum:
     objectives, violation = problem.judged(study.columns)
     numbers = np.unique(study.columns["row"])
     kept = np.flatnonzero((violation <= FEASIBLE) & np.isfinite(objectives).all(axis=1))
-    signs = np.array([-1.0 if name in block.maximise else 1.0 for name in problem.names])
     if not kept.size:
         return Optimum((), problem.names, np.empty((0, len(problem.names))), 0, int(numbers[np.argmin(violation)]))
     front = kept[_undominated(objectives[kept])]
@@ -241,7 +247,18 @@ def optimum_of(study: Study) -> Optimum:
     if len(problem.names) == 1:
         front = front[:1]
     rows = tuple(int(number) for number in numbers[front])
-    return Optimum(rows, problem.names, objectives[front] * signs, int(kept.size), None)
+    return Optimum(rows, problem.names, objectives[front] * problem.signs, int(kept.size), None)
+
+
+def designs(study: Study) -> Columns:
+    """The designs that were computed, a line each: fields, objectives of the whole machine, `KEPT`."""
+    problem = _Problem(study.block.minimise, study.block.maximise)
+    objectives, violation = problem.judged(study.columns)
+    rows, first = np.unique(study.columns["row"], return_index=True)
+    values = np.where(np.isfinite(objectives), objectives * problem.signs, np.nan)
+    made = {one["path"]: study.columns[one["path"]][first] for one in study.inputs}
+    made |= {name: values[:, place] for place, name in enumerate(problem.names)}
+    return made | {"row": rows, KEPT: (violation <= FEASIBLE) & np.isfinite(values).all(axis=1)}
 
 
 def _undominated(objectives: NDArray[np.float64]) -> NDArray[np.bool_]:

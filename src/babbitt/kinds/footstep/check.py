@@ -30,7 +30,7 @@ from babbitt.kinds.footstep.states import (
 )
 from babbitt.kinds.footstep.superposition import GroovedFootstep
 
-__all__ = ["heel_results", "state_title"]
+__all__ = ["heel_results"]
 
 LAMINAR_UP_TO = 1500.0
 """Reynolds number above which the laminar film is questioned."""
@@ -56,11 +56,6 @@ TITLES = {
     StateName.FOLD: "fold state",
     StateName.DRAINING: "draining groove",
 }
-
-
-def state_title(name: StateName) -> str:
-    """How a state is called in the names of results."""
-    return TITLES[name]
 
 
 def heel_results(case: FootstepProblem) -> tuple[Result, ...]:

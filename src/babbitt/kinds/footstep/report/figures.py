@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
+CLEARANCE, GAP = QUANTITIES["heel_clearance"], QUANTITIES["face_gap"]
 POINTS = 121
 UNSTABLE = (0, (3.5, 1.8))
 DOTTED = (0, (1.0, 1.6))
@@ -105,8 +106,8 @@ def _painted(case: FootstepProblem) -> Iterator[tuple[str, str, Figure]]:
     if case.map_points > 1 and case.is_grooved:
         yield (
             "state-map",
-            "Load in kN of the grooved heel over clearance and face gap: the stable state, the hottest where "
-            "there are several. Hatched: no steady state. Filled: the case.",
+            f"Load in {QUANTITIES['load'].display.label} of the grooved heel over clearance and face gap: the "
+            "stable state, the hottest where there are several. Hatched: no steady state. Filled: the case.",
             _map(case),
         )
 
@@ -118,14 +119,16 @@ def _map(case: FootstepProblem) -> Figure:
     clearances = np.linspace(*case.clearance_range, case.map_points)
     sweep = sweep_heel(case.footstep, gaps.tolist(), clearances.tolist(), case.method, _watch)
     loads = np.array([[_stable_load(states) for states in row] for row in sweep.states])
-    x, y = 1e6 * clearances, 1e6 * gaps
+    x, y = in_engineers_unit("heel_clearance", clearances), in_engineers_unit("face_gap", gaps)
     shown = in_engineers_unit("load", loads)
     lines = panel.contour(x, y, np.ma.masked_invalid(shown), 12, colors=INK, linewidths=0.8)
     panel.clabel(lines, fontsize=7, fmt="%.2f")
     if (sweep.counts == 0).any():
         panel.contourf(x, y, (sweep.counts == 0).astype(float), [0.5, 1.5], colors="none", hatches=["////"])
-    panel.plot([1e6 * case.footstep.clearance], [1e6 * case.footstep.face_gap], "o", color=INK, zorder=5)
-    panel.set(xlabel=axis_label(QUANTITIES["heel_clearance"]), ylabel=axis_label(QUANTITIES["face_gap"]))
+    panel.plot(
+        [CLEARANCE.shown(case.footstep.clearance)], [GAP.shown(case.footstep.face_gap)], "o", color=INK, zorder=5
+    )
+    panel.set(xlabel=axis_label(CLEARANCE), ylabel=axis_label(GAP))
     return figure
 
 
@@ -156,15 +159,15 @@ def _over_clearance(case: FootstepProblem) -> Figure:
         near = fold + np.geomspace(1e-4, 0.03, 12) * fold
         clearances = np.union1d(clearances, near[(near > clearances[0]) & (near < clearances[-1])])
     sweeps = _sweeps(case, np.array([case.footstep.face_gap]), clearances)
-    at = 1e6 * case.footstep.clearance
+    at, places = CLEARANCE.shown(case.footstep.clearance), in_engineers_unit("heel_clearance", clearances)
     for panel, name in zip(axes.ravel(), OVER_CLEARANCE, strict=True):
-        _name(panel, [end for sweep in sweeps for end in _branches(panel, 1e6 * clearances, sweep, name)])
+        _name(panel, [end for sweep in sweeps for end in _branches(panel, places, sweep, name)])
         _marks(panel, case, at, name)
         panel.set_ylabel(axis_label(QUANTITIES[name]))
         _verticals(panel, case)
     for panel in axes[-1]:
-        panel.set_xlabel(axis_label(QUANTITIES["heel_clearance"]))
-    axes[0][0].set_xlim(*(1e6 * end for end in case.clearance_range))
+        panel.set_xlabel(axis_label(CLEARANCE))
+    axes[0][0].set_xlim(*map(CLEARANCE.shown, case.clearance_range))
     return figure
 
 
@@ -172,14 +175,15 @@ def _over_gap(case: FootstepProblem) -> Figure:
     figure, axes = Sheet(166.0, 100.0, 2, 2, left=14.0, across=22.0, between=6.0).panels(sharex=True)
     figure.subplots_adjust(right=1.0 - 11.0 / 166.0)
     gaps = np.linspace(*case.gap_range, POINTS)
+    places = in_engineers_unit("face_gap", gaps)
     sweeps = _sweeps(case, gaps, np.array([case.footstep.clearance]))
     for panel, name in zip(axes.ravel(), OVER_GAP, strict=True):
-        _name(panel, [end for sweep in sweeps for end in _branches(panel, 1e6 * gaps, sweep, name)])
-        _marks(panel, case, 1e6 * case.footstep.face_gap, name)
+        _name(panel, [end for sweep in sweeps for end in _branches(panel, places, sweep, name)])
+        _marks(panel, case, GAP.shown(case.footstep.face_gap), name)
         panel.set_ylabel(axis_label(QUANTITIES[name]))
-        panel.set_xlim(*(1e6 * end for end in case.gap_range))
+        panel.set_xlim(*map(GAP.shown, case.gap_range))
     for panel in axes[-1]:
-        panel.set_xlabel(axis_label(QUANTITIES["face_gap"]))
+        panel.set_xlabel(axis_label(GAP))
     return figure
 
 
@@ -255,9 +259,9 @@ def _verticals(panel: Axes, case: FootstepProblem) -> None:
     low, high = case.clearance_range
     for text, place in places.items():
         if place is not None and low < place < high:
-            panel.axvline(1e6 * place, color=GREY, linewidth=0.7, linestyle=DOTTED, zorder=0)
+            panel.axvline(CLEARANCE.shown(place), color=GREY, linewidth=0.7, linestyle=DOTTED, zorder=0)
             panel.annotate(
-                text, (1e6 * place, 1.0), xycoords=panel.get_xaxis_transform(), xytext=(2, -1),
+                text, (CLEARANCE.shown(place), 1.0), xycoords=panel.get_xaxis_transform(), xytext=(2, -1),
                 textcoords="offset points", fontsize=7, va="top", color="0.3",
                 ha="left" if "cr" in text else "right",
             )  # fmt: skip

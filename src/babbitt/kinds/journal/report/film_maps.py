@@ -19,8 +19,9 @@ from babbitt.kinds.journal.film.field import (
     supply_patches,
 )
 from babbitt.kinds.journal.film.model import FilmCase
-from babbitt.report.drawing import GREY, INK, MILLIMETRE, Array, Sheet
+from babbitt.report.drawing import GREY, INK, MILLIMETRE, Array, Sheet, in_engineers_unit
 from babbitt.report.shading import point, round_steps
+from babbitt.report.study_values import significant
 from babbitt.reynolds.model import JournalFilm
 from babbitt.reynolds.solution import FilmSolution
 
@@ -29,6 +30,9 @@ if TYPE_CHECKING:
     from matplotlib.contour import QuadContourSet
     from matplotlib.figure import Figure
     from matplotlib.patches import Rectangle
+
+PRESSURE, GAP, LENGTH = (QUANTITIES[name] for name in ("maximum_pressure", "minimum_film_thickness", "width"))
+"""In whose units pressures, gaps and places along the shaft are drawn."""
 
 RUPTURED = 0.995
 """Liquid fraction below which the film is drawn as ruptured."""
@@ -59,7 +63,7 @@ def pressure_map(panel: Axes, case: FilmCase, solution: FilmSolution, field: Fil
     """Pressure over the unrolled bore, on axes that are given."""
     _pressure(panel, solution, field)
     _over_bore(panel, case, solution, field)
-    says(panel, "pressure in MPa")
+    says(panel, f"pressure in {PRESSURE.display.label}")
 
 
 def thickness_map(panel: Axes, case: FilmCase, solution: FilmSolution, field: FilmField) -> None:
@@ -67,13 +71,22 @@ def thickness_map(panel: Axes, case: FilmCase, solution: FilmSolution, field: Fi
     _thickness(panel, solution, field)
     _over_bore(panel, case, solution, field)
     _depths(panel, solution.film, field)
-    says(panel, "film thickness in µm")
+    says(panel, f"film thickness in {GAP.display.label}")
 
 
 def _over_bore(panel: Axes, case: FilmCase, solution: FilmSolution, field: FilmField) -> None:
     dress(panel, case, solution, field)
-    panel.set_ylabel("$z$ in mm")
+    panel.set_ylabel(f"$z$ in {LENGTH.display.label}")
     degrees(panel, field)
+
+
+def across(z: Array) -> Array:
+    """Places along the shaft in the unit in which they are drawn."""
+    return in_engineers_unit(LENGTH.name, z)
+
+
+def _pressure_of(field: FilmField) -> Array:
+    return in_engineers_unit(PRESSURE.name, field.pressure)
 
 
 def surface(field: FilmField) -> Figure:
@@ -82,17 +95,18 @@ def surface(field: FilmField) -> Figure:
 
     figure = Figure(figsize=(130.0 * MILLIMETRE, 80.0 * MILLIMETRE))
     panel = figure.add_subplot(projection="3d")
-    places, z = np.degrees(field.theta), 1e3 * field.z[::2]
+    places, z = np.degrees(field.theta), across(field.z[::2])
     steps = np.linspace(places[0], places[-1], SURFACE_LINES)
     flanks = places[:-1][np.diff(places) < 1e-4]
     theta = np.unique(np.concatenate((steps, flanks, flanks + 2e-5)))
-    pressure = np.array([np.interp(theta, places, 1e-6 * row) for row in field.pressure.T[::2]])
+    pressure = np.array([np.interp(theta, places, row) for row in _pressure_of(field).T[::2]])
     panel.plot_surface(
         *np.meshgrid(theta, z), pressure, rstride=1, cstride=1, color="white", edgecolor="0.25", linewidth=0.25,
         shade=False, antialiased=True, clip_on=False,
     )  # fmt: skip
     degrees(panel, field)
-    panel.set(xlabel="θ in °", ylabel="$z$ in mm", zlabel="$p$ in MPa")
+    length, pressures = LENGTH.display.label, PRESSURE.display.label
+    panel.set(xlabel="θ in °", ylabel=f"$z$ in {length}", zlabel=f"$p$ in {pressures}")
     panel.set_box_aspect((2.2, 1.0, 0.9), zoom=1.2)
     panel.view_init(elev=28.0, azim=-62.0)
     for axis in (panel.xaxis, panel.yaxis, panel.zaxis):
@@ -120,30 +134,31 @@ def dress(panel: Axes, case: FilmCase, solution: FilmSolution, field: FilmField)
 
 
 def _pressure(panel: Axes, solution: FilmSolution, field: FilmField) -> None:
-    shown, highest = 1e-6 * field.pressure, 1e-6 * float(field.pressure.max())
+    shown = _pressure_of(field)
+    highest = float(shown.max())
     if not highest > 0.0:
         return
     levels = np.array(round_steps(0.0, 0.98 * highest, 8))
-    theta, z = np.degrees(field.theta), 1e3 * field.z
+    theta, z = np.degrees(field.theta), across(field.z)
     shades = [str(round(1.0 - 0.42 * place / levels.size, 3)) for place in range(levels.size)]
     panel.contourf(theta, z, shown.T, levels=[*levels, 1.01 * max(highest, levels[-1])], colors=shades)
     lines = panel.contour(theta, z, shown.T, levels=levels, colors="0.25", linewidths=0.45)
     level_names(panel, lines, solution.film, field)
     row, column = np.unravel_index(int(field.pressure.argmax()), field.pressure.shape)
-    point(panel, theta[row], z[column], f"{highest:.3g}")
+    point(panel, theta[row], z[column], significant(highest, 3))
 
 
 def level_names(panel: Axes, lines: QuadContourSet, film: JournalFilm, field: FilmField) -> None:
     """Name every second level where there is room: within the picture, beside grooves and pockets, once."""
-    half, low, high = 1e3 * field.z[-1], math.degrees(field.theta[0]), math.degrees(field.theta[-1])
+    half, low, high = LENGTH.shown(float(field.z[-1])), math.degrees(field.theta[0]), math.degrees(field.theta[-1])
     for level, segments in list(zip(lines.levels, lines.allsegs, strict=True))[1::2]:
         places = np.concatenate([np.empty((0, 2)), *(np.asarray(line) for line in segments if len(line) > 1)])
         free = (np.abs(places[:, 1]) < 0.8 * half) & (places[:, 0] > low + 8.0) & (places[:, 0] < high - 8.0)
         for patch in supply_patches(film):
             first, last = np.degrees(patch.theta)
             around = np.remainder(places[:, 0] - first + 8.0, 360.0) < last - first + 16.0
-            free &= ~(around & (places[:, 1] > 1e3 * patch.z[0] - 0.2 * half)
-                      & (places[:, 1] < 1e3 * patch.z[1] + 0.2 * half))  # fmt: skip
+            free &= ~(around & (places[:, 1] > LENGTH.shown(patch.z[0]) - 0.2 * half)
+                      & (places[:, 1] < LENGTH.shown(patch.z[1]) + 0.2 * half))  # fmt: skip
         if free.any():
             kept = places[free]
             place = kept[np.abs(kept[:, 1] + 0.55 * half).argmin()]
@@ -154,11 +169,11 @@ def _thickness(panel: Axes, solution: FilmSolution, field: FilmField) -> None:
     thickness = field.film_thickness.copy()
     for step in step_patches(solution.film):
         thickness[inside(field.theta, step.theta)[:, None] & between(field.z, step.z)[None, :]] = math.nan
-    shown = np.ma.masked_invalid(1e6 * thickness)
+    shown = np.ma.masked_invalid(in_engineers_unit(GAP.name, thickness))
     lowest, highest = float(shown.min()), float(shown.max())
-    top = min(highest, lowest + WIDEST_LEVEL * 1e6 * solution.film.clearance)
+    top = min(highest, lowest + WIDEST_LEVEL * GAP.shown(solution.film.clearance))
     levels = np.array(round_steps(lowest, top, 9))
-    theta, z = np.degrees(field.theta), 1e3 * field.z
+    theta, z = np.degrees(field.theta), across(field.z)
     if levels.size:
         shades = [str(round(0.58 + 0.42 * place / levels.size, 3)) for place in range(levels.size + 1)]
         panel.contourf(
@@ -167,9 +182,7 @@ def _thickness(panel: Axes, solution: FilmSolution, field: FilmField) -> None:
         lines = panel.contour(theta, z, shown.T, levels=levels, colors="0.25", linewidths=0.45)
         level_names(panel, lines, solution.film, field)
     row, column = _thinnest(field)
-    point(
-        panel, theta[row], z[column], QUANTITIES["minimum_film_thickness"].format(solution.minimum_film_thickness)
-    )
+    point(panel, theta[row], z[column], GAP.format(solution.minimum_film_thickness))
 
 
 def _thinnest(field: FilmField) -> tuple[int, int]:
@@ -184,7 +197,7 @@ def _ruptured(panel: Axes, field: FilmField) -> None:
     """Hatch where the film is not full, and name it once."""
     if not (field.liquid_fraction < RUPTURED).any():
         return
-    theta, z = np.degrees(field.theta), 1e3 * field.z
+    theta, z = np.degrees(field.theta), across(field.z)
     panel.contourf(theta, z, field.liquid_fraction.T, levels=[-1.0, RUPTURED], colors="none", hatches=["////"])
     panel.contour(theta, z, field.liquid_fraction.T, levels=[RUPTURED], colors=INK, linewidths=0.9,
                   linestyles="--")  # fmt: skip
@@ -219,7 +232,7 @@ def _depths(panel: Axes, film: JournalFilm, field: FilmField) -> None:
             low, high = max(corner[0], first), min(corner[0] + width, last)
             if high - low > 24.0:
                 panel.annotate(
-                    f"{1e6 * patch.depth:+.4g}", (0.5 * (low + high), corner[1] + 0.5 * height), ha="center",
+                    f"{GAP.shown(patch.depth):+.4g}", (0.5 * (low + high), corner[1] + 0.5 * height), ha="center",
                     va="center", fontsize=7, zorder=5,
                 )  # fmt: skip
 
@@ -246,8 +259,8 @@ def _rectangles(
     first = start + (patch.theta[0] - start) % turn
     for low in (first, first - turn):
         if start - 1e-9 <= low + extent and low <= start + turn:
-            corner = (math.degrees(low), 1e3 * patch.z[0])
-            yield corner, math.degrees(extent), 1e3 * (patch.z[1] - patch.z[0])
+            first_z, last_z = map(LENGTH.shown, patch.z)
+            yield (math.degrees(low), first_z), math.degrees(extent), last_z - first_z
 
 
 def load_line(panel: Axes, case: FilmCase) -> None:

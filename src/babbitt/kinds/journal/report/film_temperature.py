@@ -70,10 +70,10 @@ def temperature_map(panel: Axes, case: FilmCase, thermal: ThermalFilm, field: Fi
 
 def _over_bore(panel: Axes, case: FilmCase, thermal: ThermalFilm, field: FilmField, scale: shading.Scale) -> None:
     shown = temperature_over(thermal, field) - ZERO_CELSIUS
-    lines = shading.shaded(panel, np.degrees(field.theta), 1e3 * field.z, shown, scale)
+    lines = shading.shaded(panel, np.degrees(field.theta), film_maps.across(field.z), shown, scale)
     film_maps.level_names(panel, lines, thermal.film.film, field)
     film_maps.dress(panel, case, thermal.film, field)
-    panel.set_ylabel("$z$ in mm")
+    panel.set_ylabel(f"$z$ in {film_maps.LENGTH.display.label}")
     film_maps.says(panel, "temperature in °C, mean across the gap")
 
 
@@ -93,7 +93,9 @@ def _hot_spot(top: Axes, bottom: Axes, thermal: ThermalFilm, field: FilmField) -
     said = f"{thermal.maximum_temperature - ZERO_CELSIUS:.1f}"
     shading.point(bottom, math.degrees(angle), thermal.layers[layer], said)
     if thermal.axial_positions.size > 1:
-        shading.point(top, math.degrees(angle), 1e3 * thermal.axial_positions[column], f"hottest {said}")
+        shading.point(
+            top, math.degrees(angle), float(film_maps.across(thermal.axial_positions)[column]), f"hottest {said}"
+        )
 
 
 def _cover_grooves(panel: Axes, thermal: ThermalFilm, field: FilmField, place: float) -> None:

@@ -10,7 +10,6 @@ import numpy as np
 
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Result
-from babbitt.core.units import ZERO_CELSIUS
 from babbitt.design.heat_balance import NoFilmError
 from babbitt.kinds.journal.grooved_long_bearing.model import SegmentCase, SegmentFilm
 from babbitt.kinds.journal.infinitely_long_bearing.model import LongFilmCase
@@ -35,6 +34,9 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 OneDimension = LongFilmCase | SegmentCase
+
+TEMPERATURE, PRESSURE = QUANTITIES["film_temperature"], QUANTITIES["specific_load"]
+"""In whose units temperatures and specific loads are drawn."""
 
 DASHED, DOTTED = (0, (6, 1.5)), (0, (1.5, 1.5))
 BAND = "0.88"
@@ -154,7 +156,7 @@ def _temperatures_of_long_film(panel: Axes, result: Result, angles: Array) -> No
     panel.plot([angles[hottest]], [film[hottest]], "x", color=INK, markersize=5)
     ends = [(float(film[-1]), "film")]
     if "journal_temperature" in result.values:
-        journal = result.journal_temperature - ZERO_CELSIUS
+        journal = TEMPERATURE.shown(result.journal_temperature)
         panel.axhline(journal, color=GREY, linestyle=DASHED)
         ends.append((journal, "journal"))
     if "bush_temperature" in result.arrays:
@@ -184,16 +186,17 @@ def _temperatures_of_segments(panel: Axes, case: SegmentCase, result: Result) ->
     else:
         before, behind = _edges(case, result)
         spans = [(start, before, *_of_segment(result, 1)), (behind, max(end, behind), *_of_segment(result, 2))]
-    for left, right, inlet, mean, outlet in spans:
-        panel.plot([left, right], [inlet - ZERO_CELSIUS, outlet - ZERO_CELSIUS], "o", color=INK, markersize=3)
-        panel.plot([left, right], [mean - ZERO_CELSIUS] * 2, color=GREY, linestyle=DASHED)
+    for left, right, *kelvins in spans:
+        inlet, mean, outlet = map(TEMPERATURE.shown, kelvins)
+        panel.plot([left, right], [inlet, outlet], "o", color=INK, markersize=3)
+        panel.plot([left, right], [mean] * 2, color=GREY, linestyle=DASHED)
         panel.annotate(
-            "mean", (0.5 * (left + right), mean - ZERO_CELSIUS), xytext=(0, 2), textcoords="offset points",
+            "mean", (0.5 * (left + right), mean), xytext=(0, 2), textcoords="offset points",
             fontsize=7, ha="center", va="bottom",
         )  # fmt: skip
         into_groove = right < spans[-1][1]  # beside the band, clear of the curve behind it
         panel.annotate(
-            f"leaves at {outlet - ZERO_CELSIUS:.0f} °C", (right, outlet - ZERO_CELSIUS),
+            f"leaves at {outlet:.0f} {TEMPERATURE.display.label}", (right, outlet),
             xytext=(-6, 4) if into_groove else (4, 0), textcoords="offset points", fontsize=7,
             ha="right" if into_groove else "left", va="bottom" if into_groove else "center",
         )  # fmt: skip
@@ -252,19 +255,19 @@ def _ungrooved_figure(case: SegmentCase, result: Result) -> Figure:
         eccentricities, pressure, outlet = _swept(one)
         left.plot(eccentricities, pressure, color=colour, linestyle=line, label=name)
         right.plot(pressure, outlet, color=colour, linestyle=line)
-    pressure_here, outlet_here = 1e-6 * result.specific_load, result.outlet_temperature - ZERO_CELSIUS
+    pressure_here, outlet_here = PRESSURE.shown(result.specific_load), TEMPERATURE.shown(result.outlet_temperature)
     mark(left, result.eccentricity_ratio, pressure_here)
     mark(right, pressure_here, outlet_here)
     left.legend(frameon=False, fontsize=7, loc="upper left")
-    left.set(xlabel=axis_label(QUANTITIES["eccentricity_ratio"]), ylabel=axis_label(QUANTITIES["specific_load"]))
-    right.set(xlabel=axis_label(QUANTITIES["specific_load"]), ylabel=axis_label(QUANTITIES["outlet_temperature"]))
+    left.set(xlabel=axis_label(QUANTITIES["eccentricity_ratio"]), ylabel=axis_label(PRESSURE))
+    right.set(xlabel=axis_label(PRESSURE), ylabel=axis_label(QUANTITIES["outlet_temperature"]))
     left.set_ylim(bottom=0.0)
     right.set_xlim(left=0.0)
     return figure
 
 
 def _swept(film: SegmentFilm) -> tuple[Array, Array, Array]:
-    """Eccentricity, specific load in MPa and outlet temperature in °C, as far as the film goes."""
+    """Eccentricity, specific load and outlet temperature in engineers' units, as far as the film goes."""
     from babbitt.kinds.journal.grooved_long_bearing.solve import film_at_eccentricity
 
     found, state = [], None
@@ -273,6 +276,7 @@ def _swept(film: SegmentFilm) -> tuple[Array, Array, Array]:
             state = film_at_eccentricity(film, eccentricity, state)
         except NoFilmError:
             break
-        found.append((eccentricity, 1e-6 * state.specific_load, state.outlet_temperature - ZERO_CELSIUS))
+        pressure, outlet = PRESSURE.shown(state.specific_load), TEMPERATURE.shown(state.outlet_temperature)
+        found.append((eccentricity, pressure, outlet))
     columns = np.array(found).T
     return columns[0], columns[1], columns[2]

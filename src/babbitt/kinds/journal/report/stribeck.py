@@ -68,7 +68,7 @@ def _transition(named: Axes, panels: Array, result: Result, name: str, dashes: s
     for panel in panels:
         panel.axvline(rpm, color=GREY, linewidth=0.8, linestyle=dashes)
     named.annotate(
-        f"{mathematics(quantity.symbol)} = {quantity.format(result.values[name])} rpm",
+        f"{mathematics(quantity.symbol)} = {quantity.with_unit(result.values[name])}",
         (rpm, 0.99 if dashes == ":" else 0.89),
         xycoords=named.get_xaxis_transform(),
         xytext=(3, 0),

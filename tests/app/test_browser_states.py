@@ -1,0 +1,62 @@
+"""What stands on the page is of the case on the page, or says that it is not."""
+
+import re
+
+from browsing import IN_BROWSER, section, tab, until
+
+pytestmark = IN_BROWSER
+
+REMARK = "The case has changed since this was computed."
+
+
+def load_of_slider(page):
+    return page.locator(".slider", has_text="load").first.locator(".number").inner_text()
+
+
+def test_form_and_slider_show_the_same_load(page):
+    section(page, "Operation")
+    load = page.get_by_label("Load", exact=True)
+    load.fill("20")
+    until(page, lambda: load_of_slider(page) == "20 kN")
+    page.locator(".slider", has_text="load").first.locator(".q-slider__track-container").focus()
+    for _ in range(5):
+        page.keyboard.press("ArrowRight")
+    until(page, lambda: load_of_slider(page) != "20 kN" and f"{load.input_value()} kN" == load_of_slider(page))
+
+
+def test_numbers_of_a_case_that_was_wrong_are_faint_until_it_is_mended(page):
+    tab(page, "Results")
+    until(page, lambda: page.locator(".results tbody tr").count() > 20)
+    assert not page.locator(".results.stale").count()
+    page.get_by_label("Diameter", exact=True).fill("12 kg")
+    until(page, lambda: page.locator(".results.stale").count() == 1)
+    page.get_by_label("Diameter", exact=True).fill("120")
+    until(page, lambda: not page.locator(".results.stale").count())
+
+
+def test_what_was_computed_of_another_case_says_so(page):
+    tab(page, "Methods side by side")
+    compare = page.get_by_role("button", name="Compare the methods")
+    compare.click()
+    until(page, lambda: page.locator(".more table").count() >= 1)
+    remark = page.get_by_text(REMARK)
+    assert not remark.is_visible()
+    page.get_by_label("Diameter", exact=True).fill("130")
+    remark.wait_for(state="visible")
+    assert page.locator(".more table").count() >= 1
+    compare.click()
+    remark.wait_for(state="hidden")
+
+
+def test_a_study_that_is_put_into_the_case_stays_its_own(page):
+    """The block that asks for a study does not make another case; another load does."""
+    tab(page, "Studies")
+    page.get_by_label("What is asked").click()
+    page.get_by_role("option", name=re.compile("^corners")).click()
+    page.get_by_role("button", name="Run the study").click()
+    until(page, lambda: page.locator(".more table").count() >= 1)
+    page.get_by_role("button", name="Put this study into the case").click()
+    until(page, lambda: "kind: corners" in page.evaluate("Object.values(sessionStorage).join()"))
+    assert not page.get_by_text(REMARK).is_visible()
+    page.get_by_label("Diameter", exact=True).fill("130")
+    page.get_by_text(REMARK).wait_for(state="visible")

@@ -1,0 +1,105 @@
+"""States of a page that end: the wait for kernels, an answer whose question was ended, numbers without a size."""
+
+import asyncio
+import contextlib
+from concurrent.futures import Future
+
+import pytest
+
+from babbitt.app.answer import Answer
+from babbitt.app.coefficients import Speeds, first_speeds
+from babbitt.app.document import CaseDocument
+from babbitt.app.service import Service
+from babbitt.app.slider import quantities
+from babbitt.app.solver import Ended
+from babbitt.app.studies import axes_of
+from babbitt.app.studies_view import StudiesView
+from babbitt.app.workbench import Workbench
+from babbitt.core.kind import kinds
+
+JOURNAL = kinds()["journal"].read_template()
+
+
+class Recorder:
+    """Takes any call and keeps its name with what it was given."""
+
+    def __init__(self):
+        self.calls = []
+
+    def __getattr__(self, name):
+        return lambda *given, **_: self.calls.append((name, *given))
+
+
+@pytest.fixture
+def service(monkeypatch):
+    made = Service()
+    asked = []
+    for solver in (made.solver, made.slow):
+        monkeypatch.setattr(solver, "start", lambda *_, **__: asked.append(Future()) or asked[-1])
+    made.load_kernels()
+    yield made, asked
+    made.close()
+
+
+def test_a_page_waits_for_kernels_until_they_are_compiled(service):
+    """Between loading and compiling nothing is compiled yet: a page that looks then goes on looking."""
+    made, asked = service
+    assert made.compiling is None
+    assert not made.is_ready
+    asked[0].set_result(False)
+    assert made.compiling is not None
+    assert not made.is_ready
+    asked[1].set_result(None)
+    assert made.compiling is None
+    assert made.is_ready
+
+
+def test_a_page_waits_for_no_kernels_that_are_there(service):
+    made, asked = service
+    asked[0].set_result(True)
+    assert made.is_ready
+    assert len(asked) == 1
+
+
+@pytest.mark.parametrize(
+    "error", [Ended("too_long"), Ended("died"), ValueError("an error of the program")], ids=str
+)
+def test_a_question_without_an_answer_takes_the_old_one_away(error):
+    class Asked:
+        async def ask(self, *_):
+            raise error
+
+    page = Workbench.__new__(Workbench)
+    page.latest, page.document, page.found = Asked(), CaseDocument(JOURNAL), Answer(case_hash="of an older case")
+    page._view, page._drawing, page._results = view, drawing, results = Recorder(), Recorder(), Recorder()
+    with contextlib.suppress(ValueError):
+        asyncio.run(page._answered(False))
+    assert page.found == Answer()
+    ((name, why),) = view.calls
+    assert name == "fail"
+    assert "ended" in why
+    assert drawing.calls == results.calls == [("fade",)]
+
+
+@pytest.mark.parametrize("value", ["nan", "inf", "1e400", "-inf"])
+def test_a_number_without_a_size_is_no_value_to_vary(value):
+    document = CaseDocument(JOURNAL)
+    document.change(("load",), f"{value} kN")
+    document.change(("speed",), f"{value} rpm")
+    assert ("load",) not in [one.path for one in quantities(document.items)]
+    assert "load" not in axes_of(document, "sweep")
+    assert first_speeds(document) == Speeds("500 rpm", "5000 rpm")
+
+
+def test_an_axis_follows_its_value_in_the_case_and_keeps_what_was_typed_else():
+    """The fit of a tolerance is that of the case; ends of a load that did not change stay as typed."""
+    view = StudiesView.__new__(StudiesView)
+    view.document, view._kind, view._known = CaseDocument(JOURNAL), "tolerance", {}
+    view._axes = dict.fromkeys(("clearance", "load"))
+    view._follow()
+    assert view._axes["clearance"].law_of == "H7/d8"
+    view._set("load", first="1 kN")
+    view.document.change(("clearance", "journal"), "e7")
+    view._follow()
+    assert view._axes["clearance"].law_of == "H7/e7"
+    assert view._axes["load"].first == "1 kN"

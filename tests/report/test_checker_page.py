@@ -1,0 +1,48 @@
+"""The checker's page: inputs, verdict and governing check of a bearing at all its clearances."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from types import SimpleNamespace
+
+import pytest
+
+from babbitt import parse_case
+from babbitt.core.kind import kinds
+from babbitt.core.result import Outcome
+from babbitt.report.chapters import Chapter, chapters
+from babbitt.report.checker_page import checker_content
+
+
+@pytest.fixture(scope="module")
+def part():
+    text = kinds()["journal"].read_template().replace("clearance_cases: mean", "clearance_cases: all")
+    (found,) = chapters(parse_case(text).solve().machine.solutions)
+    assert len(found.members) == 3
+    return found
+
+
+def cell(made, symbol):
+    place = next(at for at, one in enumerate(made["columns"]) if one["heading"][0][1] == symbol)
+    return made["rows"][0]["cells"][place]
+
+
+def test_all_clearances_of_a_bearing_are_shown_and_what_does_not_vary_once(part):
+    made = checker_content([part], [])
+    assert cell(made, "ψ").count(" / ") == 2
+    assert cell(made, "D") == "120.00"
+
+
+def test_a_clearance_without_a_solution_is_not_hidden_by_one_that_passes(part):
+    first, *others = part.members
+    unsolved = replace(first.result, outcome=Outcome.NOT_CONVERGED)
+    lacking = Chapter(part.name, (replace(first, solution=SimpleNamespace(result=unsolved)), *others))
+    assert lacking.shown.result.outcome.solved
+    assert checker_content([lacking], [])["rows"][0]["verdict"] == "no solution"
+
+
+def test_the_governing_check_has_the_least_margin_and_names_its_clearance(part):
+    (governing,) = checker_content([part], [])["governing"]
+    worst = min(part.results, key=lambda one: one.governing_check.margin)
+    assert governing["bearing"] == worst.name
+    assert governing["code"] == worst.governing_check.code
