@@ -77,48 +77,62 @@ def work_of(lines: int, nodes: int) -> float:
 
 @dataclass
 class Effort:
-    """What a search may still spend, in multiplications: a bound that is the same on every machine."""
+    """What a search may still spend, in multiplications: a bound that is the same on every machine.
+
+    It grows with the grid ``asked`` for, which is looked at where the smallest bound does not do.
+    """
 
     left: float
+    asked: tuple[JournalFilm, Resolution] | None = None
 
     @classmethod
     def for_ring(cls, film: JournalFilm, resolution: Resolution) -> Effort:
-        """Bound that grows with the grid asked for."""
-        shape = ring_shape(film, resolution.ring_intervals, resolution.axial_unknowns)
-        return cls(max(SMALLEST_BOUND, FINE_SOLUTIONS * work_of(*shape)))
+        """Bound for the grid of a film."""
+        return cls(SMALLEST_BOUND, (film, resolution))
 
     @property
     def spent(self) -> bool:
         """Whether nothing is left."""
+        if self.left < 0.0 and self.asked is not None:
+            (film, grid), self.asked = self.asked, None
+            bound = FINE_SOLUTIONS * work_of(*ring_shape(film, grid.ring_intervals, grid.axial_unknowns))
+            self.left += max(bound - SMALLEST_BOUND, 0.0)
         return self.left < 0.0
 
 
 @dataclass(eq=False)
 class SurfaceState:
-    """A ring with its workspace and the last result."""
+    """A ring with its workspace and the last result: force, stiffness and damping, one behind the other."""
 
     ring: UnwrappedMesh
     film: SurfaceFilm
     work: SurfaceWork
-    force: Array
-    stiffness: Array
-    damping: Array
+    answer: Array
     effort: Effort
 
     @classmethod
     def of(cls, ring: UnwrappedMesh, effort: Effort) -> SurfaceState:
         """Workspace with all nodes wet."""
-        motions = ring.surface.lever.shape[0]
-        square = np.zeros((motions, motions))
-        return cls(
-            ring,
-            new_surface_film(ring.surface),
-            new_surface_work(ring.surface),
-            np.zeros(motions),
-            square,
-            square.copy(),
-            effort,
-        )
+        surface, motions = ring.surface, len(ring.surface.motions)
+        answer = np.zeros(motions + 2 * motions**2)
+        return cls(ring, new_surface_film(surface), new_surface_work(surface), answer, effort)
+
+    @property
+    def force(self) -> Array:
+        """Of the film, shape (motions,)."""
+        return self.answer[: len(self.ring.surface.motions)]
+
+    @property
+    def stiffness(self) -> Array:
+        """Shape (motions, motions)."""
+        motions = len(self.ring.surface.motions)
+        return self.answer[motions : motions + motions**2].reshape(motions, motions)
+
+    @property
+    def damping(self) -> Array:
+        """Shape (motions, motions)."""
+        motions = len(self.ring.surface.motions)
+        return self.answer[motions + motions**2 :].reshape(motions, motions)
 
     def evaluate(self, at: Array, rate: Array = ZERO, smooth: bool = False) -> int:
         """Force, stiffness and damping at a position; number of nodes that changed sides."""
@@ -206,10 +220,9 @@ class PseudoTime:
 
     def move(self, sample: SurfaceState, residual: Array, gap: float) -> Array:
         """Step under a residual force, with the coefficients of the last result."""
-        flat = np.concatenate((sample.force, sample.stiffness.ravel(), sample.damping.ravel()))
         size = math.hypot(*residual)
         dx, dy, self.step_time = damped_step(
-            flat, residual[0], residual[1], size, self.last_size, self.load, gap, self.step_time
+            sample.answer, residual[0], residual[1], size, self.last_size, self.load, gap, self.step_time
         )
         self.last_size = size
         return np.array([dx, dy])
