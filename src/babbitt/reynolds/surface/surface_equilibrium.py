@@ -102,37 +102,30 @@ class Effort:
 
 @dataclass(eq=False)
 class SurfaceState:
-    """A ring with its workspace and the last result: force, stiffness and damping, one behind the other."""
+    """A ring with its workspace and the last result."""
 
     ring: UnwrappedMesh
     film: SurfaceFilm
     work: SurfaceWork
-    answer: Array
+    force: Array
+    stiffness: Array
+    damping: Array
     effort: Effort
 
     @classmethod
     def of(cls, ring: UnwrappedMesh, effort: Effort) -> SurfaceState:
         """Workspace with all nodes wet."""
-        surface, motions = ring.surface, len(ring.surface.motions)
-        answer = np.zeros(motions + 2 * motions**2)
-        return cls(ring, new_surface_film(surface), new_surface_work(surface), answer, effort)
-
-    @property
-    def force(self) -> Array:
-        """Of the film, shape (motions,)."""
-        return self.answer[: len(self.ring.surface.motions)]
-
-    @property
-    def stiffness(self) -> Array:
-        """Shape (motions, motions)."""
-        motions = len(self.ring.surface.motions)
-        return self.answer[motions : motions + motions**2].reshape(motions, motions)
-
-    @property
-    def damping(self) -> Array:
-        """Shape (motions, motions)."""
-        motions = len(self.ring.surface.motions)
-        return self.answer[motions + motions**2 :].reshape(motions, motions)
+        motions = ring.surface.lever.shape[0]
+        square = np.zeros((motions, motions))
+        return cls(
+            ring,
+            new_surface_film(ring.surface),
+            new_surface_work(ring.surface),
+            np.zeros(motions),
+            square,
+            square.copy(),
+            effort,
+        )
 
     def evaluate(self, at: Array, rate: Array = ZERO, smooth: bool = False) -> int:
         """Force, stiffness and damping at a position; number of nodes that changed sides."""
@@ -220,9 +213,10 @@ class PseudoTime:
 
     def move(self, sample: SurfaceState, residual: Array, gap: float) -> Array:
         """Step under a residual force, with the coefficients of the last result."""
+        flat = np.concatenate((sample.force, sample.stiffness.ravel(), sample.damping.ravel()))
         size = math.hypot(*residual)
         dx, dy, self.step_time = damped_step(
-            sample.answer, residual[0], residual[1], size, self.last_size, self.load, gap, self.step_time
+            flat, residual[0], residual[1], size, self.last_size, self.load, gap, self.step_time
         )
         self.last_size = size
         return np.array([dx, dy])
