@@ -46,7 +46,9 @@ class RecycledSecants:
     def __init__(self, damping: float, astray: float = math.inf, most: int = 120) -> None:
         self._usual, self._astray, self._most = damping, astray, most
         self._moves, self._normals = np.zeros((0, 0)), np.zeros((0, 0))
-        self._count = 0
+        self._count = self._known = self._first = self._idle = 0
+        self._last: tuple[Array, Array] | None = None
+        self._best: tuple[Array, Array] | None = None
         self.begin()
 
     def begin(self) -> None:
@@ -81,9 +83,7 @@ class RecycledSecants:
         self._leave()
 
     def _leave(self) -> None:
-        self._idle = 0
-        self._last: tuple[Array, Array] | None = None
-        self._best: tuple[Array, Array] | None = None
+        self._idle, self._last, self._best = 0, None, None
 
     def _remedy(self, residual: Array) -> Array:
         """P f."""

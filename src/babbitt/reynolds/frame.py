@@ -92,7 +92,9 @@ class LoadFrame:
         if self.film is self.given:
             return found
         if self.angle == 0.0:
-            return _with(found, film=self.given, supply_flow=found.supply_flow[self.supplies(found.supply_flow.size)])
+            return _with(
+                found, film=self.given, supply_flow=found.supply_flow[self.supplies(found.supply_flow.size)]
+            )
         c, s = math.cos(self.angle), math.sin(self.angle)
         turn = np.array([[c, s], [-s, c]])  # by -angle
         order = self.supplies(found.supply_flow.size)
