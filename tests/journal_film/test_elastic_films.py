@@ -10,8 +10,10 @@ import pytest
 
 from babbitt.core.result import Outcome
 from babbitt.kinds.journal.film.elastic_film import (
+    LESSONS,
     SETTLING,
     ElasticFilm,
+    KnownBore,
     bore_grid,
     distortion_by,
     elastic_film,
@@ -137,6 +139,38 @@ def test_start_near_the_answer_saves_films() -> None:
     assert warm.outcome is Outcome.CONVERGED
     assert warm.films < cold.films
     assert warm.solution.minimum_film_thickness == pytest.approx(cold.solution.minimum_film_thickness, rel=1e-4)
+
+
+def test_films_of_a_known_bore_are_found_in_fewer_and_alike() -> None:
+    """Whatever films came between, the same film has the same answer, digit by digit, once enough is known."""
+    known, counts = KnownBore(), []
+
+    def found(viscosity: float) -> ElasticFilm[FilmSolution]:
+        return elastic_film(replace(FILM, viscosity=viscosity), [SOFT], at_load, 1e-5, known=known)
+
+    for number in range(LESSONS + 2):
+        one = found(0.02 - 0.001 * number)
+        fresh = settled(SOFT, film=replace(FILM, viscosity=0.02 - 0.001 * number))
+        assert one.outcome is Outcome.CONVERGED
+        assert one.mismatch <= 1e-5
+        assert one.solution.minimum_film_thickness == pytest.approx(
+            fresh.solution.minimum_film_thickness, rel=5e-5
+        )
+        counts.append((one.films, fresh.films))
+    assert counts[0][0] == counts[0][1]
+    assert sum(one for one, _ in counts[2:]) < 0.7 * sum(fresh for _, fresh in counts[2:])
+    first, other, again = found(0.0155), found(0.019), found(0.0155)
+    assert other.solution.minimum_film_thickness > first.solution.minimum_film_thickness
+    assert np.array_equal(first.displacement, again.displacement)
+
+
+def test_a_bore_that_was_known_of_a_film_that_cannot_be_here_does_no_harm() -> None:
+    """From a displacement that closes the gap there is no film; the search begins anew without it."""
+    known = KnownBore(displacement=np.full((BORE.rows, BORE.columns), -1e-4))
+    found = elastic_film(FILM, [SOFT], at_load, 1e-5, known=known)
+    fresh = settled(SOFT)
+    assert found.outcome is Outcome.CONVERGED
+    assert np.array_equal(found.displacement, fresh.displacement)
 
 
 def test_too_soft_a_ring_ends_with_a_status(monkeypatch: pytest.MonkeyPatch) -> None:

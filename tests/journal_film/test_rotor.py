@@ -140,6 +140,19 @@ def test_a_threshold_is_not_told_where_films_are_missing_beside_it():
     assert crossing(lambda speed: math.nan, 100.0) is None
 
 
+def test_a_threshold_is_sought_as_finely_as_its_function_is_known():
+    """The noise of a function is not followed: what counts as zero ends the search."""
+    asked = []
+
+    def noisy(speed):
+        asked.append(speed)
+        return math.log(115.0 / speed) + 5e-4 * math.sin(1e6 * speed)
+
+    found = crossing(noisy, 100.0, 1e-3)
+    assert found == pytest.approx(115.0, rel=1.6e-3)
+    assert len(asked) <= 7
+
+
 @given(any_films(), st.floats(0.01, 100.0))
 def test_a_rotor_is_stable_within_the_stable_masses_and_nowhere_else(film, mass):
     stable = stable_masses(*film)

@@ -20,6 +20,7 @@ from enum import Enum
 import numpy as np
 
 from babbitt.numerics.scalar_or_array import Array
+from babbitt.numerics.secants import RecycledSecants
 
 __all__ = ["AndersonAccelerator", "AndersonOptions", "FixedPoint", "FixedPointStatus", "fixed_point"]
 
@@ -163,6 +164,7 @@ def fixed_point(
     options: AndersonOptions,
     bounded: Callable[[Array, Array], Array | None] = as_it_is,
     weights: Array | float = 1.0,
+    secants: RecycledSecants | None = None,
 ) -> FixedPoint:
     """State at which a residual has converged.
 
@@ -179,6 +181,8 @@ def fixed_point(
         The part of a move from a state that may be taken; None: none of it, the search is lost.
     weights : ndarray or float
         Of the entries in the norm of residuals.
+    secants : RecycledSecants or None
+        What searches for almost the same map have learnt; it takes the place of Anderson's combinations.
 
     Returns
     -------
@@ -193,7 +197,10 @@ def fixed_point(
     >>> found.status.name, found.evaluations, found.state.round(9)
     ('CONVERGED', 7, array([0.73908513]))
     """
-    accelerator, state, failures = AndersonAccelerator(options, weights), start, 0
+    accelerator = AndersonAccelerator(options, weights) if secants is None else secants
+    if secants is not None:
+        secants.begin()
+    state, failures = start, 0
     known: Array | None = None
     for evaluations in range(1, options.most_evaluations + 1):
         off = residual(state)

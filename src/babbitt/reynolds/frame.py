@@ -91,6 +91,10 @@ class LoadFrame:
         """A film that was solved in this frame, in the frame in which it was given."""
         if self.film is self.given:
             return found
+        if self.angle == 0.0:
+            return _with(
+                found, film=self.given, supply_flow=found.supply_flow[self.supplies(found.supply_flow.size)]
+            )
         c, s = math.cos(self.angle), math.sin(self.angle)
         turn = np.array([[c, s], [-s, c]])  # by -angle
         order = self.supplies(found.supply_flow.size)
@@ -125,8 +129,12 @@ class LoadFrame:
 
 def _with(given: Turned, **changes: Any) -> Turned:
     """A copy of what holds its limits already, with the fields that a turn changes."""
-    made = object.__new__(type(given))
-    made.__dict__.update({name: given.__dict__[name] for name in type(given).__dataclass_fields__} | changes)
+    made, values = object.__new__(type(given)), given.__dict__
+    names = type(given).__dataclass_fields__
+    if len(values) > len(names):  # what was cached is of the given one
+        values = {name: values[name] for name in names}
+    made.__dict__.update(values)
+    made.__dict__.update(changes)
     return made
 
 

@@ -237,7 +237,7 @@ def assemble(
     outcome = {CONVERGED: Outcome.CONVERGED, NO_FILM: Outcome.OVERLOADED}.get(status, Outcome.NOT_CONVERGED)
     if outcome is Outcome.CONVERGED and not np.isfinite(result).all():
         outcome = Outcome.NOT_CONVERGED  # a gap of some nanometres may leave no number for the stiffness
-    inflow = totals[:, INFLOW].sum()
+    sums = totals.sum(axis=0).tolist()
     return FilmSolution(
         film=film,
         outcome=outcome,
@@ -254,12 +254,12 @@ def assemble(
         inflow=totals[:, INFLOW] * scales.flow,
         outflow=totals[:, OUTFLOW] * scales.flow,
         side_flow=totals[:, SIDE_FLOW] * scales.flow,
-        end_flows=np.full(2, 0.5 * totals[:, SIDE_FLOW].sum() * scales.flow),
-        side_inflow=float(totals[:, SIDE_INFLOW].sum() * scales.flow),
-        friction_torque=float(totals[:, JOURNAL_TORQUE].sum() * scales.torque),
-        streamer_torque=float(totals[:, STREAMER_TORQUE].sum() * scales.torque),
-        bearing_torque=float(totals[:, BEARING_TORQUE].sum() * scales.torque),
-        mass_balance_error=float(np.abs(totals[:, IMBALANCE]).sum() / max(abs(inflow), 1e-300)),
+        end_flows=np.full(2, 0.5 * sums[SIDE_FLOW] * scales.flow),
+        side_inflow=sums[SIDE_INFLOW] * scales.flow,
+        friction_torque=sums[JOURNAL_TORQUE] * scales.torque,
+        streamer_torque=sums[STREAMER_TORQUE] * scales.torque,
+        bearing_torque=sums[BEARING_TORQUE] * scales.torque,
+        mass_balance_error=float(np.abs(totals[:, IMBALANCE]).sum() / max(abs(sums[INFLOW]), 1e-300)),
         iterations=steps,
         wall_time=time.perf_counter() - begun,
     )

@@ -44,6 +44,7 @@ from babbitt.reynolds.stability.load_slope import EquilibriumNodes
 from babbitt.reynolds.surface.surface_equilibrium import SurfaceEquilibrium, line_density, position_under
 from babbitt.reynolds.surface.surface_solution import (
     couette_shear,
+    gauss_gaps,
     mirrored,
     slope_torque,
     solution_of,
@@ -119,21 +120,25 @@ def posed(film: JournalFilm, load: tuple[float, float]) -> Posed:
     if film.cavitation is not Cavitation.MASS_CONSERVING:
         raise InputError("E101", f"cavitation is {film.cavitation.name.lower()}; oil that comes from nowhere, "
                          "where a film forms anew, has no temperature. Choose mass_conserving.")  # fmt: skip
-    turning_forwards(film)  # refuses what is no thermal film
+    check_thermal_film(film)
     frame = LoadFrame.of(film, load)
     seen, scales = turning_forwards(frame.film)
     return Posed(frame, seen, scales, np.asarray(frame.load) * scales.sense / scales.force)
 
 
 def turning_forwards(film: JournalFilm) -> tuple[JournalFilm, Scales]:
-    """A film as it is solved, and its scales; raises if it is not sheared or knows viscosity under pressure."""
+    """A film as it is solved, and its scales."""
+    return mirrored(film) if film.angular_speed < 0.0 else film, Scales.of(film, abs(film.angular_speed))
+
+
+def check_thermal_film(film: JournalFilm) -> None:
+    """Raise if a film is not sheared or knows viscosity under pressure."""
     if film.pressure_viscosity is not None:
         raise InputError(
             "E101", "pressure_viscosity is given; a film with its own temperatures does not count it."
         )
     if film.angular_speed == 0.0:
         raise InputError("E101", "angular_speed is zero; a film at rest makes no heat and carries no steady load.")
-    return mirrored(film) if film.angular_speed < 0.0 else film, Scales.of(film, abs(film.angular_speed))
 
 
 def thermal_film_at(
@@ -153,7 +158,7 @@ def thermal_film_at(
         E101 if the journal stands still or viscosity under pressure is asked for.
     """
     begun = time.perf_counter()
-    turning_forwards(film)  # refuses what is no thermal film
+    check_thermal_film(film)
     frame = LoadFrame.of(film, position)
     seen, scales = turning_forwards(frame.film)
     at = np.asarray(frame.load) * scales.sense / scales.length
@@ -243,15 +248,16 @@ def answer(
     settled = SurfaceEquilibrium(seen, thermal.sample, found.position, found.status, found.passes, found.gap)
     surface = thermal.sample.ring.surface
     viscosity = thermal.flows.shear_viscosity[: surface.step.size][:, thermal.columns.column[surface.node]]
-    streamers = streamer_shear(settled, couette_shear(settled, viscosity))
-    torques = thermal.friction, thermal.friction - 2.0 * slope_torque(settled), streamers
+    gaps = gauss_gaps(settled)
+    streamers = streamer_shear(settled, couette_shear(settled, viscosity, gaps))
+    torques = thermal.friction, thermal.friction - 2.0 * slope_torque(settled, gaps), streamers
     solution = solution_of(frame.film, scales, settled, torques, begun)
     solved = thermal_film(solution, scales, thermal, supply_order(frame.film, seen))
-    return turned_back(frame, replace(solved, nodes=EquilibriumNodes(settled, frame, scales)))
+    return turned_back(frame, solved, EquilibriumNodes(settled, frame, scales))
 
 
-def turned_back(frame: LoadFrame, found: ThermalFilm) -> ThermalFilm:
-    """A thermal film that was solved in the frame of its load, in that in which it was given."""
+def turned_back(frame: LoadFrame, found: ThermalFilm, nodes: EquilibriumNodes) -> ThermalFilm:
+    """A thermal film that was solved in the frame of its load, in that in which it was given, and its nodes."""
     order = frame.supplies(found.groove_temperatures.size)
     return replace(
         found,
@@ -259,4 +265,5 @@ def turned_back(frame: LoadFrame, found: ThermalFilm) -> ThermalFilm:
         groove_temperatures=found.groove_temperatures[order],
         fresh_flow=found.fresh_flow[order],
         returned_flow=found.returned_flow[order],
+        nodes=nodes,
     )

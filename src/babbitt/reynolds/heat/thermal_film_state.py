@@ -325,7 +325,7 @@ def stirring_of(film: JournalFilm, heat: FilmHeat) -> float:
 
 def line_widths(ring: UnwrappedMesh, lines: int) -> Array:
     """Half of the intervals beside every line, rad."""
-    step = np.diff(ring.theta)
+    step = ring.theta[1:] - ring.theta[:-1]
     width = np.zeros(lines)
     width[: step.size] += 0.5 * step
     width[1:] += 0.5 * step[: lines - 1]

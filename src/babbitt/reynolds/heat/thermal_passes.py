@@ -140,6 +140,7 @@ class _Carrying:
     sunk: int = 0
     nearest: float = math.inf
     reached: int = 0
+    gap: float = math.inf
     no_room: ClassVar[int] = NO_FILM
     too_many_steps: ClassVar[int] = TOO_MANY_STEPS
 
@@ -148,8 +149,9 @@ class _Carrying:
         self.rule, self.residual = PseudoTime(self.size_of_load), self.load
 
     def room(self, at: Array) -> float:
-        """Smallest gap."""
-        return self.thermal.sample.gap(at)
+        """Smallest gap; the place asked for last is the one that is looked at next."""
+        self.gap = self.thermal.sample.gap(at)
+        return self.gap
 
     def kept_room(self, at: Array, room: float) -> float:
         """A share of the gap."""
@@ -157,7 +159,7 @@ class _Carrying:
 
     def look(self, at: Array, step: int) -> int | None:
         """One pass, and the force that is left."""
-        self.sunk = self.sunk + 1 if step > 1 and self.room(at) < THINNEST else 0
+        self.sunk = self.sunk + 1 if step > 1 and self.gap < THINNEST else 0
         if self.sunk > MAX_CONTACT_PASSES:
             return NO_FILM
         changed, change = self.thermal.advance(at, SWEEPS, 1 if 1 < step < ACTIVE_SET_ROUNDS else ROUNDS)

@@ -12,11 +12,13 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.numerics.anderson import AndersonOptions, fixed_point
+from babbitt.numerics.secants import RecycledSecants
 from babbitt.reynolds.frame import LoadFrame
 from babbitt.reynolds.lands._equilibrium import CONVERGED
 from babbitt.reynolds.model import Cavitation, JournalFilm, Resolution
@@ -48,8 +50,11 @@ VELOCITY = 0.5
 ROUNDS = 60
 """Of the active set at a displaced journal, at most."""
 
-BORE_CLOSENESS, BORE = 1e-6, AndersonOptions(most_evaluations=60, damping=0.6)
-"""Share of the smallest gap to which film and bore agree, and how that is sought."""
+BORE_CLOSENESS, BORE = 5e-5, AndersonOptions(most_evaluations=40, damping=0.6, astray=5.0)
+"""Share of the step to which film and bore agree, and how that is sought."""
+
+FEW = 0.01
+"""Share of the nodes that may change sides for ever."""
 
 
 @dataclass(frozen=True)
@@ -157,14 +162,16 @@ def _nodes_of(found: FilmSolution, resolution: Resolution) -> EquilibriumNodes:
 def _slope_near(beside: _NearbyFilms, frozen: Pair) -> tuple[Pair | None, SlopeCheck]:
     """Slope that takes the place of the frozen coefficients, None where they are confirmed or none is settled."""
     step = STEP * beside.nodes.ring.gap
-    before, last = _slope(beside, step), None
-    check = _check(frozen, before, settled=True)
+    before, last = _slope(beside, step, None), None
+    check = _check(frozen, before.both, settled=True)
     if check.confirmed:
         return None, check
     for _ in range(HALVINGS):
         step *= 0.5
-        finer = _slope(beside, step)
-        better = (4.0 * finer[0] - before[0]) / 3.0, (4.0 * finer[1] - before[1]) / 3.0
+        finer = _slope(beside, step, before)
+        pairs = zip(finer.both, before.both, strict=True)
+        stiffness, damping = ((4.0 * fine - coarse) / 3.0 for fine, coarse in pairs)
+        better = stiffness, damping
         agree = last is not None and _check(last, better, settled=True).confirmed
         check = _check(frozen, better, settled=agree and beside.settled)
         if check.confirmed:
@@ -183,19 +190,32 @@ def _check(one: Pair, slope: Pair, *, settled: bool) -> SlopeCheck:
     return SlopeCheck(off[0], off[1], settled)
 
 
-def _slope(beside: _NearbyFilms, step: float) -> Pair:
-    """Central differences of the force over steps of the journal and over its velocity."""
+@dataclass(frozen=True, eq=False)
+class _Slope:
+    """Central differences of the force over steps of the journal and over its velocity, (2, 2), and what the bore
+    gives way for them, (x, y, their velocities) both ways."""
+
+    both: Pair
+    gains: tuple[Pair, ...]
+
+
+def _slope(beside: _NearbyFilms, step: float, twice: _Slope | None) -> _Slope:
+    """Slope over a step; ``twice`` is that over twice the step, if known."""
     stiffness, damping, still = np.zeros((2, 2)), np.zeros((2, 2)), np.zeros(2)
-    beside.settled = True
+    beside.settled, beside.closeness = True, BORE_CLOSENESS * step
+    half = [None] * 4 if twice is None else [(0.5 * fore, 0.5 * back) for fore, back in twice.gains]
+    gains: list[Pair] = []
     for axis in range(2):
         move = np.zeros(2)
         move[axis] = step
-        fore, back = beside.film(move, still, 0.0), beside.film(-move, still, 0.0)
+        fore, back = beside.pair(move, still, 0.0, half[len(gains)])
         stiffness[:, axis] = (back.force - fore.force) / (2.0 * step)
+        gains.append((fore.gain, back.gain))
         opening = VELOCITY * 0.5 * (fore.gain - back.gain)  # the bore moves as it does from place to place
-        fore, back = (beside.film(still, sign * VELOCITY * move, sign * opening) for sign in (1.0, -1.0))
+        fore, back = beside.pair(still, VELOCITY * move, opening, half[len(gains)])
         damping[:, axis] = (back.force - fore.force) / (2.0 * VELOCITY * step)
-    return stiffness, damping
+        gains.append((fore.gain, back.gain))
+    return _Slope((stiffness, damping), tuple(gains))
 
 
 @dataclass(frozen=True, eq=False)
@@ -207,11 +227,12 @@ class _Displaced:
 
 
 class _NearbyFilms:
-    """Films near one in equilibrium, on its nodes; `settled` says whether all since it was set converged."""
+    """Films near one in equilibrium, on its nodes; `settled` says whether all since it was set converged, film and
+    bore to `closeness`, in clearances."""
 
     def __init__(self, found: FilmSolution, nodes: EquilibriumNodes, bore_gain: BoreGain | None) -> None:
         ring = nodes.ring.sample.ring
-        self.nodes, self.settled = nodes, True
+        self.nodes, self.settled, self.closeness = nodes, True, 0.0
         self._sample, self._bore_gain = nodes.ring.sample, bore_gain
         self._wet = self._sample.work.wet.copy()
         self._gaps = np.array([ring.surface.gap_a, ring.surface.gap_b])
@@ -224,35 +245,54 @@ class _NearbyFilms:
             axial_breaks=ring.mesh.breaks,
         )
         self._at_rest = self._own_gain()
+        self._secants = RecycledSecants(BORE.damping, BORE.astray)
+        self._last_converged = True
 
-    def film(self, move: Array, rate: Array, opening: Array | float) -> _Displaced:
-        """Film with the journal displaced and moving, and the bore opening by itself."""
+    def pair(
+        self, move: Array, rate: Array, opening: Array | float, guess: Pair | None
+    ) -> tuple[_Displaced, _Displaced]:
+        """Films with the journal displaced and moving, and the bore opening by itself, to both sides.
+
+        ``guess`` is what the bore gives way, if known.
+        """
+        fore = self._film(move, rate, opening, np.zeros(self._gaps.shape) if guess is None else guess[0])
+        back = self._film(-move, -rate, -opening, -fore.gain if guess is None else guess[1])
+        return fore, back
+
+    def _film(self, move: Array, rate: Array, opening: Array | float, guess: Array) -> _Displaced:
         sample, at = self._sample, self.nodes.ring.position + move
-        surface = sample.ring.surface
-        surface.opening_a[:], surface.opening_b[:] = np.broadcast_to(opening, self._gaps.shape)
+        surface, shape = sample.ring.surface, self._gaps.shape
+        surface.opening_a[:], surface.opening_b[:] = np.broadcast_to(opening, shape)
         sample.work.wet[:] = self._wet
-        shape = self._gaps.shape
 
-        def mismatch(gain: Array) -> Array:
+        def mismatch(solve: Callable[[Array, Array], bool], gain: Array) -> Array:
             surface.gap_a[:], surface.gap_b[:] = self._gaps + gain.reshape(shape)
-            self._settle(at, rate)
+            self._last_converged = solve(at, rate)
             return (self._own_gain() - self._at_rest).ravel() - gain
 
         def close(_: Array, off: Array) -> bool:
-            return float(np.abs(off).max()) <= BORE_CLOSENESS * self.nodes.ring.gap
+            return float(np.abs(off).max()) <= self.closeness
 
-        found = fixed_point(mismatch, close, np.zeros(self._gaps.size), BORE)
-        self.settled = self.settled and found.converged
+        found = fixed_point(partial(mismatch, self._settle), close, guess.ravel(), BORE, secants=self._secants)
+        if not found.converged:
+            solve = partial(self._solve_on, sample.work.wet.copy())
+            found = fixed_point(partial(mismatch, solve), close, found.state, BORE)
+        self.settled = self.settled and found.converged and self._last_converged
         surface.gap_a[:], surface.gap_b[:] = self._gaps
         surface.opening_a[:], surface.opening_b[:] = 0.0, 0.0
         return _Displaced(sample.force.copy(), found.state.reshape(shape))
 
-    def _settle(self, at: Array, rate: Array) -> None:
-        """Rounds of the active set."""
-        for _ in range(ROUNDS):
-            if self._sample.evaluate(at, rate) == 0:
-                return
-        self.settled = False
+    def _settle(self, at: Array, rate: Array) -> bool:
+        """Rounds of the active set; whether it converged."""
+        return any(self._sample.evaluate(at, rate) == 0 for _ in range(ROUNDS))
+
+    def _solve_on(self, wet: NDArray[np.bool_], at: Array, rate: Array) -> bool:
+        """Film on an active set; whether it is that of the film but for `FEW` nodes.
+
+        Where a node that changes sides moves the bore so that it changes back, no film and bore agree with both.
+        """
+        self._sample.work.wet[:] = wet
+        return self._sample.evaluate(at, rate) <= FEW * wet.size
 
     def _own_gain(self) -> Array:
         """What the bore gives way under the pressure of the last film, in clearances, (2, n, points)."""

@@ -75,12 +75,18 @@ def stability_excess(reserve: float) -> float:
     return math.copysign(2.0, reserve - 1.0)
 
 
-def crossing(excess: Callable[[float], float], speed: float) -> float | None:
+def crossing(excess: Callable[[float], float], speed: float, blur: float = 0.0) -> float | None:
     """Speed at which a function turns from positive to negative: above a stable speed, below an unstable one.
 
-    None where there is none in sight, or the function has no value on the way.
+    None where there is none in sight, or the function has no value on the way. Values up to ``blur`` count as
+    zero.
     """
-    here = excess(speed)
+
+    def seen(at: float) -> float:
+        value = excess(at)
+        return 0.0 if abs(value) <= blur else value
+
+    here = seen(speed)
     if math.isnan(here):
         return None
     step = SEARCH_STEP if here > 0.0 else 1.0 / SEARCH_STEP
@@ -88,11 +94,11 @@ def crossing(excess: Callable[[float], float], speed: float) -> float | None:
     last = speed * (FASTEST if here > 0.0 else 1.0 / FASTEST)
     while near != last:
         far = min(near * step, last) if here > 0.0 else max(near * step, last)
-        there = excess(far)
+        there = seen(far)
         if math.isnan(there):
             return None
         if here * there <= 0.0:
-            root = find_root(excess, min(near, far), max(near, far), relative=SPEED_TOLERANCE)
+            root = find_root(seen, min(near, far), max(near, far), relative=SPEED_TOLERANCE)
             return root.value if root.converged else None
         near, here = far, there
     return None

@@ -112,8 +112,11 @@ def ring_lines(film: JournalFilm, start: float, per_turn: int, density: Density 
         places.append(left + (right - left) / (known - 1) * np.arange(known))
     ends = [0, *accumulate(part.size for part in places)]
     fine = np.concatenate(places)
-    open_film = np.repeat([part.size > 2 for part in places], [part.size for part in places])
-    wanted = open_film * (1.0 if density is None else density(fine))
+    open_film = np.ones(fine.size)
+    for first, last in pairwise(ends):
+        if last - first == 2:
+            open_film[first:last] = 0.0
+    wanted = open_film if density is None else open_film * density(fine)
     mass = cumulative_trapezoid(wanted, fine)
     per_mass = per_turn / mass[-1]
     if rims:
@@ -139,7 +142,7 @@ def marked_angles(start: float, arcs: list[tuple[float, float]]) -> Array:
     """
     edges = [(edge - start + 1e-9) % TURN - 1e-9 for arc in arcs for edge in arc]
     marks = np.array([0.0, *sorted(edge for edge in edges if edge > 1e-8), TURN])
-    marks = start + marks[np.concatenate(([True], np.diff(marks) > 1e-8))]
+    marks = start + marks[np.concatenate(([True], marks[1:] - marks[:-1] > 1e-8))]
     marks[-1] = start + TURN
     return np.asarray(marks)
 

@@ -77,19 +77,26 @@ def work_of(lines: int, nodes: int) -> float:
 
 @dataclass
 class Effort:
-    """What a search may still spend, in multiplications: a bound that is the same on every machine."""
+    """What a search may still spend, in multiplications: a bound that is the same on every machine.
+
+    It grows with the grid ``asked`` for, which is looked at where the smallest bound does not do.
+    """
 
     left: float
+    asked: tuple[JournalFilm, Resolution] | None = None
 
     @classmethod
     def for_ring(cls, film: JournalFilm, resolution: Resolution) -> Effort:
-        """Bound that grows with the grid asked for."""
-        shape = ring_shape(film, resolution.ring_intervals, resolution.axial_unknowns)
-        return cls(max(SMALLEST_BOUND, FINE_SOLUTIONS * work_of(*shape)))
+        """Bound for the grid of a film."""
+        return cls(SMALLEST_BOUND, (film, resolution))
 
     @property
     def spent(self) -> bool:
         """Whether nothing is left."""
+        if self.left < 0.0 and self.asked is not None:
+            (film, grid), self.asked = self.asked, None
+            bound = FINE_SOLUTIONS * work_of(*ring_shape(film, grid.ring_intervals, grid.axial_unknowns))
+            self.left += max(bound - SMALLEST_BOUND, 0.0)
         return self.left < 0.0
 
 

@@ -223,16 +223,18 @@ def friction(settled: SurfaceEquilibrium) -> tuple[float, float, float]:
     n = surface.step.size
     after = (np.arange(n) + 1) % work.pressure.shape[0]
     viscosity = surface.viscosity * (0.5 * (work.stiffening[:n] + work.stiffening[after]))[:, surface.node]
-    shear = couette_shear(settled, viscosity)
-    couette, hydraulic = float((shear @ surface.share).sum()), slope_torque(settled)
+    gaps = gauss_gaps(settled)
+    shear = couette_shear(settled, viscosity, gaps)
+    shear[_in_feed(settled, after)] = 0.0
+    couette, hydraulic = float((shear @ surface.share).sum()), slope_torque(settled, gaps)
     return couette + hydraulic, couette - hydraulic, streamer_shear(settled, shear)
 
 
-def slope_torque(settled: SurfaceEquilibrium) -> float:
+def slope_torque(settled: SurfaceEquilibrium, gaps: tuple[Array, Array]) -> float:
     """Half of what the torque on the journal has more than that by shear on the bore: (h/2) dp/dtheta over the
     film, whatever its viscosity across the gap."""
     surface, work = settled.sample.ring.surface, settled.sample.work
-    ha, hb = _gaps(settled)
+    ha, hb = gaps
     n = surface.step.size
     after = (np.arange(n) + 1) % work.pressure.shape[0]
     pressure = true_pressures(surface, work.pressure)
@@ -240,33 +242,34 @@ def slope_torque(settled: SurfaceEquilibrium) -> float:
     return float((slope @ surface.share).sum())
 
 
-def couette_shear(settled: SurfaceEquilibrium, viscosity: Array) -> Array:
+def couette_shear(settled: SurfaceEquilibrium, viscosity: Array, gaps: tuple[Array, Array]) -> Array:
     """Torque of every piece of the surface by shear of its oil, shape (n, points), over that of its share of the
     width, at viscosities over the reference.
 
-    Grooves, pockets and holes are deep beside the film: the oil in them is not sheared.
+    Grooves, pockets and holes count as film; they are deep beside it, and the oil in them is not sheared.
     """
     surface, work = settled.sample.ring.surface, settled.sample.work
-    ha, hb = _gaps(settled)
+    ha, hb = gaps
     n = surface.step.size
     thinness, turbulence = 1.0 / ha + 1.0 / hb, settled.film.turbulence
     if turbulence is not None:
         fa, fb = (turbulence.shear_factor(surface.turbulence[0] * gap / surface.viscosity) for gap in (ha, hb))
         thinness = fa / ha + fb / hb
     half = 0.5 * surface.step[:, None]
-    shear = np.asarray(surface.speed * viscosity * half * thinness * liquid(work.fill[:n])[:, surface.node])
-    shear[_in_feed(settled, (np.arange(n) + 1) % work.pressure.shape[0])] = 0.0
-    return shear
+    return np.asarray(surface.speed * viscosity * half * thinness * liquid(work.fill[:n])[:, surface.node])
 
 
 def streamer_shear(settled: SurfaceEquilibrium, shear: Array) -> float:
     """What of a shear (`couette_shear`) belongs to the oil that the ruptured film carries."""
     surface, work = settled.sample.ring.surface, settled.sample.work
-    ruptured = (work.fill[: surface.step.size] < 1.0)[:, surface.node]
+    n = surface.step.size
+    ruptured = (work.fill[:n] < 1.0)[:, surface.node]
+    if settled.film.is_starved or settled.film.pockets:  # the oil in flooded grooves is whole
+        ruptured &= ~_in_feed(settled, (np.arange(n) + 1) % work.pressure.shape[0])
     return float((np.where(ruptured, shear, 0.0) @ surface.share).sum())
 
 
-def _gaps(settled: SurfaceEquilibrium) -> tuple[Array, Array]:
+def gauss_gaps(settled: SurfaceEquilibrium) -> tuple[Array, Array]:
     """Gaps at both Gauss points of every interval, shape (n, points)."""
     surface = settled.sample.ring.surface
     lift = settled.position[:, None] * surface.lever

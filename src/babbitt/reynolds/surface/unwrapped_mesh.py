@@ -96,7 +96,7 @@ def build_ring(
     levers[2:] = mesh.points
     surface = Surface(
         **counted(mesh.nodes.size, mesh.points.size, motions),
-        step=np.diff(theta), shape_a=shapes[0], shape_b=shapes[1], lever=levers, gap_a=gap_a, gap_b=gap_b,
+        step=theta[1:] - theta[:-1], shape_a=shapes[0], shape_b=shapes[1], lever=levers, gap_a=gap_a, gap_b=gap_b,
         opening_a=np.zeros_like(gap_a), opening_b=np.zeros_like(gap_b),
         viscosity=viscosity, drag=np.ones_like(gap_a), turbulence=turbulence_row(film),
         radius=np.ones_like(mesh.share), share=mesh.share, along=mesh.share, node=mesh.node_of_point,
@@ -147,7 +147,7 @@ def hold_nodes(
     shape = (theta.size, mesh.nodes.size)
     held = HeldNodes(np.zeros(shape, dtype=bool), np.zeros(shape), np.ones(shape), np.full(shape, -1))
     sides = np.where(mesh.nodes < 0.0, film.side_pressures[0], film.side_pressures[1])
-    share = np.clip((1.0 - np.abs(mesh.nodes)) / (2.0 * END_DAM), 0.0, 1.0)
+    share = np.minimum(np.maximum((1.0 - np.abs(mesh.nodes)) / (2.0 * END_DAM), 0.0), 1.0)
     for number, (arc, (first, last)) in enumerate(zip(grooves, ends, strict=True)):
         at = groove_lines(first, last, theta.size)
         held.mask[at], held.fill[at], held.supply[at] = True, arc.fill, number
@@ -209,7 +209,7 @@ def groove_lines(first: int, last: int, lines: int) -> NDArray[np.int64]:
 
 def gauss_angles(theta: Array) -> tuple[Array, Array]:
     """Both Gauss points of every interval, rad."""
-    offset, middle = np.diff(theta) * (0.5 / math.sqrt(3.0)), 0.5 * (theta[1:] + theta[:-1])
+    offset, middle = (theta[1:] - theta[:-1]) * (0.5 / math.sqrt(3.0)), 0.5 * (theta[1:] + theta[:-1])
     return middle - offset, middle + offset
 
 

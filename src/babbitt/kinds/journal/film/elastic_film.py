@@ -8,7 +8,7 @@ damped, and combined (`babbitt.numerics.anderson`) to meet in few films.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import TYPE_CHECKING, Generic, TypeVar
 
@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from babbitt.core.result import Outcome
 from babbitt.kinds.journal.film.field import pressure_on
 from babbitt.numerics.anderson import AndersonOptions, fixed_point
+from babbitt.numerics.secants import RecycledSecants
 from babbitt.reynolds.deformation.compliance import BoreGrid, Compliance, as_field, total_displacement
 from babbitt.reynolds.surface.unwrapped_mesh import field_at
 
@@ -30,6 +31,7 @@ if TYPE_CHECKING:
 __all__ = [
     "CLOSENESS",
     "ElasticFilm",
+    "KnownBore",
     "bore_grid",
     "displacement_under",
     "distortion_by",
@@ -45,8 +47,23 @@ CLOSENESS = 1e-3
 """Share of the least gap to which film and displacement agree."""
 SETTLING = AndersonOptions(most_evaluations=60, damping=0.6, astray=5.0, most_failures=8)
 """How the displacement is sought, in films."""
+FROM_KNOWN = replace(SETTLING, most_evaluations=30)
+"""How it is sought first from what films before tell."""
 ROOM = 0.3
 """Change of the displacement at most, in clearances, or one least gap: beyond it the film is another."""
+
+
+LESSONS = 6
+"""Films that tell of a bore. Those after them begin alike: what they answer must not depend on the film before."""
+
+
+@dataclass(eq=False)
+class KnownBore:
+    """What films before tell of a bore: where it converged, m, on ``bore_grid``, and how films answer to it."""
+
+    lessons: int = 0
+    displacement: Array | None = None
+    secants: RecycledSecants = field(default_factory=lambda: RecycledSecants(SETTLING.damping, SETTLING.astray))
 
 
 @dataclass(frozen=True, eq=False)
@@ -108,6 +125,7 @@ def elastic_film(
     solve: Callable[[JournalFilm], FilmSolution],
     closeness: float = CLOSENESS,
     start: Array | None = None,
+    known: KnownBore | None = None,
 ) -> ElasticFilm[FilmSolution]:
     """Film in a bore that gives way under its pressure.
 
@@ -123,6 +141,8 @@ def elastic_film(
         Share of the least gap to which film and displacement agree.
     start : ndarray or None
         Displacement to begin with, m, on ``bore_grid(film)``.
+    known : KnownBore or None
+        From films of this bore that differ little, in place of ``start`` where it knows one; it learns.
 
     Returns
     -------
@@ -130,7 +150,21 @@ def elastic_film(
         Always, with a status. What `solve` raises passes through.
     """
     displaced = partial(displacement_under, compliances)
-    return _Settling(film, bore_grid(film), displaced, solve, lambda found: found).run(closeness, start)
+    search = partial(_Settling, film, bore_grid(film), displaced, solve, lambda found: found)
+    if known is None:
+        return search().run(closeness, start)
+    found = None
+    if known.displacement is not None:
+        found = search(known.secants).run(closeness, known.displacement)
+        if found.outcome.solved and known.lessons < LESSONS:
+            known.lessons, known.displacement = known.lessons + 1, found.displacement
+        else:
+            known.secants.undo()
+    if found is None or not found.outcome.solved:  # the bore of another film may leave this one none
+        found = search().run(closeness, start)
+        if found.outcome.solved and known.displacement is None:
+            known.displacement = found.displacement
+    return found
 
 
 def elastic_thermal_film(
@@ -162,6 +196,7 @@ class _Settling(Generic[SolutionT]):
     displaced: Callable[[SolutionT], Array]
     solve: Callable[[JournalFilm], SolutionT]
     film_in: Callable[[SolutionT], FilmSolution]
+    secants: RecycledSecants | None = None
     last: SolutionT | None = None
     found: SolutionT | None = None
     mismatch: float = np.inf
@@ -169,8 +204,10 @@ class _Settling(Generic[SolutionT]):
     def run(self, closeness: float, start: Array | None) -> ElasticFilm[SolutionT]:
         begin = self._even(np.zeros((self.bore.rows, self.bore.columns)) if start is None else start)
         ended = fixed_point(
-            self._off, lambda _, off: self.mismatch <= closeness, begin.ravel(), SETTLING, self._bounded
-        )
+            self._off, lambda _, off: self.mismatch <= closeness, begin.ravel(),
+            SETTLING if self.secants is None else FROM_KNOWN, self._bounded,
+            secants=self.secants,
+        )  # fmt: skip
         solution, outcome = self.found, Outcome.CONVERGED if ended.converged else Outcome.NOT_CONVERGED
         if solution is None:
             assert self.last is not None  # a search looks at its start

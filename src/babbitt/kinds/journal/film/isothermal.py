@@ -39,6 +39,7 @@ from babbitt.properties.fits import operating_relative_clearance
 from babbitt.reynolds.model import JournalFilm, Resolution
 
 if TYPE_CHECKING:
+    from babbitt.kinds.journal.film.elastic_film import KnownBore
     from babbitt.reynolds.equilibrium.starved import FedFilm, PrescribedFlow
     from babbitt.reynolds.heat.thermal_solution import ThermalFilm
     from babbitt.reynolds.solution import FilmSolution
@@ -103,7 +104,7 @@ def operating_film(case: FilmCase) -> Equilibrium[FilmState]:
 
 
 def _balanced(case: FilmCase, near: tuple[float, float] | None) -> Equilibrium[FilmState]:
-    film_at = partial(film_at_temperature, case=case, near=near)
+    film_at = partial(film_at_temperature, case=case, near=near, bore=known_bore(case))
     if case.effective_temperature is not None:
         return at_prescribed_temperature(case.effective_temperature, film_at)
     return find_equilibrium(case, film_at, COARSE_SEARCH)
@@ -118,8 +119,20 @@ def resolution_of(case: FilmCase) -> Resolution:
     return replace(case.accuracy.resolution, tolerance=LOAD_TOLERANCE)
 
 
-def film_at_temperature(temperature: float, case: FilmCase, near: tuple[float, float] | None = None) -> FilmState:
-    """Film at an effective temperature in K; `near` is a place for `converged_film`.
+def known_bore(case: FilmCase) -> KnownBore | None:
+    """What is known of the bore of a case before its first film; None where it is rigid."""
+    if not case.bearing.compliance:
+        return None
+    from babbitt.kinds.journal.film.elastic_film import KnownBore
+
+    return KnownBore()
+
+
+def film_at_temperature(
+    temperature: float, case: FilmCase, near: tuple[float, float] | None = None, bore: KnownBore | None = None
+) -> FilmState:
+    """Film at an effective temperature in K; `near` is a place for `converged_film`, `bore` what films at other
+    temperatures tell of one that gives way.
 
     Raises
     ------
@@ -140,8 +153,8 @@ def film_at_temperature(temperature: float, case: FilmCase, near: tuple[float, f
         film = film_of(case, psi, viscosity, pressure, density)
         flows = given_flows(case, film)
         if not flows:
-            return equilibrium_film(case, film, near), None
-        fed = starved_film(case, film, flows, near)
+            return equilibrium_film(case, film, near, bore), None
+        fed = starved_film(case, film, flows, near, bore)
         return fed.solution, fed
 
     feed = None
@@ -169,9 +182,11 @@ def friction_of(case: FilmCase, solution: FilmSolution) -> tuple[float, float]:
     return friction_between(case, solution.friction_torque - pressure, pressure)
 
 
-def equilibrium_film(case: FilmCase, film: JournalFilm, near: tuple[float, float] | None = None) -> FilmSolution:
+def equilibrium_film(
+    case: FilmCase, film: JournalFilm, near: tuple[float, float] | None = None, bore: KnownBore | None = None
+) -> FilmSolution:
     """Film that carries the load of the case, or that stands at its prescribed position."""
-    return _accepted(_settled(case, partial(_in_given_bore, case, near), film))
+    return _accepted(_settled(case, partial(_in_given_bore, case, near), film, bore))
 
 
 def equilibrium_near_position(case: FilmCase, state: FilmState, place: tuple[float, float]) -> FilmSolution | None:
@@ -206,7 +221,11 @@ def equilibrium_near_position(case: FilmCase, state: FilmState, place: tuple[flo
 
 
 def starved_film(
-    case: FilmCase, film: JournalFilm, flows: tuple[PrescribedFlow, ...], near: tuple[float, float] | None = None
+    case: FilmCase,
+    film: JournalFilm,
+    flows: tuple[PrescribedFlow, ...],
+    near: tuple[float, float] | None = None,
+    bore: KnownBore | None = None,
 ) -> FedFilm:
     """Film whose supplies deliver given flows.
 
@@ -217,7 +236,7 @@ def starved_film(
     """
     from babbitt.reynolds.equilibrium.starved import feed_film
 
-    fed = feed_film(film, flows, partial(_settled, case, partial(_in_given_bore, case, near)))
+    fed = feed_film(film, flows, partial(_settled, case, partial(_in_given_bore, case, near), bore=bore))
     if fed.solution.outcome is Outcome.OVERLOADED:
         raise NoFilmError(Outcome.OVERLOADED, least_flow=fed.least_flow)
     _accepted(fed.solution)
@@ -225,7 +244,10 @@ def starved_film(
 
 
 def _settled(
-    case: FilmCase, in_given_bore: Callable[[JournalFilm], FilmSolution], film: JournalFilm
+    case: FilmCase,
+    in_given_bore: Callable[[JournalFilm], FilmSolution],
+    film: JournalFilm,
+    bore: KnownBore | None = None,
 ) -> FilmSolution:
     """Film at its load or position, in a bore that gives way where the case has one, with its closed pockets."""
     settle = partial(_closed, case, in_given_bore, ClosedPressures()) if closed_pockets(case) else in_given_bore
@@ -235,7 +257,7 @@ def _settled(
         settle = following(load_vector(case, case.duty.load), resolution_of(case), in_given_bore, SEARCHED)
     from babbitt.kinds.journal.film.elastic_film import elastic_film
 
-    found = elastic_film(film, case.bearing.compliance, settle, ELASTIC_CLOSENESS)
+    found = elastic_film(film, case.bearing.compliance, settle, ELASTIC_CLOSENESS, known=bore)
     return replace(found.solution, outcome=found.outcome)
 
 

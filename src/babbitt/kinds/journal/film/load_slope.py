@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.core.notices import Notice
+from babbitt.core.result import Outcome
 from babbitt.kinds.journal.film.isothermal import FilmState, resolution_of
 from babbitt.kinds.journal.film.model import FilmCase
 from babbitt.reynolds.model import Cavitation, Resolution
@@ -19,7 +20,14 @@ if TYPE_CHECKING:
     from babbitt.reynolds.solution import FilmSolution
     from babbitt.reynolds.stability.load_slope import SlopeCheck
 
-__all__ = ["confirmed_film", "confirmed_state", "warnings_about_slope", "slope_not_asked", "with_bore"]
+__all__ = [
+    "confirmed_film",
+    "confirmed_state",
+    "warnings_about_slope",
+    "slope_not_asked",
+    "with_bore",
+    "with_known_slope",
+]
 
 
 def confirmed_state(case: FilmCase, state: FilmState) -> tuple[FilmState, SlopeCheck | None]:
@@ -39,6 +47,17 @@ def confirmed_state(case: FilmCase, state: FilmState) -> tuple[FilmState, SlopeC
 def with_bore(case: FilmCase, found: FilmSolution) -> FilmSolution:
     """A film whose coefficients count how the bore of the case gives way; the same where it is rigid."""
     return confirmed_film(case, found, case.accuracy.resolution) if case.bearing.compliance else found
+
+
+def with_known_slope(case: FilmCase, found: FilmSolution) -> FilmSolution:
+    """As `with_bore`; not converged where the slope of the load in a bore that gives way was not found."""
+    if not (case.bearing.compliance and found.outcome.solved and found.film.is_surface):
+        return found
+    from babbitt.reynolds.stability.load_slope import confirmed_coefficients
+
+    solution, check = confirmed_coefficients(found, case.accuracy.resolution, None, bore_gain_of(case))
+    lost = check is not None and not (check.confirmed or check.settled)
+    return replace(solution, outcome=Outcome.NOT_CONVERGED) if lost else solution
 
 
 def confirmed_film(case: FilmCase, found: FilmSolution, grid: Resolution) -> FilmSolution:

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from babbitt.kinds.journal.film.isothermal import FilmState, following
-from babbitt.kinds.journal.film.load_slope import with_bore
+from babbitt.kinds.journal.film.isothermal import FilmState, following, known_bore
+from babbitt.kinds.journal.film.load_slope import with_known_slope
 from babbitt.kinds.journal.film.model import FilmCase
 from babbitt.kinds.journal.film.stable_equilibrium import converged_film, place_of
 from babbitt.kinds.journal.film.unloaded import is_unloaded
@@ -18,8 +18,15 @@ from babbitt.reynolds.stability.rotor import RIGID, stable_masses_of_rotor
 from babbitt.reynolds.stability.whirl_limits import ElasticWhirl, Whirl, crossing, rotor_mass, stability_excess
 
 if TYPE_CHECKING:
+    from babbitt.kinds.journal.film.elastic_film import KnownBore
     from babbitt.reynolds.model import JournalFilm
     from babbitt.reynolds.solution import FilmSolution
+
+BLUR = 1e-3
+"""Logarithm of the reserve that counts as none in a bore that gives way: the coefficients there are differences of
+the load that hold to 1 %, and one node of the film that ruptures or not is worth as much."""
+CLOSENESS = 1e-4
+"""Share of the least gap to which film and displacement of the bore agree at another speed."""
 
 
 def whirl_of(case: FilmCase, state: FilmState) -> Whirl:
@@ -61,8 +68,11 @@ def mass_of_rotor(case: FilmCase, load: float) -> float:
     return rotor_mass(case.rotor_mass, load)
 
 
-def at_speed(case: FilmCase, state: FilmState, speed: float) -> FilmSolution:
-    """The film under the same load in the direction found, with the same oil, at another speed in rad/s."""
+def at_speed(case: FilmCase, state: FilmState, speed: float, bore: KnownBore | None = None) -> FilmSolution:
+    """The film under the same load in the direction found, with the same oil, at another speed in rad/s.
+
+    `bore` is what films at other speeds tell of one that gives way.
+    """
     film = replace(state.solution.film, angular_speed=case.rotation.sense * speed)
     share = -state.load / math.hypot(*state.solution.force)
     load = share * float(state.solution.force[0]), share * float(state.solution.force[1])
@@ -78,7 +88,7 @@ def at_speed(case: FilmCase, state: FilmState, speed: float) -> FilmSolution:
     own = displacement_under(case.bearing.compliance, state.solution)
     given = replace(film, displacement=as_field(np.asarray(film.displacement) - own))
     follow = following(load, case.accuracy.resolution, settle, 1)  # the displacement is known nearly
-    found = elastic_film(given, case.bearing.compliance, follow, start=own)
+    found = elastic_film(given, case.bearing.compliance, follow, CLOSENESS, own, bore)
     return replace(found.solution, outcome=found.outcome)
 
 
@@ -91,18 +101,23 @@ def threshold_speed(case: FilmCase, state: FilmState, mass: float, shaft_stiffne
     if not case.limiting_speeds or is_unloaded(case, state):
         return None
 
+    bore = known_bore(case)
+    here = abs(state.solution.film.angular_speed)
+    own = stable_masses_of_rotor(state.solution.stiffness, state.solution.damping, shaft_stiffness).reserve(mass)
+
     @cache
     def reserve(speed: float) -> float:
-        found = with_bore(case, at_speed(case, state, speed))
+        if bore is not None and state.thermal is None and speed == here:
+            return own  # that of the same film, its bore counted
+        found = with_known_slope(case, at_speed(case, state, speed, bore))
         if not found.outcome.solved:
             return math.nan
         return stable_masses_of_rotor(found.stiffness, found.damping, shaft_stiffness).reserve(mass)
 
-    here = abs(state.solution.film.angular_speed)
     # films of one viscosity tell how the reserve changes with the speed, the film itself how large it is here
-    own = stable_masses_of_rotor(state.solution.stiffness, state.solution.damping, shaft_stiffness).reserve(mass)
     share = _ratio(own, reserve(here)) if state.thermal is not None else 1.0
-    return crossing(lambda speed: stability_excess(share * reserve(speed)), here)
+    blur = BLUR if bore is not None else 0.0
+    return crossing(lambda speed: stability_excess(share * reserve(speed)), here, blur)
 
 
 def _ratio(own: float, other: float) -> float:
