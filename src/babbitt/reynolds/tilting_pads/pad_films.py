@@ -21,11 +21,12 @@ from babbitt.reynolds.model import Resolution
 from babbitt.reynolds.tilting_pads._pad_flows import NARROWEST, PAD_TOTALS, PadRing
 from babbitt.reynolds.tilting_pads._pad_heat import STATES, Oil, Temperatures, WallState, heat_pads, prepare_films
 from babbitt.reynolds.tilting_pads._pad_steps import step_pads
-from babbitt.reynolds.tilting_pads._pads import CLOSED, CONVERGED, LIMIT, STUCK, find_pads
+from babbitt.reynolds.tilting_pads._pads import CLOSED, CONVERGED, LIMIT, STUCK
 from babbitt.reynolds.tilting_pads._place import new_places, pads_at
 from babbitt.reynolds.tilting_pads._structs import PadPlaces, Pads
 from babbitt.reynolds.tilting_pads._tilt import AT_LIMIT
 from babbitt.reynolds.tilting_pads.kernel_pads import PadScales, kernel_pads
+from babbitt.reynolds.tilting_pads.load_path import journal_among_pads
 from babbitt.reynolds.tilting_pads.model import TiltingPadBearing
 from babbitt.reynolds.tilting_pads.pad_bending import bending_matrices
 from babbitt.reynolds.tilting_pads.pad_conduction import SURROUNDINGS, PadConduction, pad_conduction
@@ -166,13 +167,12 @@ class PadFilms:
 
     def carry(self, load: Array, start: Array, tolerance: float, most: int) -> Placement:
         """Equilibrium of journal and pads at the viscosity as it is."""
-        x, y, status, steps, indifferent, grid = find_pads(
-            self.axial, self.pads, self.resolution.intervals, load[0], load[1], start[0], start[1], tolerance,
-            most, self.places, self.total,
-        )  # fmt: skip
+        found = journal_among_pads(
+            self.axial, self.pads, self.resolution.intervals, load, start, tolerance, most, self.places, self.total
+        )
         self.solved += int(self.places.films[0])
         residual = math.hypot(self.total[0] + load[0], self.total[1] + load[1])
-        return Placement(np.array([x, y]), int(status), int(steps), bool(indifferent), residual, grid)
+        return Placement(found.at, found.status, found.steps, found.indifferent, residual, found.grid)
 
     def follow(self, load: Array, last: Placement, tolerance: float, most: int) -> Placement:
         """Equilibrium at a viscosity that has changed a little since the last one, in short steps if they do."""
