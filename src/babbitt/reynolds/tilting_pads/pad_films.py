@@ -39,7 +39,7 @@ Array = NDArray[np.float64]
 
 GUESSED_RISE = 10.0
 """K above the supply, where temperatures start."""
-WALL_EXCHANGE = 4.0
+WALL_EXCHANGE = 6.0
 """Conductance at which pads and films meet, over k/c_p of the oil. Only the number of passes depends on it."""
 USUAL_LAYERS = 8
 """Number of layers that the compiler knows."""
