@@ -15,6 +15,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from copy import deepcopy
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -98,7 +99,7 @@ def beginnings(
 ) -> Iterator[tuple[Array, PadPlaces]]:
     """Journals and pads that balance around them: as a search left them, and as found anew on the way there."""
     if (places.status == LOADED).all():
-        copied = PadPlaces(*(part.copy() for part in places))
+        copied = deepcopy(places)
         copied.films[0] = 0
         yield found.at, copied
     for share in SHARES:
