@@ -7,7 +7,7 @@ of them on pivots that give way, a third on flexures of four decades of stiffnes
 intervals a pad, from the middle. A free pad at its limit must have to carry less than it does at its fold, whose
 load is told within 3 %. Pads on flexures may have several tilts at one place, and jump: their bearings may end at
 a limit, or overloaded by an edge that is pressed on the journal. Marks: no other end of free pads; of those on
-flexures 5 % without an end (not converged, work used up), work used up 2 %; none takes longer than 1 s of
+flexures 1 % without an end (not converged, work used up), and 6 % overloaded; none takes longer than 1 s of
 processor time (other work on the machine does not count).
 """
 
@@ -27,8 +27,8 @@ from babbitt.reynolds.tilting_pads.pivots import Pivot, RigidPivot, SpringPivot
 from babbitt.reynolds.tilting_pads.solution import TiltingPadSolution
 from babbitt.reynolds.tilting_pads.solve import fold_of, solve_tilting_pads
 
-NUMBER, SLOWEST = 1500, 1.0  # 360 have 120 on flexures, too few for a share of 5 %
-ENDLESS, WORKED = 0.05, 0.02  # shares of bearings on flexures without an end, and of those that used up their work
+NUMBER, SLOWEST = 1500, 1.0  # 360 have 120 on flexures, too few for a share of 1 %
+ENDLESS, OVERLOADED = 0.01, 0.06  # shares of bearings on flexures without an end, and of those with a pressed edge
 GRID = Resolution(4, 48)
 
 
@@ -77,10 +77,19 @@ def is_end(found: TiltingPadSolution) -> bool:
     return found.outcome.solved or (flexed and found.outcome is Outcome.OVERLOADED)
 
 
+def compile_kernels() -> None:
+    """Those of the search for the journal, and of the paths that follow where that ends too soon."""
+    rng = np.random.default_rng(0)
+    bearing, load = random_bearing(rng)
+    while not is_flexed(bearing):
+        bearing, load = random_bearing(rng)
+    solve_tilting_pads(bearing, load, GRID, max_steps=1)
+
+
 def main() -> int:
     number = int(sys.argv[1]) if len(sys.argv) > 1 else NUMBER
     rng = np.random.default_rng(int(sys.argv[2]) if len(sys.argv) > 2 else 1)
-    solve_tilting_pads(*random_bearing(np.random.default_rng(0)), GRID)
+    compile_kernels()
     ends: dict[bool, Counter[str]] = {False: Counter(), True: Counter()}
     steps, films, times, bad = [], [], [], {False: 0, True: 0}
     for trial in range(number):
@@ -101,7 +110,7 @@ def main() -> int:
     print(f"steps: median {statistics.median(steps)}, most {max(steps)}")
     print(f"films: median {statistics.median(films)}, most {max(films)}")
     print(f"time: median {1e3 * statistics.median(times):.2f} ms, slowest {1e3 * max(times):.1f} ms")
-    kept = bad[True] <= ENDLESS * flexures and ends[True]["WORK_BOUND"] <= WORKED * flexures
+    kept = bad[True] <= ENDLESS * flexures and ends[True]["OVERLOADED"] <= OVERLOADED * flexures
     return 0 if bad[False] == 0 and kept and max(times) < SLOWEST else 1
 
 

@@ -68,10 +68,12 @@ def test_printed_numbers_give_the_printed_result(solution):
 
 def test_the_pad_of_the_calculation_is_the_one_that_carries_most(solution):
     films = solution.state.films.solution
-    most = max(films.pads, key=lambda pad: pad.load)
+    most = films.pads[films.most_loaded]
     numbers = {line.name: line.value for section in pad_calculation(solution) for line in section.lines}
     assert numbers["this_ratio"] == pytest.approx(most.eccentricity_ratio, rel=1e-6)
     assert numbers["largest_pad_load"] == most.load
+    assert most.load == pytest.approx(max(pad.load for pad in films.pads), rel=1e-6)
+    assert all(pad.load < most.load * (1.0 - 1e-7) for pad in films.pads[: films.most_loaded])
 
 
 def test_an_unsolved_bearing_has_no_calculation_and_no_figures():

@@ -41,7 +41,7 @@ def film_values(case: PadCase, films: PadFilms, margins: tuple[PadMargin, ...]) 
     solution, bearing = films.solution, case.bearing
     duty = duty_values(case, films)
     loads = [pad.load for pad in solution.pads]
-    largest = int(np.argmax(loads))
+    largest = solution.most_loaded
     torque = solution.friction_torque
     fluid = oil_values(case, films)
     known = [one.margin for one in margins if math.isfinite(one.margin)]

@@ -19,7 +19,9 @@ from babbitt.reynolds.tilting_pads._tilt import (
     NOT_FOUND,
     UNLOADED,
     find_tilt,
+    pad_film,
     pad_grid,
+    tilt_bounds,
 )
 
 TIGHT = 1e-8  # moment over the lever of the pivot over the load, at last
@@ -160,12 +162,7 @@ def place_pad(axial, pads, grid, k, film, lines, x, y, tolerance, places):
             )
     places.rigid[k], places.status[k] = at, status
     if status == LOADED:
-        u, flexible = pivot_curve(pads.curves[k], pads.loads[k], pads.displacements[k], load)
-        gain = 1.0 / (1.0 + flexible * slope)
-        places.force[k, 0] = -load + slope * gain * (e + u - at) if elastic else -load
-        places.force[k, 1] = spring * (places.along[k] + across - origin)
-        support_stiffness(places.answers[k], flexible, spring, places.stiffness[k])
-        places.gain[k] = gain
+        push_of_film(pads, k, load, slope, e - at, places.along[k] + across - origin, places)
         return
     places.radial[k], places.along[k], places.follows[k], places.gain[k] = e, 0.0, 0.0, 1.0
     places.answers[k] = 0.0
@@ -173,6 +170,19 @@ def place_pad(axial, pads, grid, k, film, lines, x, y, tolerance, places):
     places.stiffness[k] = 0.0
     if status == AT_LIMIT:
         push_at_limit(pads, k, at - e, places)
+
+
+@inlined
+def push_of_film(pads, k, load, slope, moved, turned, places):
+    """Push and stiffness of a pad whose film carries ``load``, its pivot ``moved`` and its flexure ``turned``."""
+    spring = pads.rotational[k]
+    u, flexible = pivot_curve(pads.curves[k], pads.loads[k], pads.displacements[k], load)
+    gain = 1.0 / (1.0 + flexible * slope)
+    elastic = is_elastic(pads.curves[k], pads.displacements[k])
+    places.force[k, 0] = -load + slope * gain * (moved + u) if elastic else -load
+    places.force[k, 1] = spring * turned
+    support_stiffness(places.answers[k], flexible, spring, places.stiffness[k])
+    places.gain[k] = gain
 
 
 @inlined
@@ -223,11 +233,19 @@ def support_stiffness(answer, flexible, spring, stiffness):
 @inner
 def place_all(axial, pads, grid, film, lines, x, y, tolerance, places, total):
     """All pads for a journal at (x, y): fills ``total[:6]`` (F 2, K 4); returns whether every pad has a film."""
-    total[:6] = 0.0
     open_gap = True
     for k in range(pads.kappa.size):
         place_pad(axial, pads, grid, k, film, lines, x, y, tolerance, places)
         open_gap = open_gap and places.status[k] != NO_FILM
+    add_pushes(pads, places, total)
+    return open_gap
+
+
+@inlined
+def add_pushes(pads, places, total):
+    """Force and stiffness of all pads, ``total[:6]``."""
+    total[:6] = 0.0
+    for k in range(pads.kappa.size):
         c, s = pads.cosine[k], pads.sine[k]
         n, t = places.force[k, 0], places.force[k, 1]
         total[0] += n * c - t * s
@@ -238,7 +256,6 @@ def place_all(axial, pads, grid, film, lines, x, y, tolerance, places, total):
         total[3] += (nn - tt) * c * s + nt * c * c - tn * s * s
         total[4] += (nn - tt) * c * s + tn * c * c - nt * s * s
         total[5] += nn * s * s + (nt + tn) * c * s + tt * c * c
-    return open_gap
 
 
 @inlined
@@ -286,3 +303,28 @@ def pads_at(axial, pads, intervals, x, y, places, total):
     is_open = place_all(axial, pads, grid, film, lines, x, y, TIGHT, places, total)
     drop_limits(pads, places, total)
     return is_open, all_found(places), grid
+
+
+@compiled
+def hold_pads(axial, pads, grid, x, y, radial, along, places, total):
+    """Pads held at (e, eta), whether they balance there or not: fills ``places`` and ``total`` (F 2, K 4).
+
+    Returns the least way of an edge to contact, as a tilt over the clearance; negative where a gap is closed or a
+    wet set goes on changing.
+    """
+    film, lines = new_film(grid.step.shape[1]), new_lines(grid.step.shape[1], len(axial.size))
+    room = np.inf
+    for k in range(pads.kappa.size):
+        e, eta, clearance = radial[k], along[k], pads.bearing.lands[k, CLEARANCE]
+        least, most = tilt_bounds(grid, k, e)
+        room = min(room, min(eta - least, most - eta) / clearance)
+        if not room > 0.0 or not pad_film(axial, pads, grid, k, film, lines, e, eta, True, bool(0), places):
+            return -1.0
+        c, s = pads.cosine[k], pads.sine[k]
+        places.rigid[k] = pads.offset[k] + x * c + y * s
+        slope, places.follows[k] = condensed_slope(places.answers[k], pads.rotational[k])
+        places.radial[k], places.along[k], places.status[k] = e, eta, LOADED
+        turned = eta - (y * c - x * s + pads.neutral[k])
+        push_of_film(pads, k, -places.answers[k, 0], slope, e - places.rigid[k], turned, places)
+    add_pushes(pads, places, total)
+    return room

@@ -20,12 +20,13 @@ from babbitt.reynolds.lands.profiles import common_profiles
 from babbitt.reynolds.model import Resolution
 from babbitt.reynolds.tilting_pads._pad_flows import NARROWEST, PAD_TOTALS, PadRing
 from babbitt.reynolds.tilting_pads._pad_heat import STATES, Oil, Temperatures, WallState, heat_pads, prepare_films
-from babbitt.reynolds.tilting_pads._pad_steps import step_pads
-from babbitt.reynolds.tilting_pads._pads import CLOSED, CONVERGED, LIMIT, STUCK, find_pads
+from babbitt.reynolds.tilting_pads._pad_steps import step_heated_pads
+from babbitt.reynolds.tilting_pads._pads import CLOSED, CONVERGED, LIMIT, STUCK
 from babbitt.reynolds.tilting_pads._place import new_places, pads_at
 from babbitt.reynolds.tilting_pads._structs import PadPlaces, Pads
 from babbitt.reynolds.tilting_pads._tilt import AT_LIMIT
 from babbitt.reynolds.tilting_pads.kernel_pads import PadScales, kernel_pads
+from babbitt.reynolds.tilting_pads.load_path import journal_among_pads
 from babbitt.reynolds.tilting_pads.model import TiltingPadBearing
 from babbitt.reynolds.tilting_pads.pad_bending import bending_matrices
 from babbitt.reynolds.tilting_pads.pad_conduction import SURROUNDINGS, PadConduction, pad_conduction
@@ -38,7 +39,7 @@ Array = NDArray[np.float64]
 
 GUESSED_RISE = 10.0
 """K above the supply, where temperatures start."""
-WALL_EXCHANGE = 4.0
+WALL_EXCHANGE = 6.0
 """Conductance at which pads and films meet, over k/c_p of the oil. Only the number of passes depends on it."""
 USUAL_LAYERS = 8
 """Number of layers that the compiler knows."""
@@ -155,36 +156,51 @@ class PadFilms:
 
         Returns the largest share by which viscosities still differ from those of the temperatures.
         """
-        fresh = np.asarray(self.heat.viscosity(self.films.on_lines)) / self.bearing.viscosity
         part = 1.0 if self.passes == 0 else part
-        behind = prepare_films(self.pads, self.ring, self.columns, self.flows, self.films, fresh, part)
+        self.forget()
+        return float(
+            prepare_films(self.pads, self.ring, self.columns, self.flows, self.films, self.fresh_viscosity(), part)
+        )
+
+    def fresh_viscosity(self) -> Array:
+        """Viscosity at the temperatures, over its unit."""
+        return np.asarray(self.heat.viscosity(self.films.on_lines)) / self.bearing.viscosity
+
+    def forget(self) -> None:
+        """What the last pass knew of the limits of pads does not hold at other viscosities."""
         self.places.unloaded_below[:] = self.unloaded
         self.places.unloaded_below[list(self.without)] = math.inf
         self.places.fold[:] = np.nan
         self.places.films[0] = 0
-        return float(behind)
 
     def carry(self, load: Array, start: Array, tolerance: float, most: int) -> Placement:
         """Equilibrium of journal and pads at the viscosity as it is."""
-        x, y, status, steps, indifferent, grid = find_pads(
-            self.axial, self.pads, self.resolution.intervals, load[0], load[1], start[0], start[1], tolerance,
-            most, self.places, self.total,
-        )  # fmt: skip
+        found = journal_among_pads(
+            self.axial, self.pads, self.resolution.intervals, load, start, tolerance, most, self.places, self.total
+        )
         self.solved += int(self.places.films[0])
         residual = math.hypot(self.total[0] + load[0], self.total[1] + load[1])
-        return Placement(np.array([x, y]), int(status), int(steps), bool(indifferent), residual, grid)
+        return Placement(found.at, found.status, found.steps, found.indifferent, residual, found.grid)
 
-    def follow(self, load: Array, last: Placement, tolerance: float, most: int) -> Placement:
-        """Equilibrium at a viscosity that has changed a little since the last one, in short steps if they do."""
-        x, y, steps, found = step_pads(
+    def follow(
+        self, load: Array, last: Placement, tolerance: float, most: int, part: float
+    ) -> tuple[float, Placement, float]:
+        """A pass behind one that changed little: what `prepare`, `carry` and `heat_up` return, in short steps if
+        these do."""
+        self.forget()
+        behind, x, y, steps, found, change = step_heated_pads(
             self.axial, self.pads, last.grid, load[0], load[1], last.at[0], last.at[1], tolerance, self.places,
-            self.total,
+            self.total, self.ring, self.columns, self.flows, self.cells, self.oil, self.walls, self.films,
+            self.totals, self.fresh_viscosity(), part,
         )  # fmt: skip
         if not found:
-            return self.carry(load, last.at, tolerance, most)
+            placement = self.carry(load, last.at, tolerance, most)
+            return float(behind), placement, self.heat_up(placement)
+        self.passes += 1
         self.solved += int(self.places.films[0])
         residual = math.hypot(self.total[0] + load[0], self.total[1] + load[1])
-        return Placement(np.array([x, y]), CONVERGED, steps, last.indifferent, residual, last.grid)
+        placed = Placement(np.array([x, y]), CONVERGED, int(steps), last.indifferent, residual, last.grid)
+        return float(behind), placed, float(change)
 
     def place(self, at: Array) -> Placement:
         """Pads around a journal at a place, at the viscosity as it is."""
@@ -198,7 +214,10 @@ class PadFilms:
         return Placement(at, status if is_open else CLOSED, 0, False, 0.0, grid)
 
     def heat_up(self, placement: Placement) -> float:
-        """Energy of films that stand, of grooves, journal and pads; the largest change of temperature, K."""
+        """Energy of films that stand, of grooves, journal and pads; the largest change of temperature, K, infinite
+        where a pad has no film."""
+        if placement.status == CLOSED:
+            return math.inf
         self.passes += 1
         return float(
             heat_pads(
@@ -220,9 +239,7 @@ class PadFilms:
         """A copy in which every pad carries what it can."""
         free = self.copied()
         free.without = ()
-        free.places.unloaded_below[:] = free.unloaded
-        free.places.fold[:] = np.nan
-        free.places.films[0] = 0
+        free.forget()
         return free
 
     def drives(self) -> Array:

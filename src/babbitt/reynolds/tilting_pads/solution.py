@@ -17,6 +17,10 @@ __all__ = ["LightPad", "PadBend", "PadPosition", "PadState", "PadStatus", "Tilti
 Array = NDArray[np.float64]
 
 
+ALIKE = 1e-6
+"""Share by which the loads of pads that mirror each other may differ by how a search ends."""
+
+
 class PadStatus(Enum):
     """Whether a pad carries load."""
 
@@ -199,6 +203,13 @@ class TiltingPadSolution:
     def loaded(self) -> tuple[int, ...]:
         """Numbers of the pads that carry load."""
         return tuple(number for number, pad in enumerate(self.pads) if pad.status is PadStatus.LOADED)
+
+    @property
+    def most_loaded(self) -> int:
+        """Number of the pad that carries most, from 0; of those whose loads are `ALIKE` the first."""
+        loads = [pad.load for pad in self.pads]
+        largest = max(loads)
+        return next(number for number, load in enumerate(loads) if load >= largest - ALIKE * abs(largest))
 
     @property
     def load(self) -> float:

@@ -26,12 +26,13 @@ from babbitt.reynolds.lands.axial import even_axial_operator
 from babbitt.reynolds.lands.operators import kernel_operator
 from babbitt.reynolds.model import ENGINEERING, Resolution
 from babbitt.reynolds.tilting_pads._pad_fields import finish_pads
-from babbitt.reynolds.tilting_pads._pads import CLOSED, CONVERGED, LIMIT, TOUCH, WORK, find_pads
+from babbitt.reynolds.tilting_pads._pads import CLOSED, CONVERGED, LIMIT, TOUCH, WORK
 from babbitt.reynolds.tilting_pads._place import new_places, pads_at
 from babbitt.reynolds.tilting_pads._structs import PadPlaces, Pads
 from babbitt.reynolds.tilting_pads._tilt import AT_LIMIT, LOADED, find_fold
 from babbitt.reynolds.tilting_pads.flexible_pads import with_bending
 from babbitt.reynolds.tilting_pads.kernel_pads import PadScales, kernel_pads, pad_widths
+from babbitt.reynolds.tilting_pads.load_path import journal_among_pads
 from babbitt.reynolds.tilting_pads.model import TiltingPadBearing
 from babbitt.reynolds.tilting_pads.pivots import stiffness_of
 from babbitt.reynolds.tilting_pads.solution import LightPad, PadPosition, PadState, PadStatus, TiltingPadSolution
@@ -169,15 +170,14 @@ def stiff_pads_under(
     at = np.asarray(start) * scales.sense / scales.length
     places, total = new_places(pads), no_total()
     places.unloaded_below[list(without)] = math.inf
-    x, y, status, steps, indifferent, grid = find_pads(
-        axial, pads, resolution.intervals, wanted[0], wanted[1], at[0], at[1], resolution.tolerance, max_steps,
-        places, total,
-    )  # fmt: skip
-    outcome = OUTCOMES.get(status, Outcome.NOT_CONVERGED)
+    found = journal_among_pads(
+        axial, pads, resolution.intervals, wanted, at, resolution.tolerance, max_steps, places, total
+    )
+    outcome = OUTCOMES.get(found.status, Outcome.NOT_CONVERGED)
     residual = math.hypot(total[0] + wanted[0], total[1] + wanted[1])
     return assembled(
-        bearing, scales, axial, pads, grid, places, np.array([x, y]), total, outcome, residual,
-        bool(indifferent), steps, begun,
+        bearing, scales, axial, pads, found.grid, places, found.at, total, outcome, residual, found.indifferent,
+        found.steps, begun,
     )  # fmt: skip
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, fields, replace
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -53,13 +54,14 @@ def thermal_solution(found: Settled, begun: float) -> ThermalTiltingPadSolution:
     )  # fmt: skip
     count, whole = len(bearing.pads), math.hypot(*plain.force)
     states = tuple(pad_state(films, plain.pads[k], whole, k) for k in range(count))
-    enthalpy, fresh = oil_enthalpy(films)
+    through = layer_flows(films)
+    enthalpy, fresh = oil_enthalpy(films, through)
     open_journal = films.walls.journal_open
     kept = {one.name: getattr(plain, one.name) for one in fields(TiltingPadSolution)}
     return ThermalTiltingPadSolution(
         **kept | {"pads": states, "films": films.solved},
         heat=films.heat,
-        temperatures=tuple(pad_temperatures(films, k) for k in range(count)),
+        temperatures=pad_temperatures(films, through),
         journal_temperature=float(films.walls.journal[0]) if open_journal else math.nan,
         journal_heat=float(films.walls.journal[1]),
         dissipation=float(films.oil.share @ films.totals[:, DISSIPATION]) * scales.torque * scales.rate,
@@ -96,79 +98,93 @@ def eccentricity_ratio(films: PadFilms, k: int) -> float:
 
 
 def layer_flows(films: PadFilms) -> Array:
-    """Flow of every layer through every interval of the ring, shape (lines, layers)."""
+    """Flow of every layer through every interval of every pad, shape (pads, n + 1, layers)."""
     flows = films.flows
-    return np.asarray(
-        (flows.shear[:, :, None] * flows.shear_profile + flows.pressure[:, :, None] * flows.pressure_profile)[:, 0]
-    )
+    through = flows.shear[:, :, None] * flows.shear_profile + flows.pressure[:, :, None] * flows.pressure_profile
+    return through.reshape(films.films.inlet.size, -1, through.shape[-1])
 
 
-def oil_enthalpy(films: PadFilms) -> tuple[float, float]:
+def oil_enthalpy(films: PadFilms, through: Array) -> tuple[float, float]:
     """Heat above the supply of the oil that leaves the bearing, and the fresh oil that enters, in units of the
     kernels: over the sides, and of the grooves what is not carried over or is more than the pad takes."""
-    count, fresh = films.films.inlet.size, films.oil.fresh
-    rows = films.films.temperature.shape[0] // count
-    through, above = layer_flows(films), films.films.temperature[:, 0] - fresh
-    enthalpy = 0.0
-    brought_heat, brought, taken = np.zeros(count), np.zeros(count), np.zeros(count)
-    for k in range(count):
-        first, last, width = k * rows, k * rows + rows - 1, films.oil.share[k]
-        entering, leaving = width * through[first], width * through[last]
-        follower = int(np.flatnonzero(films.oil.previous == k)[0])
-        brought[follower] += leaving.sum()
-        brought_heat[follower] += leaving @ above[last]
-        back = np.maximum(-entering, 0.0)
-        brought[k] += back.sum()
-        brought_heat[k] += back @ above[first + 1]
-        leak, lines = films.flows.leak[first + 1 : last + 1, 0], slice(first + 1, last + 1)
-        taken[k] = np.maximum(entering, 0.0).sum() + width * np.maximum(-leak, 0.0).sum()
-        carried = (films.flows.pressure_profile[lines, 0] * above[lines]).sum(axis=1)
-        enthalpy += width * float(np.maximum(leak, 0.0) @ carried)
-    kept = films.oil.carry_over * brought
-    surplus = np.maximum(kept - taken, 0.0) * (films.films.inlet - fresh)
-    enthalpy += float(((1.0 - films.oil.carry_over) * brought_heat + surplus).sum())
-    added = float(np.maximum(taken - kept, 0.0).sum())
-    return enthalpy, added
+    oil, width = films.oil, films.oil.share[:, None]
+    above = films.films.temperature.reshape(through.shape) - oil.fresh
+    entering, leaving = width * through[:, 0], width * through[:, -1]
+    back = np.maximum(-entering, 0.0)
+    brought = leaving.sum(axis=1)[oil.previous] + back.sum(axis=1)
+    brought_heat = (leaving * above[:, -1]).sum(axis=1)[oil.previous] + (back * above[:, 1]).sum(axis=1)
+    leak = width * films.flows.leak.reshape(through.shape[:2])[:, 1:]
+    taken = np.maximum(entering, 0.0).sum(axis=1) + np.maximum(-leak, 0.0).sum(axis=1)
+    profiles = films.flows.pressure_profile.reshape(through.shape)
+    carried = np.einsum("kil,kil->ki", profiles[:, 1:], above[:, 1:])
+    kept = oil.carry_over * brought
+    surplus = np.maximum(kept - taken, 0.0) * (films.films.inlet - oil.fresh)
+    over_sides = float((np.maximum(leak, 0.0) * carried).sum())
+    over_grooves = float(((1.0 - oil.carry_over) * brought_heat + surplus).sum())
+    return over_sides + over_grooves, float(np.maximum(taken - kept, 0.0).sum())
 
 
-def pad_temperatures(films: PadFilms, k: int) -> PadTemperatures:
-    """Temperatures of a pad."""
-    count, pad = films.films.inlet.size, films.bearing.pads[k]
-    rows = films.films.temperature.shape[0] // count
-    lines = slice(k * rows, (k + 1) * rows)
-    film = films.films.on_lines[lines, 0].copy()
-    thickness = films.columns.layer
-    through = layer_flows(films)[k * rows + rows - 1]
-    leaving = through.sum()
-    trailing = float(through @ films.films.temperature[lines, 0][-1] / leaving) if leaving > 0.0 else math.nan
-    bore, heat, over_edges, mean = insulated_bore(film, thickness), 0.0, 0.0, math.nan
-    if films.conduction:
-        bore = films.walls.bore[lines].copy()
-        width = np.full(rows, pad.extent / (rows - 1))
-        width[[0, -1]] *= 0.5
-        across, drives = films.bearing.width * films.oil.share[k], films.drives()[k]
-        heat = float(films.walls.flux[lines] @ width) * films.bearing.radius * across
-        over_edges = float((films.conduction[k].edges @ drives).sum()) * across
-        mean = float(films.conduction[k].mean @ drives)
-    return PadTemperatures(
-        inlet=float(films.films.inlet[k]),
-        trailing=trailing,
-        maximum=float(max(film.max(), bore.max())),
-        probe=float(np.interp(pad.probe_fraction * (rows - 1), np.arange(rows), bore)),
-        bore=bore,
-        film=film,
-        layers=np.cumsum(thickness) - 0.5 * thickness,
-        mean=mean,
-        heat=heat,
-        edge_heat=over_edges,
-        deflection=films.bent[k] * films.scales.length,
-        growth=float(films.grown[k]) * films.scales.length,
-        is_capped=bool(films.films.capped[k]),
+def pad_temperatures(films: PadFilms, through: Array) -> tuple[PadTemperatures, ...]:
+    """Temperatures of every pad."""
+    rows, thickness = through.shape[1], films.columns.layer
+    on_lines, last = (
+        films.films.on_lines.reshape(through.shape),
+        films.films.temperature.reshape(through.shape)[:, -1],
+    )
+    leaving, middles = through[:, -1].sum(axis=1).tolist(), np.cumsum(thickness) - 0.5 * thickness
+    trailing = (through[:, -1] * last).sum(axis=1).tolist()
+    walls, deflections = wall_temperatures(films, on_lines), films.bent * films.scales.length
+    places = np.arange(rows)
+    return tuple(
+        PadTemperatures(
+            inlet=float(films.films.inlet[k]),
+            trailing=trailing[k] / leaving[k] if leaving[k] > 0.0 else math.nan,
+            maximum=float(max(on_lines[k].max(), walls.bore[k].max())),
+            probe=float(np.interp(pad.probe_fraction * (rows - 1), places, walls.bore[k])),
+            bore=walls.bore[k],
+            film=on_lines[k].copy(),
+            layers=middles,
+            mean=walls.mean[k],
+            heat=walls.heat[k],
+            edge_heat=walls.over_edges[k],
+            deflection=deflections[k],
+            growth=float(films.grown[k]) * films.scales.length,
+            is_capped=bool(films.films.capped[k]),
+        )
+        for k, pad in enumerate(films.bearing.pads)
     )
 
 
-def insulated_bore(film: Array, thickness: Array) -> Array:
-    """Temperature of a wall that takes no heat: a parabola, level there, with the means of the two layers next."""
+class WallTemperatures(NamedTuple):
+    """Of every pad: its bore, K, the heat into it and over its edges, W, and its mean temperature, K."""
+
+    bore: Array
+    heat: list[float]
+    over_edges: list[float]
+    mean: list[float]
+
+
+def wall_temperatures(films: PadFilms, on_lines: Array) -> WallTemperatures:
+    """Pads that conduct, or of those that take no heat the bores alone."""
+    count, rows, _ = on_lines.shape
+    if not films.conduction:
+        none = [0.0] * count
+        return WallTemperatures(insulated_bores(on_lines, films.columns.layer), none, none, [math.nan] * count)
+    across = films.bearing.width * films.oil.share
+    extent = np.array([pad.extent for pad in films.bearing.pads])
+    flux = films.walls.flux.reshape(count, rows)
+    mean_flux = (flux.sum(axis=1) - 0.5 * (flux[:, 0] + flux[:, -1])) / (rows - 1)
+    drives = films.drives()
+    return WallTemperatures(
+        films.walls.bore.reshape(count, rows).copy(),
+        (mean_flux * extent * films.bearing.radius * across).tolist(),
+        [float((one.edges @ drives[k]).sum() * across[k]) for k, one in enumerate(films.conduction)],
+        [float(one.mean @ drives[k]) for k, one in enumerate(films.conduction)],
+    )
+
+
+def insulated_bores(film: Array, thickness: Array) -> Array:
+    """Temperature of walls that take no heat: a parabola, level there, with the means of the two layers next."""
     first, second = thickness[:2]
     lower, upper = first**2 / 3.0, ((first + second) ** 3 - first**3) / (3.0 * second)
-    return np.asarray(film[:, 0] - lower * (film[:, 1] - film[:, 0]) / (upper - lower))
+    return np.asarray(film[..., 0] - lower * (film[..., 1] - film[..., 0]) / (upper - lower))

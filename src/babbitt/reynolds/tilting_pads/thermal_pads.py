@@ -221,24 +221,23 @@ def settle(films: PadFilms, load: Array | None, at: Array, part: float, most: in
     limit again and again ends the attempt there.
     """
     tolerance, change, rises = LOOSE, math.inf, np.zeros_like(films.films.temperature)
-    nearest, reached, held, bounces = math.inf, 0, 0, 0
+    nearest, reached, held, bounces, near = math.inf, 0, 0, 0, False
     for passes in range(1, most + 1):
-        behind = films.prepare(part) / THINNING
-        if load is None:
-            placement = films.place(at)
+        before = films.films.temperature.copy()
+        asked = max(films.resolution.tolerance, tolerance)
+        if load is None or not near:
+            behind = films.prepare(part)
+            placement = films.place(at) if load is None else films.carry(load, at, asked, MOST_STEPS)
+            warmed = films.heat_up(placement)
         else:
-            asked = max(films.resolution.tolerance, tolerance)
-            if change < SMALL_CHANGE and placement.status == CONVERGED:
-                placement = films.follow(load, placement, asked, MOST_STEPS)
-            else:
-                placement = films.carry(load, at, asked, MOST_STEPS)
-            at = placement.at
+            behind, placement, warmed = films.follow(load, placement, asked, MOST_STEPS, part)
+        at = placement.at
         if placement.status == CLOSED:
             return Settled(films, placement, Outcome.OUTSIDE_CLEARANCE, passes)
         if films.solved > MOST_FILMS:
             return Settled(films, placement, Outcome.WORK_BOUND, passes)
-        before = films.films.temperature.copy()
-        change = max(films.heat_up(placement), behind)
+        change = max(warmed, behind / THINNING)
+        near = change < SMALL_CHANGE and placement.status == CONVERGED
         if not math.isfinite(change) or films.gap() < THINNEST:
             break
         shaped, last = films.deform(placement.grid), rises

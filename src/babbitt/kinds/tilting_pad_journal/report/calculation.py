@@ -9,8 +9,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-import numpy as np
-
 from babbitt.core.solution import Solution
 from babbitt.kinds.tilting_pad_journal.check import PadSolutionState
 from babbitt.kinds.tilting_pad_journal.model import PadCase
@@ -40,7 +38,7 @@ def pad_calculation(solution: Solution) -> tuple[Section, ...]:
 def sheet_of(case: PadCase, solution: Solution, state: PadSolutionState) -> Worksheet:
     """Values of the result, and what they follow from."""
     films = state.films.solution
-    number = int(np.argmax([pad.load for pad in films.pads]))
+    number = films.most_loaded
     pad, at = films.bearing.pads[number], films.pads[number]
     known = dict(solution.result.values) | {
         "this_pivot": pad.pivot_angle,
@@ -81,7 +79,7 @@ def _place(sheet: Worksheet) -> Iterator[Line]:
 
 def _pad(case: PadCase, state: PadSolutionState, sheet: Worksheet) -> Iterator[Line]:
     solution = state.films.solution
-    number = int(np.argmax([pad.load for pad in solution.pads]))
+    number = solution.most_loaded
     at = solution.pads[number]
     yield sheet.given("this_pivot", f"pad {number + 1}")
     yield sheet.line("this_preload", "1 - this_gap / this_clearance")
