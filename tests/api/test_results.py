@@ -405,3 +405,19 @@ def test_many_results_are_shown_in_few_lines() -> None:
 
 def test_the_same_case_solved_twice_gives_equal_results() -> None:
     assert BearingResult(solved(**ISO7902).solutions[0]) == result_of("iso7902")
+
+
+def test_a_checked_value_is_that_of_the_film_against_which_limits_are_held():
+    import babbitt as bb
+
+    short = bb.parse_case(bb.template("journal")).solve(
+        supply_element=bb.PocketElement(width="30 mm", place="both_sides")
+    )
+    assert any(one.quantity == "starved_outlet_temperature" for one in short.checks)
+    assert short.checked_value("outlet_temperature") == short.starved_outlet_temperature > short.outlet_temperature
+    assert "Outlet temperature with the limited flow" in repr(short)
+    fed = bb.parse_case(bb.template("journal")).solve(supply={"temperature": "45 degC", "pressure": "3 MPa"})
+    assert fed.checked_value("outlet_temperature") == fed.outlet_temperature
+    assert "limited flow" not in repr(fed)
+    with pytest.raises(AttributeError, match="among the results"):
+        fed.checked_value("outlet_temperatur")

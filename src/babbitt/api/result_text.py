@@ -6,6 +6,7 @@ import math
 from html import escape
 
 from babbitt.core.check_text import comparison, written
+from babbitt.core.limited_flow import is_limited, quantity_held
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Result
 from babbitt.report.labels import label
@@ -22,13 +23,17 @@ LONGEST = 160
 
 
 def key_values(result: Result) -> list[tuple[str, str]]:
-    """The results that matter most, each with its value and unit, in the order of the report."""
+    """The results that matter most, each with its value and unit, in the order of the report.
+
+    Of a bearing short of oil they are those of the film against which its limits are held.
+    """
     wanted = [name for name in view_of(result).key_results if name in result.values] or list(result.values)
-    known = [name for name in wanted if name in QUANTITIES and name != "wall_time"]
+    held = [name if is_limited(name) else quantity_held(result, name) for name in wanted]
+    known = [name for name in dict.fromkeys(held) if name in QUANTITIES and name != "wall_time"]
     return [
         (label(name, result.kind), written(name, value))
         for name in known
-        if math.isfinite(value := result.values[name])
+        if math.isfinite(value := result.values.get(name, math.nan))
     ]
 
 

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from babbitt.core.limited_flow import quantity_held
 from babbitt.core.nearest_name import unknown_name
 from babbitt.core.notices import InputError
 from babbitt.core.quantities import QUANTITIES
@@ -213,6 +214,24 @@ class BearingResult:
         from babbitt.api.plot import plots_of_solution
 
         return plots_of_solution(self.solution)
+
+    def checked_value(self, name: str) -> float:
+        """A value in SI of the film against which limits are held, as tables of the command line show it.
+
+        A bearing whose supply delivers less oil than its film wants is solved with either flow;
+        ``result.outlet_temperature`` is that with all the oil, ``result.starved_outlet_temperature`` the other.
+
+        Parameters
+        ----------
+        name : str
+            Of a value of this result, such as ``minimum_film_thickness``.
+
+        Raises
+        ------
+        AttributeError
+            As the attribute of the name.
+        """
+        return float(self._named(quantity_held(self.result, name)))
 
     def quantity(self, name: str) -> Any:
         """A named quantity with its unit, in the application registry of pint.
