@@ -109,7 +109,7 @@ def test_the_report_does_not_call_it_round(round_bore, wavy):
 def test_the_written_report_names_it(wavy, tmp_path):
     wavy.solve().write_report(tmp_path / "own.html")
     text = re.sub(r"<[^>]+>", " ", (tmp_path / "own.html").read_text(encoding="utf-8"))
-    assert re.search(r"Form of the bore\s+two waves of 5 um", text)
+    assert re.search(r"Form of the bore\s+two waves of 5 µm", text)
     assert not re.search(r"Form of the bore\s+round", text)
 
 
