@@ -347,3 +347,45 @@ def test_a_metal_without_limit_is_questioned_where_films_of_their_own_temperatur
     assert not said(solved(UNKNOWN.replace("82 degC", "45 degC")), "W191")
     with_limit = UNKNOWN.replace("specific_load: 6 MPa", "specific_load: 6 MPa, temperature: 150 degC")
     assert not said(solved(with_limit), "W191")
+
+
+HOLE = """
+kind: journal
+name: A
+diameter: 120 mm
+width: 80 mm
+clearance: {kind: fit, bore: H7, journal: d8}
+clearance_cases: mean
+supply_element: {kind: hole, diameter: 20 mm, place: opposite}
+holes: [{angle: 90 deg, diameter: 20 mm}]
+span: 360 deg
+lubricant: ISO VG 46
+supply: {temperature: 45 degC, pressure: 0.2 MPa}
+materials: {bearing_metal: SnSb8Cu4, bearing: EN-GJL-250, journal: C45}
+load: 15 kN
+speed: 800 rpm
+"""
+
+
+@pytest.mark.parametrize(("angle", "questioned"), [("70 deg", True), ("-30 deg", False), ("45 deg", True)])
+def test_a_hole_in_the_loaded_zone_is_questioned(angle, questioned):
+    """22.4 of 7.0 um passed with the hole 20 degrees before the load; the film has 4.4 um and misses."""
+    found = solved(HOLE + f"load_angle: {angle}\n")
+    assert bool(said(found, "W143")) is questioned
+    assert found.verdict is (Verdict.REMARKS if questioned else Verdict.PASS)
+    if angle == "70 deg":
+        film = solved(HOLE + "load_angle: 70 deg\nmethod: film\n")
+        assert film.verdict is Verdict.FAIL
+        assert film.minimum_film_thickness < 0.3 * found.minimum_film_thickness
+
+
+def test_a_thickness_of_transition_is_kept_by_a_margin_like_other_films():
+    """C111 passed by +14 % of the speed, with 11.0 of 10 um; with temperatures of its own the film has 9.5."""
+    found = solved(FAN + "limits: {transition_film_thickness: 20 um}\n")
+    (speed,) = [one for one in found.checks if one.code == "C111"]
+    assert speed.ok
+    assert speed.quantity == "hydrodynamic_speed"
+    (message,) = said(found, "W191")
+    margin = found.values.get("starved_minimum_film_thickness", found.minimum_film_thickness) / 20e-6 - 1.0
+    assert f"h_min by {100.0 * margin:.1f} % (C111)" in message
+    assert not said(solved(FAN + "limits: {transition_film_thickness: 10 um}\n"), "W191")

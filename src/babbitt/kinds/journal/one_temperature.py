@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import operator
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import reduce
 from typing import Any
 
@@ -102,12 +102,20 @@ def warnings_about_margins(
     """
     near = [
         one
-        for check in checks
+        for check in (*checks, *_transition(checks, values))
         if not check.advisory and check.ok
         for one in _near(check, values, of_metal, viscosity, over_viscosity)
     ]
     if reduce(operator.or_, (one.holds for one in near), False):
         yield Notice("W191", "kept", {"kept": tuple(one.notice() for one in near if holds_anywhere(one.holds))})
+
+
+def _transition(checks: Iterable[Check], values: Mapping[str, float]) -> Iterator[Check]:
+    """The film thickness of transition as a limit of the film, where C111 holds speeds against each other."""
+    film = next((one for one in checks if one.code == "C101"), None)
+    by_speed = any(one.code == "C111" and one.quantity == "hydrodynamic_speed" for one in checks)
+    if film is not None and by_speed and "transition_film_thickness" in values:
+        yield replace(film, code="C111", limit=values["transition_film_thickness"])
 
 
 @dataclass(frozen=True)
@@ -126,7 +134,7 @@ def _near(
     over_viscosity: Callable[[float], float] | None,
 ) -> Iterator[_Near]:
     """What of one limit that is kept may be too near."""
-    if check.code in FILM_CHECKS:
+    if check.code in FILM_CHECKS or check.quantity.endswith("minimum_film_thickness"):
         thinner = thinner_oil(check, values, viscosity)
         asked = larger(thinner - 1.0, THINNER)
         # Any film keeps a limit of zero, and there is no share of it.

@@ -9,10 +9,11 @@ from babbitt.kinds.journal.case.journal import JournalBearing
 
 __all__ = ["warnings_about_mean_clearance"]
 
-FAR_FROM_THE_MEAN = 1.25
+FAR_FROM_THE_MEAN = 1.05
 """Factor between the mean clearance and a limit from which films are questioned that are solved at the mean alone.
 
-Assumption: the load number goes with the square of the clearance, and differs there by half.
+Assumption: the load number goes with the square of the clearance, and differs there by a tenth. At 1.2 the least
+clearance of bearings near their limits was 5 to 16 K hotter than the mean.
 ISO 7902 is solved at the limits itself (`babbitt.kinds.journal.iso7902.limits_of_clearance`): of H7/d8, 1.37 at
 120 mm, the least clearance misses limits of the temperature that the mean keeps."""
 
