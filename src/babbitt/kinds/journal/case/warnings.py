@@ -33,8 +33,8 @@ NOT_READ = {
 LOADED_ZONE = math.radians(75.0)
 """Angle to the load within which a hole has the pressure of the loaded film before it.
 
-Assumption: films with a hole 10 to 30 degrees from the load had a tenth to a half of the thickness by ISO 7902, with
-one 45 degrees from it a third; those at 90 degrees are `place: side`."""
+Assumption: films with a hole 10 to 30 degrees from the load had a tenth to a half of the film thickness that
+ISO 7902 gives, with one 45 degrees from it a third; those at 90 degrees are `place: side`."""
 
 
 def warnings_about(inputs: Inputs, point: OperatingPoint | None) -> tuple[Notice, ...]:
