@@ -172,6 +172,8 @@ def test_clearance_cases_take_the_limits():
     assert [one.name for one in results] == names
     assert [one.values["largest_pad_clearance"] for one in results] == pytest.approx([140e-6, 148e-6, 160e-6])
     assert [one.values["preload"] for one in results] == pytest.approx([0.47] * 3)
+    held = [any("the preload is that of the mean" in said for said in one.assumptions) for one in results]
+    assert held == [True, False, True]
 
 
 def test_operating_points_change_what_they_give():

@@ -87,7 +87,7 @@ def pad_case(case: TiltingPadJournalCase, point: PadOperatingPoint | None, named
         probe_trip=case.limits.probe_trip,
         assumption_sensitivity=case.assumption_sensitivity,
         given=tuple(words_of(case, speed, which)),
-        assumptions=(*case.assumptions, *assumptions_of(case)),
+        assumptions=(*case.assumptions, *assumptions_of(case, which)),
         warnings=(*about_grouped_digits(case), *warnings_of(case, speed, which), *fields_not_read(case, point)),
     )
 
@@ -156,9 +156,15 @@ def pad_of(case: TiltingPadJournalCase, number: int, which: str, backward: bool)
     return replace(pad, bending_stiffness=mode_stiffness(case, number, pad))
 
 
-def assumptions_of(case: TiltingPadJournalCase) -> Iterator[str]:
-    """What is assumed where the case does not say it."""
+def assumptions_of(case: TiltingPadJournalCase, which: str) -> Iterator[str]:
+    """What is assumed at one clearance where the case does not say it."""
     feed = feed_of(case)
+    pads = [case.pads.fields_of(number) for number in range(case.pads.count)]
+    if which != "mean" and any(pad["preload"] is not None for pad in pads):
+        yield (
+            "At a limit of the clearance the preload is that of the mean; to hold the bore of the pads instead, "
+            "give their clearance beside assembled_clearance, in place of preload."
+        )
     if case.carry_over is None:
         yield f"Carry-over {feed.carry_over:g} of {CARRY_OVER_OF[case.feed]}."
     if case.thermal_model == "isothermal" and case.effective_temperature is None:
