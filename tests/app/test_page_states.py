@@ -3,6 +3,7 @@
 import asyncio
 import contextlib
 from concurrent.futures import Future
+from itertools import count
 
 import pytest
 
@@ -70,7 +71,8 @@ def test_a_question_without_an_answer_takes_the_old_one_away(error):
             raise error
 
     page = Workbench.__new__(Workbench)
-    page.latest, page.document, page.found = Asked(), CaseDocument(JOURNAL), Answer(case_hash="of an older case")
+    page._settled, page._questions, page._shown = Asked(), count(1), 0
+    page.document, page.found = CaseDocument(JOURNAL), Answer(case_hash="of an older case")
     page._view, page._drawing, page._results = view, drawing, results = Recorder(), Recorder(), Recorder()
     with contextlib.suppress(ValueError):
         asyncio.run(page._answered(False))

@@ -242,13 +242,13 @@ class Workbench:
         try:
             found = await latest.ask(answer, self.document.text, quick)
         except Ended as ended:
-            if ended.why != "cancelled":
+            if ended.why != "cancelled" and mine > self._shown:  # no later question was answered yet
                 self._fail(tell_ended(ended))
             return
         except Exception:  # an error of the program, or all processes died: what is shown is not of this case
             self._fail(word("died"))
             raise
-        if found is None or mine < self._shown:  # a later question was answered already
+        if found is None or mine < self._shown:
             return
         self._shown = mine
         if found.faults or self.found.faults:
