@@ -246,7 +246,8 @@ class Workbench:
                 self._fail(tell_ended(ended))
             return
         except Exception:  # an error of the program, or all processes died: what is shown is not of this case
-            self._fail(word("died"))
+            if mine > self._shown:
+                self._fail(word("died"))
             raise
         if found is None or mine < self._shown:
             return
