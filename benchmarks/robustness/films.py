@@ -50,7 +50,9 @@ SAME = 1e-2
 LIGHT, SHIFTED = 0.01, 5e-3
 """Load over stiffness times smallest gap of a film that carries next to no load, and over that gap the way of the
 journal that makes up for a greater difference of forces there: what lines decide about the place of a journal in a
-starved film, which is stiff all the same, is per cents of such a load."""
+starved film, which is stiff all the same, is per cents of such a load. So of lands that begin with less oil
+than they could take, whatever the load: where such a film fills lies between two lines, so that its force comes
+with the first order of the interval."""
 FINE = Resolution(4, 384)
 """Grid that decides where the usual one has another force at the position: near contact that is its error."""
 ABOUT_THE_CENTRE = ("axial viscosity", "hole", "pockets")
@@ -209,7 +211,8 @@ def _of_forces(kind: str, film: JournalFilm, load: tuple[float, float], found: F
         return
     more, gap = again.force - found.force, found.minimum_film_thickness
     light = size < LIGHT * gap * float(np.linalg.norm(found.stiffness))
-    moved = light and math.hypot(*np.linalg.solve(found.stiffness, more)) <= SHIFTED * gap
+    fills_late = film.is_starved
+    moved = (light or fills_late) and math.hypot(*np.linalg.solve(found.stiffness, more)) <= SHIFTED * gap
     if math.hypot(*more) > SAME * size and not moved:
         yield f"at its position another force by {math.hypot(*more) / size:.1e}"
 

@@ -21,7 +21,8 @@ ISO 7902 is solved at the limits itself (`babbitt.kinds.journal.iso7902.limits_o
 def warnings_about_mean_clearance(bearing: JournalBearing, asked_for: bool) -> Iterator[Notice]:
     """Question limits of the clearance at which nothing is solved.
 
-    Near limits are an information where the case asks for the mean alone.
+    Near limits are an information where the case asks for the mean alone, and nothing is where ISO 7902 carries
+    a load: it passes at the mean only with a word on the limits.
     """
     clearance = bearing.clearance.at_20_degrees(bearing.diameter).relative(bearing.diameter)
     least, mean, most = clearance.minimum, clearance.mean, clearance.maximum
@@ -30,5 +31,7 @@ def warnings_about_mean_clearance(bearing: JournalBearing, asked_for: bool) -> I
         yield Notice("W174", "far", {"least": least, "mean": mean, "most": most})
     elif least < most and not asked_for:
         yield Notice("W174", "unsolved", {"least": least, "mean": mean, "most": most})
+    elif solves_limits and bearing.eccentricity_ratio is None:
+        return
     elif getattr(bearing.clearance, "minimum", None) is not None:
         yield Notice("W183", "limits_of_clearance", {"fields": ("clearance.minimum", "clearance.maximum")})
