@@ -122,6 +122,7 @@ def test_links_inside_the_case_reference_lead_to_its_sections() -> None:
     assert set(re.findall(r"\]\(#(case-[a-z0-9]+)\)", page)) <= targets
 
 
+@pytest.mark.slow
 def test_scoreboard_has_every_published_case() -> None:
     board = validation.scoreboard()
     for case in cases():

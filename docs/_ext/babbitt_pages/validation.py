@@ -50,7 +50,7 @@ def write_pages(target: Path) -> None:
 
 
 def _line(case: ValidationCase) -> str:
-    found = summary(case.run(), case.evidence)
+    found = summary(case.rows, case.evidence)
     agrees = {Evidence.REPRODUCTION: "reproduced", Evidence.REGRESSION: "unchanged"}.get(case.evidence, "agrees")
     verdict = agrees if found.agrees else f"{found.differing} differ" if found.differing else "not judged"
     link = f"[{text(case.title)}](/_generated/validation/{case.name}.md)"

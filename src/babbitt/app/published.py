@@ -32,13 +32,13 @@ def scoreboard(names: Sequence[str], progress: str) -> tuple[Table, ...]:
         return (next(_values(one) for one in followed(chosen, progress)),)
     rows = []
     for one in followed(chosen, progress):
-        found = summary(one.run(), one.evidence)
+        found = summary(one.rows, one.evidence)
         rows.append((one.name, one.evidence.value, found.sentence))
     return (Table("", ("case", "what it shows", "how it does"), tuple(rows), words=3),)
 
 
 def _values(case: ValidationCase) -> Table:
-    rows = case.run()
+    rows = case.rows
     heads = ("quantity", "unit", "reference", "computed", "difference", "tolerance", "verdict")
     remarks = (summary(rows, case.evidence).sentence, case.story.source)
     return Table(case.title, heads, tuple(row.cells() for row in rows), remarks, words=2)

@@ -10,6 +10,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from enum import Enum
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 from babbitt.validation.tolerance import Tolerance
@@ -205,3 +206,8 @@ class ValidationCase:
     draw: Callable[[Figure], None]
     caption: str
     evidence: Evidence = Evidence.VALIDATION
+
+    @cached_property
+    def rows(self) -> tuple[Comparison, ...]:
+        """What `run` computes, once: page, figure and scoreboard tell the same."""
+        return self.run()

@@ -45,7 +45,7 @@ def page(case: ValidationCase) -> str:
     str
         MyST Markdown; the figure is expected beside the page under the name `figure_file` gives.
     """
-    rows = case.run()
+    rows = case.rows
     story = case.story
     parts = [
         f"# {case.title}",

@@ -23,7 +23,7 @@ _PLURALS = {
 
 def print_validation(case: ValidationCase) -> bool:
     """Run a published case, print it side by side, and say whether every judged value agrees."""
-    rows = case.run()
+    rows = case.rows
     table = Table(title=f"{case.name}: {case.title}", title_justify="left", title_style="bold")
     for column in ("quantity", "unit", "reference", "computed", "difference", "tolerance", "verdict"):
         table.add_column(column, justify="left" if column in ("quantity", "unit", "verdict") else "right")
