@@ -14,7 +14,7 @@ from babbitt.kinds.thrust.equilibrium import pad_state
 from babbitt.kinds.thrust.face import SteppedFace, TaperedFace
 from babbitt.kinds.thrust.load_curve import carrying
 from babbitt.kinds.thrust.pad import Pivot, ThrustPad
-from babbitt.kinds.thrust.state import condensed
+from babbitt.kinds.thrust.state import condensed, face_runout_response, tilt_answer
 from babbitt.reynolds.oil.turbulence import NG_PAN, FilmTurbulence
 from babbitt.reynolds.sector.sector import PlaneMotion, SectorPad, sector_film
 
@@ -35,6 +35,14 @@ def test_the_reference_pad(films):
         moving = condensed(state, order * SPEED, INERTIA)
         assert moving.real == pytest.approx(stiffness, rel=5e-3)
         assert moving.imag / (order * SPEED) == pytest.approx(damping, rel=5e-3)
+
+
+def test_a_pad_lifted_off_carries_nothing_and_does_not_answer(films):
+    """Of a collar that tilts by millimetres; without a film nothing holds the tilts either."""
+    state = replace(films.state(films.height_for(62.5e3)), stiffness=np.zeros((3, 3)), damping=np.zeros((3, 3)))
+    assert condensed(state, 0.0) == 0.0
+    assert not tilt_answer(state, 0.0, INERTIA).any()
+    assert face_runout_response(state, 0.0, INERTIA) == pytest.approx(np.array([-1.0, 1.0j]) / PAD.pivot_radius)
 
 
 @settings(max_examples=12)

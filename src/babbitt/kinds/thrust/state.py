@@ -169,7 +169,7 @@ def tilt_answer(state: PadState, frequency: float, inertia: TiltInertia) -> Comp
     if free:
         moving = state.stiffness + 1j * frequency * state.damping
         moving = moving - frequency**2 * np.diag([0.0, inertia.radial, inertia.along])
-        answer[np.array(free) - 1] = -np.linalg.solve(moving[np.ix_(free, free)], moving[free, 0])
+        answer[np.array(free) - 1] = -_driven(moving[np.ix_(free, free)], moving[free, 0])
     return answer
 
 
@@ -192,8 +192,13 @@ def face_runout_response(state: PadState, frequency: float, inertia: TiltInertia
     film = state.stiffness + 1j * frequency * state.damping
     moving = film - frequency**2 * np.diag([0.0, inertia.radial, inertia.along])
     answer = driven.copy()
-    answer[np.array(free) - 1] -= np.linalg.solve(moving[np.ix_(free, free)], film[free, 1:] @ driven)
+    answer[np.array(free) - 1] -= _driven(moving[np.ix_(free, free)], film[free, 1:] @ driven)
     return answer
+
+
+def _driven(matrix: ComplexArray, moment: ComplexArray) -> ComplexArray:
+    """Tilts under a moment; none without one, for a pad whose film carries nothing does not hold them either."""
+    return np.asarray(np.linalg.solve(matrix, moment)) if moment.any() else np.zeros_like(moment)
 
 
 def condensed(state: PadState, frequency: float, inertia: TiltInertia = TiltInertia()) -> complex:
