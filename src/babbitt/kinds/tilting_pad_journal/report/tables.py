@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
-from babbitt.core.quantities import AXES, QUANTITIES
-from babbitt.core.result import Result
+from babbitt.core.quantities import AXES, QUANTITIES, Quantity
+from babbitt.core.result import Matrix, Result
 from babbitt.kinds.tilting_pad_journal.report.stability import stability_table
 from babbitt.kinds.tilting_pad_journal.sensitivity import ASSUMED, MOVED, written
 from babbitt.report.columns import ABSENT
@@ -131,25 +131,32 @@ def _finite(matrix: Sequence[Sequence[float]]) -> list[float]:
 def _coefficients(result: Result) -> dict[str, Any]:
     """Stiffness and damping over the whirl ratio, then what is fitted."""
     arrays = result.arrays
-    rows: list[Sequence[str]] = [_row("at rest", arrays["static_stiffness"], arrays["static_damping"])]
     every = zip(arrays["whirl_ratio"][0], arrays["dynamic_stiffness"], arrays["dynamic_damping"], strict=True)
-    rows += [_row(f"{ratio:g}", (stiffness,), (damping,)) for ratio, stiffness, damping in every]
+    found = [("at rest", arrays["static_stiffness"], arrays["static_damping"])]
+    found += [(f"{ratio:g}", (stiffness,), (damping,)) for ratio, stiffness, damping in every]
     note = "At whirl ratio 1 they are synchronous: stiffness and damping of the result."
     if "fitted_stiffness" in arrays:
-        rows.append(_row("fitted", arrays["fitted_stiffness"], arrays["fitted_damping"]))
-        masses = ", ".join(f"{one:.4g}" for row in arrays["virtual_mass"] for one in row)
+        found.append(("fitted", arrays["fitted_stiffness"], arrays["fitted_damping"]))
+        mass = _suited("virtual_mass", arrays["virtual_mass"])
+        masses = ", ".join(mass.format(one) for row in arrays["virtual_mass"] for one in row)
         note += (
-            f" Fitted with virtual masses xx, xy, yx, yy of {masses} kg, misfit {result.values['fit_error']:.1%}."
+            f" Fitted with virtual masses xx, xy, yx, yy of {masses} {mass.display.label}, "
+            f"misfit {result.values['fit_error']:.1%}."
         )
+    k = _suited("stiffness", *(stiffness for _, stiffness, _ in found))
+    c = _suited("damping", *(damping for _, _, damping in found))
+    rows = [
+        (name, *(of.format(one) for of, matrix in ((k, stiffness), (c, damping)) for row in matrix for one in row))
+        for name, stiffness, damping in found
+    ]
     names = ("Whirl ratio", *(f"K {one}" for one in AXES), *(f"C {one}" for one in AXES))
-    units = ("", *("MN/m",) * 4, *("kN s/m",) * 4)
+    units = ("", *(k.display.label,) * 4, *(c.display.label,) * 4)
     return plain_table("Coefficients over the whirl ratio", names, units, rows, note)
 
 
-def _row(name: str, stiffness: Iterable[Iterable[float]], damping: Iterable[Iterable[float]]) -> tuple[str, ...]:
-    k = [one for row in stiffness for one in row]
-    c = [one for row in damping for one in row]
-    return (name, *(f"{one / 1e6:.4g}" for one in k), *(f"{one / 1e3:.4g}" for one in c))
+def _suited(name: str, *matrices: Matrix) -> Quantity:
+    """A quantity in the unit suited to the entries of some matrices."""
+    return QUANTITIES[name].suited(*(one for matrix in matrices for row in matrix for one in row))
 
 
 def _motions(result: Result) -> dict[str, Any]:
