@@ -12,9 +12,10 @@ from babbitt.kinds.tilting_pad_journal.report.stability import stability_table
 from babbitt.kinds.tilting_pad_journal.sensitivity import ASSUMED, MOVED, written
 from babbitt.report.columns import ABSENT
 from babbitt.report.plain_tables import plain_table, table_by_pad
+from babbitt.report.result_rows import result_row
 from babbitt.report.symbols import symbol_node
 
-__all__ = ["sensitivity_tables", "tables"]
+__all__ = ["rows_of_clearances", "sensitivity_tables", "tables"]
 
 SHAPE = ("pad_pivot_angle", "pad_clearance", "pad_assembled_clearance", "pad_preload")
 FILM = (
@@ -45,6 +46,17 @@ PIVOTS = {
 }
 """Quantities of pivots, and what the note below their table calls them."""
 BENDING = ("pad_load", "pad_bending", "pad_bending_stiffness")
+
+
+def rows_of_clearances(results: Sequence[Result]) -> list[dict[str, Any]]:
+    """Load of every pad at several clearances; the tables are those of one of them."""
+    if len(results) < 2:
+        return []
+    loads = [one.arrays["pad_load"][0] if one.outcome.solved else () for one in results]
+    return [
+        result_row("pad_load", f"Load of pad {pad + 1}", [row[pad] if row else math.nan for row in loads], f"{pad + 1}")
+        for pad in range(max(map(len, loads)))
+    ]
 
 
 def tables(result: Result) -> list[dict[str, Any]]:
