@@ -140,6 +140,8 @@ def _heat(case: PadCase) -> Iterator[Row]:
         yield Row("Heat transfer on edges", f"{heat.walls.edge_coefficient:.4g}", None, "W/(m² K)")
         if heat.walls.back_temperature is not None:
             yield named_row("ambient_temperature", heat.walls.back_temperature, "Oil behind the pads")
+        else:
+            yield Row("Oil behind the pads", "as warm as the fresh oil, assumed")
     if heat.bending is not None:
         yield Row("Elastic modulus of the pads", f"{1e-9 * heat.bending.elastic_modulus:.4g}", None, "GPa")
         if heat.bending.poisson_ratio:
@@ -153,3 +155,5 @@ def _heat(case: PadCase) -> Iterator[Row]:
         yield Row("Expansion of pads, journal, housing", parts, None, "10⁻⁶/K")
         if growth.housing_temperature is not None:
             yield Row("Temperature of the housing", f"{growth.housing_temperature - ZERO_CELSIUS:.4g}", None, "°C")
+        else:
+            yield Row("Temperature of the housing", "that of the fresh oil, assumed")
