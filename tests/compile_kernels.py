@@ -49,8 +49,8 @@ HALVES: tuple[tuple[Fields, ...], ...] = (
 
 
 def compile_pads() -> None:
-    """Solve a bearing of tilting pads on both grids across half a pad; on flexures behind a search that ends too soon,
-    which goes on along the load, and at a place; with its temperatures on the usual grid."""
+    """Solve a bearing of tilting pads on both grids across half a pad; on flexures at a place, and behind a search
+    that ends too soon and goes on along the load; with its temperatures on the usual grid."""
     from babbitt.reynolds.model import Resolution
     from babbitt.reynolds.tilting_pads.model import TiltingPad, TiltingPadBearing
     from babbitt.reynolds.tilting_pads.pad_heat import PadHeat

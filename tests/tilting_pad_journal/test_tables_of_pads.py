@@ -5,7 +5,7 @@ from pad_journals import FILLON_OIL, HEATED, pad_case, result_of
 
 from babbitt.case import case_from_dict
 from babbitt.case.parts.study import StudyBlock
-from babbitt.core.quantities import AXES, displayed_in
+from babbitt.core.quantities import AXES, QUANTITIES, displayed_in
 from babbitt.report.bearing_table import bearing_table
 from babbitt.report.content import content
 from babbitt.report.machine_table import columns_of
@@ -103,3 +103,28 @@ def test_the_table_of_cross_coupling_is_that_of_the_result():
         shown[2] *= 1e-6
         assert [float(one) for one in row[1:]] == pytest.approx(shown, rel=6e-3)
     assert "Q_A" not in str(tables_of(result)["Cross-coupling of the rotor"]["note"])
+
+
+def test_motions_on_lines_are_straight_and_the_slower_stands_first():
+    """Load on a pad, no cross terms: the rotor swings up and down, and across; neither motion whirls."""
+    result = result_of({"pads.first_pivot": "-90 deg"}, rotor_mass="2 t")
+    rows = tables_of(result)["Free motions of rotor and pads"]["rows"]
+    assert {row[3] for row in rows if float(row[4]) > 20.0} == {"straight"}
+    values = result.values
+    assert values["whirl_frequency_forward"] < values["whirl_frequency_backward"]
+    assert "backward" not in str([QUANTITIES[name].meaning for name in values if "ward" in name])
+
+
+def test_motions_that_whirl_say_how():
+    result = result_of({"pads.inertia": "0.05 kg m2"}, rotor_mass="200 kg", load_angle="-70 deg")
+    for row, mode in zip(tables_of(result)["Free motions of rotor and pads"]["rows"], result.arrays["rotor_modes"],
+                         strict=True):  # fmt: skip
+        whirl = mode[3]
+        assert row[3] == ("straight" if abs(whirl) < 0.1 else "forward" if whirl > 0.0 else "backward")
+
+
+def test_words_of_the_report_have_no_underscores():
+    (bearing,) = content(solve(case_from_dict(pad_case(**DRIVEN))))["bearings"]
+    assert bearing["checks"]
+    for part in ("checks", "not_checked", "warnings", "tables", "sources"):
+        assert "Q_" not in str(bearing[part]), part

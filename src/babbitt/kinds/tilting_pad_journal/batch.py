@@ -154,10 +154,10 @@ def solve_pad_batch(
     case : PadCase
     clearance, assembled_clearance, preload : array_like, optional
         Machined and assembled clearance on the radius, m, and 1 less the latter over the former; scalars, one for
-        each bearing, or (bearings, pads). Two of them at most. With one alone the other that the case gives of a pad
-        is held, as in a sweep of that field: of pads given by assembled clearance and preload, a preload moves the
-        machined clearance. Where the case gives the other two the machined clearance is held, or beside it the
-        preload.
+        each bearing, or (bearings, pads). Two of them at most. With one alone the other that the case gives of
+        a pad is held, as in a sweep of that field: of pads given by assembled clearance and preload, a preload
+        moves the machined clearance. Where the case gives the other two the machined clearance is held, or beside
+        it the preload.
     load : array_like, optional
         Its magnitude, N, in the direction of the case.
     speed : array_like, optional
@@ -249,8 +249,8 @@ def two_clearances(case: PadCase, given: dict[str, Array]) -> tuple[Array, Array
 def held_beside(case: PadCase, name: str) -> Array:
     """Number in `CLEARANCES` of what every pad keeps while one of them is varied alone, shape (pads,).
 
-    That which the case gives beside it, as in a sweep of the field; of a case that gives the other two, or does not
-    say what it gives, the machined clearance, and of that the preload.
+    That which the case gives beside it, as in a sweep of the field; of a case that gives the other two, or does
+    not say what it gives, the machined clearance, and of that the preload.
     """
     usual = "preload" if name == "clearance" else "clearance"
     pairs = case.given_clearances or ((),) * len(case.bearing.pads)

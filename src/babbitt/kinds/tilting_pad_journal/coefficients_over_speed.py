@@ -162,7 +162,7 @@ def over_frequency(full: Sequence[PadCoefficients], frequencies: NDArray[np.floa
 
 
 def method_of(case: PadCase) -> str:
-    """How the coefficients of a case are obtained, in a line; the thermal model in front, for titles of 80 columns."""
+    """How the coefficients of a case are obtained, in a line: the thermal model in front, for short titles."""
     heat = "one temperature" if case.thermal is Thermal.ISOTHERMAL else "heat balance at each speed"
     counted = (("conduct", case.heat.walls), ("bend", case.heat.bending), ("grow", case.heat.growth))
     words = " and ".join(name for name, given in counted if given is not None)

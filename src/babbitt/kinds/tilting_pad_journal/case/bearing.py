@@ -274,8 +274,10 @@ class TiltingPadJournalCase(PadFilmChoices, CaseFile):
             yield Issue(("assumption_sensitivity",), says, "thermal: global, adiabatic or full, or leave it out")
         else:
             says = "carry_over and all else that may be varied of the heat is given"
-            allowed = "false; or leave out what is assumed: carry_over, the heat transfer coefficient of walls.pads, the "
-            yield Issue(("assumption_sensitivity",), says, f"{allowed}temperature of walls.housing")
+            allowed = (
+                "false, or one of carry_over, the heat transfer coefficient of walls.pads and the temperature of "
+            )
+            yield Issue(("assumption_sensitivity",), says, f"{allowed}walls.housing left out")
 
     @rule
     def _alarm_before_the_trip(self) -> Iterator[Issue]:

@@ -22,6 +22,7 @@ from babbitt.kinds.tilting_pad_journal.case.heat import (
     mode_stiffness,
 )
 from babbitt.kinds.tilting_pad_journal.case.pads import JournalPads, OnePad, clearances, given_three, own_path
+from babbitt.kinds.tilting_pad_journal.case.pivots import contact_assumptions
 from babbitt.kinds.tilting_pad_journal.model import Accuracy, Feed, PadBearing, PadCase, Thermal
 from babbitt.properties.materials import LoadCharacter
 from babbitt.reynolds.tilting_pads.model import TiltingPad
@@ -176,6 +177,7 @@ def assumptions_of(case: TiltingPadJournalCase, which: str) -> Iterator[str]:
         yield "Clearances hold in operation: neither heat nor load changes them."
     if case.anticipated_cross_coupling is not None:
         yield "The rotor stands on two such bearings, of which each bears half of the cross-coupling."
+    yield from contact_assumptions(pad["pivot"] for pad in pads)
     if case.pedestal is not None:
         yield "Stiffness and damping, and what follows from them, are those of bearing and pedestal in series."
     yield from heat_assumptions(case)

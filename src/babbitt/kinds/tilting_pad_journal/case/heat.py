@@ -309,8 +309,8 @@ def heat_assumptions(case: TiltingPadJournalCase) -> Iterator[str]:
     if "growth" in case.deformation:
         if case.walls.housing.temperature is None:
             yield (
-                "The housing is as warm as the fresh oil, and follows it where the supply temperature is varied; it "
-                "decides how much clearance growth leaves."
+                "The housing is as warm as the fresh oil, and follows it where the supply temperature is varied; "
+                "it decides how much clearance growth leaves."
             )
         for name in ("journal", "housing"):
             if getattr(case.materials, name) is None:

@@ -89,8 +89,8 @@ class JournalPads(Part):
     )
     preload: Preload | None = Field(
         None,
-        description="Preload: 1 less assembled over machined clearance. Usual 0 to 0.5. Where it alone is varied, the "
-        "clearance that is given besides is held, and the other follows.",
+        description="Preload: 1 less assembled over machined clearance. Usual 0 to 0.5. Where it alone is varied, "
+        "the clearance that is given besides is held, and the other follows.",
     )
     assembled_clearance: ClearanceInput | None = Field(
         None, description="Assembled clearance: gap at the pivots when the journal is centred."

@@ -67,7 +67,9 @@ def _over_cross_coupling(panel: Axes, found: CrossCoupling, least: float) -> Non
     mark(panel, anticipated, found.full.anticipated_decrement)
     panel.set_xlim(0.0, 1e-6 * float(crosses[-1]))
     panel.set(xlabel="$Q$ in MN/m", ylabel="log decrement $δ$")
-    panel.legend(frameon=False, fontsize=7, loc="upper right", handlelength=1.8)
+    panel.legend(
+        facecolor="white", edgecolor="none", framealpha=1.0, fontsize=7, loc="lower left", handlelength=1.8
+    )
 
 
 def stability_table(result: Result) -> dict[str, Any]:
@@ -94,8 +96,8 @@ def stability_table(result: Result) -> dict[str, Any]:
     ]
     heads[3]["unit"] = coupling.display.label
     note = (
-        f"Log decrement without cross-coupling and with that anticipated, {coupling.with_unit(anticipated)} of the "
-        "whole rotor on two such bearings; threshold, and threshold over anticipated. Judged by the motions of "
-        "rotor and pads together."
+        f"Log decrement without cross-coupling and with that anticipated, {coupling.with_unit(anticipated)} of "
+        "the whole rotor on two such bearings; threshold, and threshold over anticipated. Judged by the motions "
+        "of rotor and pads together."
     )
     return {"title": "Cross-coupling of the rotor", "columns": heads, "rows": rows, "note": note}

@@ -45,6 +45,8 @@ PIVOTS = {
     "pivot_contact_pressure": "the largest pressure in its contact by Hertz",
 }
 """Quantities of pivots, and what the note below their table calls them."""
+STRAIGHT = 0.1
+"""Whirl (1: a circle) below which the rotor moves on a line: on ellipses twenty times as long as they are wide."""
 BENDING = ("pad_load", "pad_bending", "pad_bending_stiffness")
 
 
@@ -54,7 +56,9 @@ def rows_of_clearances(results: Sequence[Result]) -> list[dict[str, Any]]:
         return []
     loads = [one.arrays["pad_load"][0] if one.outcome.solved else () for one in results]
     return [
-        result_row("pad_load", f"Load of pad {pad + 1}", [row[pad] if row else math.nan for row in loads], f"{pad + 1}")
+        result_row(
+            "pad_load", f"Load of pad {pad + 1}", [row[pad] if row else math.nan for row in loads], f"{pad + 1}"
+        )
         for pad in range(max(map(len, loads)))
     ]
 
@@ -178,7 +182,7 @@ def _motions(result: Result) -> dict[str, Any]:
             f"{frequency / math.tau:.2f}",
             f"{growth:.4g}",
             f"{decrement:.3g}",
-            "forward" if whirl > 0.0 else "backward" if whirl < 0.0 else "straight",
+            "straight" if abs(whirl) < STRAIGHT else "forward" if whirl > 0.0 else "backward",
             f"{100.0 * share:.0f}",
         )
         for growth, frequency, decrement, whirl, share in result.arrays["rotor_modes"]
@@ -188,5 +192,6 @@ def _motions(result: Result) -> dict[str, Any]:
         ("Frequency", "Growth", "Log decrement", "Whirl of the rotor", "Share of the rotor"),
         ("Hz", "1/s", "", "", "%"),
         rows,
-        "Those that swing, with the pads' own motions; what does not swing dies or grows without a frequency.",
+        "Those that swing, with the pads' own motions; what does not swing dies or grows without a frequency. "
+        "Straight: the rotor moves on a line, or an ellipse more than twenty times as long as it is wide.",
     )
