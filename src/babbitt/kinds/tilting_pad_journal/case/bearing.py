@@ -276,8 +276,9 @@ class TiltingPadJournalCase(PadFilmChoices, CaseFile):
             says = "carry_over and all else that may be varied of the heat is given"
             allowed = (
                 "false, or one of carry_over, the heat transfer coefficient of walls.pads and the temperature of "
+                "walls.housing left out"
             )
-            yield Issue(("assumption_sensitivity",), says, f"{allowed}walls.housing left out")
+            yield Issue(("assumption_sensitivity",), says, allowed)
 
     @rule
     def _alarm_before_the_trip(self) -> Iterator[Issue]:
