@@ -12,6 +12,7 @@ from __future__ import annotations
 import gc
 import subprocess
 import sys
+from dataclasses import replace
 from typing import Any
 
 Fields = dict[str, Any]
@@ -48,11 +49,12 @@ HALVES: tuple[tuple[Fields, ...], ...] = (
 
 
 def compile_pads() -> None:
-    """Solve a bearing of tilting pads on both grids across half a pad; with its temperatures on the usual one."""
+    """Solve a bearing of tilting pads on both grids across half a pad; on flexures at a place, and behind a search
+    that ends too soon and goes on along the load; with its temperatures on the usual grid."""
     from babbitt.reynolds.model import Resolution
     from babbitt.reynolds.tilting_pads.model import TiltingPad, TiltingPadBearing
     from babbitt.reynolds.tilting_pads.pad_heat import PadHeat
-    from babbitt.reynolds.tilting_pads.solve import fold_of, solve_tilting_pads
+    from babbitt.reynolds.tilting_pads.solve import fold_of, solve_tilting_pads, tilting_pads_at
     from babbitt.reynolds.tilting_pads.thermal_pads import find_thermal_tilting_pads
 
     pads = tuple(TiltingPad(angle, 1.2, 1e-4, 6e-5, 0.02, 0.55) for angle in (0.8, 2.4, 4.0, 5.6))
@@ -60,6 +62,9 @@ def compile_pads() -> None:
     for unknowns in (4, 6):
         solve_tilting_pads(bearing, (0.0, -5e3), Resolution(unknowns, 24))
         fold_of(bearing, 0, Resolution(unknowns, 24))
+    flexed = replace(bearing, pads=tuple(replace(pad, rotational_stiffness=1e4) for pad in pads))
+    solve_tilting_pads(flexed, (0.0, -5e3), Resolution(4, 24), max_steps=1)
+    tilting_pads_at(flexed, (0.0, 0.0), Resolution(4, 24))
     heat = PadHeat(lambda temperature: 0.02 + 0.0 * temperature, 1.7e6, 0.14, 313.15)
     find_thermal_tilting_pads(bearing, (0.0, -5e3), heat, Resolution(4, 24))
 

@@ -24,6 +24,7 @@ from babbitt.export import (
 )
 from babbitt.export.numbers import RPM, rounded_rpm
 from babbitt.report.questioned_coefficients import warnings_lines
+from babbitt.study.speed_range import speeds_of
 
 SPEEDS = np.array([1000.0, 6000.0, 11000.0, 20000.0, 22500.0]) * RPM
 CODES = ((), (), ("W404",), ("W407", "W127", "W128"), ("W407",))
@@ -80,6 +81,8 @@ def test_warnings_that_make_no_table(wrong, words):
 @pytest.mark.parametrize("rpm", [6000.0, 3000.0, 12345.6, 0.1, 1234.5678901234567])
 def test_a_speed_in_rpm_brings_back_the_same_speed(rpm):
     assert rounded_rpm(rpm * RPM) == pytest.approx(rpm, rel=1e-15)
+    spaced = [rounded_rpm(speed) for speed in speeds_of("1800 rpm:9000 rpm:9")]  # differ by their round-off
+    assert spaced == [900.0 * turn for turn in range(2, 11)]
     assert rounded_rpm(math.pi) * RPM == pytest.approx(math.pi, rel=1e-15)
     assert len(str(rounded_rpm(6000.0 * RPM))) == len("6000.0")
 

@@ -33,7 +33,7 @@ COHERENT = {
     "MJ/m3K": "J/m**3/kelvin", "pv": "Pa*m/s", "1e-6/K": "1/kelvin", "t": "kg", "kg": "kg", "N/um": "N/m",
     "MN/m": "N/m", "GN/m": "N/m", "kN/m": "N/m", "kNs/m": "N*s/m", "MNs/m": "N*s/m", "Ns/m": "N*s/m",
     "kNm/rad": "N*m", "kNm/mrad": "N*m", "Nms/rad": "N*m*s", "cm2": "m**2", "mrad": "1",
-    "J/kgK": "J/kg/kelvin",
+    "J/kgK": "J/kg/kelvin", "L/min2": "m**3/s",
 }  # fmt: skip
 ALIKE = {"", "balance", "count", "percent", "permille", "rpm", "rpm2", "deg", "s", "Hz", "%", "urad"}
 

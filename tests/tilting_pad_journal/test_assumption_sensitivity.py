@@ -107,3 +107,23 @@ def test_nothing_is_assumed_of_films_at_a_given_temperature():
     with pytest.raises(CaseError, match="assumption_sensitivity: of films at a given temperature nothing"):
         read(pad_case(thermal="isothermal", assumption_sensitivity=True))
     assert case_from_dict(pad_case(thermal="global", assumption_sensitivity=True)).assumption_sensitivity
+
+
+def test_what_the_case_gives_is_not_assumed():
+    given = dict(GROWING, carry_over=0.7)
+    given["walls"] = GROWING["walls"] | {"housing": {"temperature": "45 degC"}}
+    found = result_of(assumption_sensitivity=True, **given)
+    assert [name for name in found.arrays if name.startswith("assumed")] == ["assumed_back_coefficient"]
+    (table,) = sensitivity_tables(found)
+    assert {row[0].partition(":")[0] for row in table["rows"][1:]} == {"Heat transfer on the backs in W/(m² K)"}
+
+
+def test_with_all_given_there_is_nothing_to_assume():
+    with pytest.raises(CaseError, match="all else that may be varied of the heat is given"):
+        read(pad_case(thermal="global", carry_over=0.8, assumption_sensitivity=True))
+
+
+def test_an_assumed_housing_says_that_it_follows_the_oil(result):
+    assert sum("follows it where the supply temperature is varied" in said for said in result.assumptions) == 1
+    warmer = result_of({"supply.temperature": "45 degC"}, assumption_sensitivity=True, **GROWING)
+    assert warmer.arrays["assumed_housing_temperature"][0][1] == pytest.approx(318.15)

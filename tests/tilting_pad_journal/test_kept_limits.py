@@ -1,5 +1,7 @@
 """Limits of temperature kept by less than the model can tell, or by pads that lack oil; what cools pads."""
 
+import re
+
 import numpy as np
 import pytest
 from pad_journals import HEATED, pad_case, result_of
@@ -137,8 +139,10 @@ def test_a_pad_without_fresh_oil_is_told_with_what_it_takes_and_is_brought(sense
         assert (pad - before) % 4 == sense % 4
         assert one.values["taken"] == taken[pad - 1]
         assert one.values["sent"] == sent[before - 1]
-        assert f"pad {pad} takes in {6e4 * taken[pad - 1]:.1f} L/min and pad {before} sends off" in one.message
+        assert f"pad {pad} takes in {6e4 * taken[pad - 1]:.2f} L/min and pad {before} sends off" in one.message
         assert "L/min: no fresh oil enters" in one.message
+        shown = [float(number) for number in re.findall(r"([0-9.]+) (?:L/min|%)", one.message)]
+        assert 100.0 * shown[0] / shown[1] == pytest.approx(shown[2], abs=0.3)  # printed numbers give the share
 
 
 def test_the_share_that_is_brought_is_told_where_it_is_not_all():

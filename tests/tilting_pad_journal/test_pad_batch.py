@@ -56,6 +56,34 @@ def test_a_batch_gives_the_numbers_of_single_bearings(model: str) -> None:
         assert found.maximum_temperature[row] == pytest.approx(hottest, rel=1e-9, nan_ok=True)
 
 
+GIVEN = {
+    "pads.clearance": {"kind": "radial", "mean": "148 um"},
+    "pads.assembled_clearance": {"kind": "radial", "mean": "78.44 um"},
+    "pads.preload": 0.47,
+}
+OTHER = {"clearance": 151e-6, "assembled_clearance": 80e-6, "preload": 0.45}
+
+
+@pytest.mark.parametrize("left_out", OTHER)
+@pytest.mark.parametrize("varied", OTHER)
+def test_one_alone_holds_what_the_case_gives_besides_as_a_sweep_does(varied: str, left_out: str) -> None:
+    """Of two that are given the other one stays; the one that follows varied holds the machined clearance."""
+    fields = pad_case(GIVEN | {f"pads.{left_out}": None}, **ISOTHERMAL)
+    case = case_from_dict(fields)
+    found = solve_pad_batch(case, **{varied: [OTHER[varied]]})
+    if varied == left_out:
+        held = {"clearance": {"preload": 0.47}}.get(varied, {"clearance": 148e-6})
+        same = solve_pad_batch(case, **{varied: [OTHER[varied]]}, **held)
+        assert found.stiffness == pytest.approx(same.stiffness, rel=1e-9, abs=1.0)
+        return
+    path = f"pads.{varied}" if varied == "preload" else f"pads.{varied}.mean"
+    own = babbitt.TiltingPadBearing(**{key: value for key, value in fields.items() if key != "kind"})
+    (swept,) = own.sweep({path: [OTHER[varied]]}).results
+    for name in ("minimum_film_thickness", "friction_power", "stiffness_yy"):
+        value = found.stiffness[0, 1, 1] if name == "stiffness_yy" else getattr(found, name)[0]
+        assert value == pytest.approx(swept.values[name], rel=1e-9), name
+
+
 def test_threads_do_not_change_a_bit() -> None:
     clearances, preloads = scatter(6)
     one, two = (

@@ -4,14 +4,15 @@ import json
 
 import numpy as np
 import pytest
-from pad_journals import OIL, pad_case, result_of
+from pad_journals import HEATED, OIL, pad_case, result_of
 
 import babbitt as bb
 from babbitt.case import case_from_dict
 from babbitt.core.notices import InputError
-from babbitt.export import read_csv
+from babbitt.export import FORMATS, export, read_csv
 from babbitt.export.frame import declaration
 from babbitt.kinds.tilting_pad_journal.methods import PAD_FILM
+from babbitt.study.speed_range import speeds_of
 
 RPM = np.pi / 30.0
 SPEEDS = [1000.0 * RPM, 2000.0 * RPM, 4000.0 * RPM]
@@ -68,6 +69,18 @@ def test_the_warnings_of_every_speed_ride_along():
     assert table.warnings[1] == result_of(speed="36000 rpm", **ISOTHERMAL).questioning_codes
     assert "W407" in table.warnings[1]
     assert declaration(table.frame).endswith("load at -90 deg")  # not what the solver leaves of it
+
+
+@pytest.mark.parametrize("name", ["ross2", "ross3", "xltrc2", "ansys", "json", "csv"])
+@pytest.mark.parametrize(("model", "said"), [("A", "thermal adiabatic"), ("E", "thermal full")])
+def test_every_format_names_the_thermal_model(name, model, said, tmp_path):
+    (problem,) = case_from_dict(pad_case(**HEATED[model])).problems()
+    table = PAD_FILM.coefficients_over_speed(problem, speeds_of("1000 rpm:5000 rpm:5")).table()
+    path = tmp_path / f"pads{FORMATS[name].suffixes[0]}"
+    export(table, path, name)
+    text = path.read_text("utf-8")
+    assert f"Babbitt tilting pads, {said}, synchronous" in text
+    assert name == "ansys" or ("pads that conduct and bend and grow" in text) is (model == "E")
 
 
 def test_no_speed_and_no_equilibrium_are_told():

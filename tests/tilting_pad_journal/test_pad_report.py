@@ -161,3 +161,36 @@ def test_fields_carry_the_load():
     )
     assert data["pad_load"].values == pytest.approx(found.result.arrays["pad_load"][0])
     assert all({"units", "long_name"} <= set(one.attrs) for one in data.variables.values())
+
+
+def chapter_of(fields):
+    """What the report says of the one bearing of a case."""
+    (chapter,) = content(solve(case_from_dict(fields)))["bearings"]
+    return chapter
+
+
+def test_the_inputs_have_load_and_its_direction_and_the_roughness():
+    surfaces = {"kind": "direct", "roughness_bearing": "2 um", "roughness_journal": "1 um"}
+    said = str(chapter_of(pad_case(load_angle="-70 deg", surfaces=surfaces))["inputs"])
+    assert "'Direction of the load, counter-clockwise from +x', 'value': '-70'" in said.replace("−", "-")
+    assert "'Load', 'value': '10'" in said
+    assert "Roughness of the bearing" in said
+    assert "Roughness of the journal" in said
+
+
+def test_the_inputs_have_the_place_that_is_given():
+    said = str(chapter_of(pad_case(load=None, position={"x": "9 um", "y": "-30 um"}))["inputs"])
+    assert "Given, journal centre, above the bearing centre" in said
+    assert "Direction of the load" not in said
+
+
+def test_the_report_tells_pad_loads_at_every_clearance():
+    limits = {"kind": "radial", "mean": "148 um", "minimum": "140 um", "maximum": "160 um"}
+    case = case_from_dict(pad_case({"pads.clearance": limits}, clearance_cases="all"))
+    (chapter,) = content(solve(case))["bearings"]
+    rows = {row["label"]: row["values"] for row in chapter["results"]}
+    loads = [one.arrays["pad_load"][0] for one in solve(case).results]
+    for pad in range(4):
+        shown = [float(value) for value in rows[f"Load of pad {pad + 1}"]]
+        assert shown == pytest.approx([1e-3 * one[pad] for one in loads], rel=5e-3)
+    assert not any("of pad" in row["label"] for row in chapter_of(pad_case())["results"])

@@ -77,3 +77,21 @@ def test_the_reynolds_number_is_given_at_both_clearances():
     assert values["at_assembled"] == pytest.approx(0.53 * values["film_reynolds_number"])
     assert values["assembled"] == pytest.approx(0.53 * values["machined"])
     assert values["critical_assembled"] == pytest.approx(41.3 * (0.05 / values["assembled"]) ** 0.5)
+
+
+def test_what_of_a_contact_is_taken_as_of_steel_is_said():
+    """All of it where nothing is given, and what is left; nothing of rockers and of contacts given whole."""
+    line = {"kind": "line", "pivot_radius": "60 mm", "housing_radius": "62 mm", "depth": "20 mm",
+            "housing_depth": "20 mm"}  # fmt: skip
+    steel = {"elastic_modulus": "210 GPa", "poisson_ratio": 0.3}
+    given = steel | {f"housing_{name}": value for name, value in steel.items()}
+    for pivot, said in (
+        (line, "housing of 210 GPa"),
+        (line, "yield strength 650 MPa (42CrMo4, quenched and tempered)"),
+        (line | given, "as of steel: yield strength 650 MPa"),
+        (line | given | {"yield_strength": "800 MPa"}, ""),
+        ({"kind": "rocker"}, ""),
+    ):
+        told_of = [one for one in result_of({"pads.pivot": pivot}, **ISOTHERMAL).assumptions if "Contacts" in one]
+        assert len(told_of) == bool(said)
+        assert said in "".join(told_of)

@@ -5,12 +5,13 @@ from pad_journals import FILLON_OIL, HEATED, pad_case, result_of
 
 from babbitt.case import case_from_dict
 from babbitt.case.parts.study import StudyBlock
-from babbitt.core.quantities import AXES
+from babbitt.core.quantities import AXES, QUANTITIES, displayed_in
 from babbitt.report.bearing_table import bearing_table
 from babbitt.report.content import content
 from babbitt.report.machine_table import columns_of
 from babbitt.report.table import console
 from babbitt.report.units_of_matrices import suited_among
+from babbitt.report.view import view_of
 from babbitt.solving import solve
 from babbitt.study.plan import plan
 
@@ -67,3 +68,63 @@ def test_a_study_keeps_stiffness_damping_and_log_decrement():
     block = StudyBlock.model_validate(asked)
     kept = plan(case_from_dict(pad_case(rotor_mass="1 t")), block).task.outputs
     assert {"stiffness_yy", "damping_xy", "log_decrement", "minimum_film_thickness"} <= set(kept)
+
+
+DRIVEN = {"rotor_mass": "1 t", "shaft_stiffness": "150 MN/m", "anticipated_cross_coupling": "4 MN/m"}
+
+
+def tables_of(result):
+    """Tables of the report by their titles."""
+    return {one["title"]: one for one in view_of(result).tables(result)}
+
+
+@pytest.mark.parametrize("title", ["Coefficients over the whirl ratio", "Cross-coupling of the rotor"])
+def test_tables_of_coefficients_speak_the_units_of_the_us(title):
+    result = result_of(**DRIVEN)
+    si = tables_of(result)[title]
+    with displayed_in("us"):
+        us = tables_of(result)[title]
+    inch = {"MN/m": 1e6 / 175.12683524647636, "kN s/m": 1e3 / 175.12683524647636}
+    for place, (metric, shown) in enumerate(zip(si["columns"], us["columns"], strict=True)):
+        if metric["unit"] in inch:
+            assert shown["unit"] == {"MN/m": "lbf/in", "kN s/m": "lbf s/in"}[metric["unit"]]
+            for row, other in zip(si["rows"], us["rows"], strict=True):
+                assert float(other[place]) == pytest.approx(float(row[place]) * inch[metric["unit"]], rel=6e-3)
+    assert "MN/m" not in str(us)
+    assert " kg" not in str(us)
+
+
+def test_the_table_of_cross_coupling_is_that_of_the_result():
+    result = result_of(**DRIVEN)
+    (full, synchronous) = tables_of(result)["Cross-coupling of the rotor"]["rows"]
+    for prefix, row in (("", full), ("synchronous_", synchronous)):
+        names = ("log_decrement", "log_decrement_anticipated", "critical_cross_coupling", "cross_coupling_ratio")
+        shown = [result.values[f"{prefix}{name}"] for name in names]
+        shown[2] *= 1e-6
+        assert [float(one) for one in row[1:]] == pytest.approx(shown, rel=6e-3)
+    assert "Q_A" not in str(tables_of(result)["Cross-coupling of the rotor"]["note"])
+
+
+def test_motions_on_lines_are_straight_and_the_slower_stands_first():
+    """Load on a pad, no cross terms: the rotor swings up and down, and across; neither motion whirls."""
+    result = result_of({"pads.first_pivot": "-90 deg"}, rotor_mass="2 t")
+    rows = tables_of(result)["Free motions of rotor and pads"]["rows"]
+    assert {row[3] for row in rows if float(row[4]) > 20.0} == {"straight"}
+    values = result.values
+    assert values["whirl_frequency_forward"] < values["whirl_frequency_backward"]
+    assert "backward" not in str([QUANTITIES[name].meaning for name in values if "ward" in name])
+
+
+def test_motions_that_whirl_say_how():
+    result = result_of({"pads.inertia": "0.05 kg m2"}, rotor_mass="200 kg", load_angle="-70 deg")
+    for row, mode in zip(tables_of(result)["Free motions of rotor and pads"]["rows"], result.arrays["rotor_modes"],
+                         strict=True):  # fmt: skip
+        whirl = mode[3]
+        assert row[3] == ("straight" if abs(whirl) < 0.1 else "forward" if whirl > 0.0 else "backward")
+
+
+def test_words_of_the_report_have_no_underscores():
+    (bearing,) = content(solve(case_from_dict(pad_case(**DRIVEN))))["bearings"]
+    assert bearing["checks"]
+    for part in ("checks", "not_checked", "warnings", "tables", "sources"):
+        assert "Q_" not in str(bearing[part]), part

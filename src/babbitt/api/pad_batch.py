@@ -38,8 +38,10 @@ def solve_pad_batch(
         (`babbitt.kinds.tilting_pad_journal.model`).
     clearance, assembled_clearance, preload : array_like, optional
         Machined and assembled clearance on the radius, m, and 1 less the latter over the former: a scalar, one
-        for each bearing, or (bearings, pads). Two of them at most; with one alone the preload of `bearing` stays
-        where that is the clearance, and its machined clearance otherwise.
+        for each bearing, or (bearings, pads). Two of them at most; with one alone the other that `bearing` gives
+        is held, as in a sweep of that field: of pads given by assembled clearance and preload, a preload moves the
+        machined clearance. Where `bearing` gives the other two the machined clearance is held, or beside it the
+        preload.
     load : array_like, optional
         Magnitude, N, in the direction of `bearing`.
     speed : array_like, optional

@@ -12,15 +12,18 @@ RPM = math.pi / 30.0
 POUND_PER_INCH = 0.45359237 * 9.80665 / 0.0254
 """N/m, exact by definition of pound and inch; also what turns lb s/in into N s/m and lb s2/in into kg."""
 
+ROUND_OFF = 1e-15
+"""Share of a speed by which programs that count a turn in another order differ."""
+
 
 def rounded_rpm(speed: float) -> float:
-    """A speed in rad/s as rpm, with no more digits than bring back the same speed.
+    """A speed in rad/s as rpm, with no more digits than bring back the same speed but for round-off.
 
     >>> 6000.0 * RPM / RPM, rounded_rpm(6000.0 * RPM)
     (6000.000000000001, 6000.0)
     """
     rounded = (float(f"{speed / RPM:.{digits}g}") for digits in (12, 15))
-    return next((rpm for rpm in rounded if rpm * RPM == speed), speed / RPM)
+    return next((rpm for rpm in rounded if math.isclose(rpm * RPM, speed, rel_tol=ROUND_OFF)), speed / RPM)
 
 
 def number(where: str, text: object) -> float:

@@ -27,9 +27,13 @@ from babbitt.report.text import plain_text
 from babbitt.report.vocabulary import VOCABULARY, symbol
 
 if TYPE_CHECKING:
+    from babbitt.design.conditions import Surfaces
     from babbitt.report.view import View
 
-__all__ = ["InputGroup", "Row", "as_given", "groups_in_words", "inputs", "metal_rows", "named_row", "oil_rows"]
+__all__ = [
+    "InputGroup", "Row", "as_given", "groups_in_words", "inputs", "metal_rows", "named_row", "oil_rows",
+    "surface_rows",
+]  # fmt: skip
 
 LAWS = {
     Walther: "Walther (ASTM D341, short form)",
@@ -141,6 +145,13 @@ def _row(what: str, value: float, unit: str) -> Row:
 def _temperature(kelvin: float) -> str:
     shown = in_system(SI["degC"])
     return f"{kelvin * shown.scale + shown.offset:.0f} {shown.label}"
+
+
+def surface_rows(surfaces: Surfaces | None) -> Iterator[Row]:
+    """Rows of what keeps the surfaces apart at least; none where it is not known."""
+    if surfaces is not None:
+        for name, value in vars(surfaces).items():
+            yield named_row(name, value)
 
 
 def metal_rows(metal: BearingMetal | None) -> Iterator[Row]:

@@ -1,6 +1,9 @@
 """Pads on flexures whose tilts jump: the load lies between two tilts of a pad, and is carried there."""
 
 import math
+import subprocess
+import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -85,3 +88,15 @@ def test_a_path_that_ends_at_an_edge_tells_that_an_edge_touches():
     """A stiff bent flexure presses an edge on the journal before the load is reached."""
     chosen = on_flexures(4, 97.84, 56.0, 0.5, 0.03, 0.36, 19.86, 0.098, RigidPivot())
     assert solve_tilting_pads(chosen, directed(8.25, -153.0), GRID).outcome is Outcome.OVERLOADED
+
+
+def test_its_kernels_are_compiled_ahead():
+    """All that the path calls by itself, in a process that has compiled nothing else."""
+    ask = (
+        "import compile_kernels; compile_kernels.compile_pads(); "
+        "from babbitt.reynolds.tilting_pads import load_path; "
+        "print([len(one.signatures) for one in (load_path.pads_at, load_path.hold_pads, load_path.pivot_curve)])"
+    )
+    tests = Path(__file__).parents[2]
+    said = subprocess.run([sys.executable, "-c", ask], cwd=tests, capture_output=True, text=True, check=True)
+    assert "0" not in said.stdout

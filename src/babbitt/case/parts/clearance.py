@@ -37,10 +37,11 @@ class _MeanAndLimits(Part):
         if (self.minimum is None) != (self.maximum is None):
             missing = "minimum" if self.minimum is None else "maximum"
             yield Issue((missing,), "is missing", "both limits or none", code="E003")
+        allowed, hint = "minimum <= mean <= maximum", "to vary the mean beyond its limits, leave both limits out"
         if self.minimum is not None and self.minimum > self.mean:
-            yield Issue(("minimum",), "the minimum clearance is above the mean", "minimum <= mean <= maximum")
+            yield Issue(("minimum",), "the minimum clearance is above the mean", allowed, hint)
         if self.maximum is not None and self.maximum < self.mean:
-            yield Issue(("maximum",), "the maximum clearance is below the mean", "minimum <= mean <= maximum")
+            yield Issue(("maximum",), "the maximum clearance is below the mean", allowed, hint)
 
     def _scaled(self, factor: float) -> Clearance:
         limits = (self.minimum, self.maximum)

@@ -25,7 +25,7 @@ TILTING_PADS: tuple[Quantity, ...] = (
     quantity("pad_status", "s_i", "1", "", 2, "Status of each pad: 1 loaded, 0 unloaded, 0.5 at its limit"),
     quantity("pad_tilt", "δ_i", "rad", "mrad", 4, "Tilt of each pad, counter-clockwise; none where unloaded"),
     quantity("pad_eccentricity_ratio", "ε_p,i", "1", "", 3, "Eccentricity ratio at each pivot, m + ξ/c_p"),
-    quantity("pad_side_flow", "Q_s,i", "m3/s", "L/min", 3, "Oil out over both sides of each pad"),
+    quantity("pad_side_flow", "Q_s,i", "m3/s", "L/min2", 4, "Oil out over both sides of each pad"),
     quantity("pad_probe_temperature", "T_probe,i", "K", "degC", 4, "Temperature of each bore at its probe"),
     quantity("probe_temperature", "T_probe", "K", "degC", 4, "Highest temperature of a bore at its probe"),
     quantity("pad_mean_temperature", "T_p,i", "K", "degC", 4, "Mean temperature of each pad"),
@@ -68,18 +68,10 @@ TILTING_PADS: tuple[Quantity, ...] = (
     quantity(
         "pad_log_decrement", "δ_log,p", "1", "", 3, "Least log decrement of all other motions, of pads or housing"
     ),
-    quantity(
-        "log_decrement_forward", "δ_log,f", "1", "", 3, "Log decrement of the more forward motion of the rotor"
-    ),
-    quantity(
-        "log_decrement_backward", "δ_log,b", "1", "", 3, "Log decrement of the more backward motion of the rotor"
-    ),
-    quantity(
-        "whirl_frequency_forward", "f_f", "rad/s", "Hz", 4, "Frequency of the more forward motion of the rotor"
-    ),
-    quantity(
-        "whirl_frequency_backward", "f_b", "rad/s", "Hz", 4, "Frequency of the more backward motion of the rotor"
-    ),
+    quantity("log_decrement_forward", "δ_log,f", "1", "", 3, "Log decrement of the rotor's most forward motion"),
+    quantity("log_decrement_backward", "δ_log,b", "1", "", 3, "Log decrement of the rotor's other motion"),
+    quantity("whirl_frequency_forward", "f_f", "rad/s", "Hz", 4, "Frequency of the rotor's most forward motion"),
+    quantity("whirl_frequency_backward", "f_b", "rad/s", "Hz", 4, "Frequency of the rotor's other motion"),
     quantity(
         "anticipated_cross_coupling",
         "Q_A",

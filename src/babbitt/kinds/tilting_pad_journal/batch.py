@@ -34,6 +34,8 @@ Array = NDArray[np.float64]
 CLEARANCES = ("clearance", "assembled_clearance", "preload")
 LEAST_PRELOAD = -0.5
 """Of a pad, as of a bearing by itself."""
+ROUND_OFF = 1e-12
+"""Of the quotient of clearances that a preload becomes."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -152,8 +154,10 @@ def solve_pad_batch(
     case : PadCase
     clearance, assembled_clearance, preload : array_like, optional
         Machined and assembled clearance on the radius, m, and 1 less the latter over the former; scalars, one for
-        each bearing, or (bearings, pads). Two of them at most. With one alone the preload of the case stays where
-        that is the clearance, and its machined clearance otherwise.
+        each bearing, or (bearings, pads). Two of them at most. With one alone the other that the case gives of
+        a pad is held, as in a sweep of that field: of pads given by assembled clearance and preload, a preload
+        moves the machined clearance. Where the case gives the other two the machined clearance is held, or beside
+        it the preload.
     load : array_like, optional
         Its magnitude, N, in the direction of the case.
     speed : array_like, optional
@@ -227,20 +231,44 @@ def two_clearances(case: PadCase, given: dict[str, Array]) -> tuple[Array, Array
     """Machined and assembled clearances, m, the pads as the last axis."""
     machined = np.array([pad.clearance for pad in case.bearing.pads])
     assembled = np.array([pad.assembled_clearance for pad in case.bearing.pads])
-    if "preload" in given:
-        ratio = 1.0 - given["preload"]
-        if "assembled_clearance" in given:
-            return given["assembled_clearance"] / ratio, given["assembled_clearance"]
-        own = given.get("clearance", machined)
-        return own, own * ratio
-    if "assembled_clearance" in given:
-        own, gap = given.get("clearance", machined), given["assembled_clearance"]
-        if not (gap <= (1.0 - LEAST_PRELOAD) * own).all():
-            raise InputError("E101", f"assembled_clearance makes a preload below {LEAST_PRELOAD:g} of clearance")
-        return own, gap
-    if "clearance" in given:
-        return given["clearance"], given["clearance"] * (assembled / machined)
+    if len(given) == 1:
+        (name,) = given
+        machined, assembled = with_one(name, given[name], held_beside(case, name), machined, assembled)
+    elif len(given) == 2:
+        machined = given.get("clearance", np.asarray(math.nan))
+        assembled = given.get("assembled_clearance", np.asarray(math.nan))
+        if "preload" in given and "clearance" in given:
+            assembled = machined * (1.0 - given["preload"])
+        elif "preload" in given:
+            machined = assembled / (1.0 - given["preload"])
+    if not (assembled <= (1.0 - LEAST_PRELOAD) * machined * (1.0 + ROUND_OFF)).all():
+        raise InputError("E101", f"{' and '.join(given)} makes a preload below {LEAST_PRELOAD:g}")
     return machined, assembled
+
+
+def held_beside(case: PadCase, name: str) -> Array:
+    """Number in `CLEARANCES` of what every pad keeps while one of them is varied alone, shape (pads,).
+
+    That which the case gives beside it, as in a sweep of the field; of a case that gives the other two, or does
+    not say what it gives, the machined clearance, and of that the preload.
+    """
+    usual = "preload" if name == "clearance" else "clearance"
+    pairs = case.given_clearances or ((),) * len(case.bearing.pads)
+    held = [
+        next(one for one in pair if one != name) if len(pair) == 2 and name in pair else usual for pair in pairs
+    ]
+    return np.array([CLEARANCES.index(one) for one in held])
+
+
+def with_one(name: str, values: Array, held: Array, machined: Array, assembled: Array) -> tuple[Array, Array]:
+    """Machined and assembled clearances where one of `CLEARANCES` is varied and what is ``held`` stays."""
+    clearance, _, preload = range(len(CLEARANCES))
+    if name == "preload":
+        own = np.where(held == clearance, machined, assembled / (1.0 - values))
+        return own, np.where(held == clearance, machined * (1.0 - values), assembled)
+    if name == "clearance":
+        return values, np.where(held == preload, values * (assembled / machined), assembled)
+    return np.where(held == preload, values * (machined / assembled), machined), values
 
 
 def one_case(case: PadCase, machined: Array, assembled: Array, duty: dict[str, float]) -> PadCase:

@@ -162,6 +162,10 @@ def over_frequency(full: Sequence[PadCoefficients], frequencies: NDArray[np.floa
 
 
 def method_of(case: PadCase) -> str:
-    """How the coefficients of a case are obtained, in a line."""
+    """How the coefficients of a case are obtained, in a line: the thermal model in front, for short titles."""
     heat = "one temperature" if case.thermal is Thermal.ISOTHERMAL else "heat balance at each speed"
-    return f"Babbitt tilting pads, synchronous coefficients, reynolds cavitation, {heat}"
+    counted = (("conduct", case.heat.walls), ("bend", case.heat.bending), ("grow", case.heat.growth))
+    words = " and ".join(name for name, given in counted if given is not None)
+    parts = (f"thermal {case.thermal.value}", "synchronous", f"pads that {words}" if words else "",
+             "reynolds cavitation", heat)  # fmt: skip
+    return ", ".join(("Babbitt tilting pads", *filter(None, parts)))

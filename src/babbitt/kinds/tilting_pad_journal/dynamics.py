@@ -47,6 +47,9 @@ HEAVIER, LIGHTER = 1e3, 1e-2
 NO_SWING = 100.0
 """Log decrement that stands for infinity: of a motion that grows or dies without swinging."""
 
+LINE = 9
+"""Decimals of the whirl of a motion: on a line it is round-off, and the slower motion stands first."""
+
 STILL = 1e-2
 """Frequency over growth below which a motion counts as one that does not swing: equal ones are told apart by
 round-off, and others die in a hundredth of a cycle."""
@@ -179,7 +182,7 @@ def swinging(modes: Iterable[Mode]) -> tuple[Mode, ...]:
 def motions_of_the_rotor(modes: Iterable[Mode]) -> tuple[Mode, ...]:
     """The two motions that swing in which the rotor has the largest shares, the more forward one first."""
     own = sorted(swinging(modes), key=lambda mode: -mode.share)[:2]
-    return tuple(sorted(own, key=lambda mode: -mode.whirl))
+    return tuple(sorted(own, key=lambda mode: (-round(mode.whirl, LINE), mode.frequency)))
 
 
 def decisive(modes: tuple[Mode, ...]) -> Mode:

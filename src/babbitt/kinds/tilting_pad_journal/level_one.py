@@ -25,7 +25,7 @@ __all__ = [
 ]
 
 LEAST_RATIO = 2.0
-RATIO_SOURCE = "level I of API 617: Q_0/Q_A of 2"
+RATIO_SOURCE = "level I of API 617: twice the anticipated cross-coupling"
 REGION_COUNTS = 10.0
 """Q_0/Q_A below which level I of API 617 asks for the region of critical speed ratio and gas density, too; below
 the least ratio level II follows anyway."""

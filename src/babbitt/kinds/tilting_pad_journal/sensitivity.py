@@ -37,7 +37,7 @@ ASSUMED = {
 
 @dataclass(frozen=True)
 class Assumption:
-    """One number that is assumed, or known no better.
+    """One number that is assumed.
 
     Attributes
     ----------
@@ -71,7 +71,12 @@ def written(name: str, value: float) -> str:
 
 
 def assumptions(case: PadCase) -> Iterator[Assumption]:
-    """What of the heat of a bearing may be otherwise; nothing of films at a given temperature."""
+    """What is assumed of the heat of a bearing and may be otherwise; what the case gives is not."""
+    yield from (one for one in varied(case) if one.name in case.assumed)
+
+
+def varied(case: PadCase) -> Iterator[Assumption]:
+    """All numbers of the heat of a bearing that a case may leave open; nothing of films at a given temperature."""
     if case.thermal is Thermal.ISOTHERMAL:
         return
     share, heat, supply = case.feed.carry_over, case.heat, case.oil_supply

@@ -122,7 +122,8 @@ SWEEP = (
 
 def _alike(problem: PadCase) -> PadCase:
     pads = tuple(replace(pad, clearance=1.0, assembled_clearance=1.0) for pad in problem.bearing.pads)
-    return replace(problem, name="", given=(), bearing=replace(problem.bearing, pads=pads))
+    bearing = replace(problem.bearing, pads=pads)
+    return replace(problem, name="", given=(), assumptions=(), warnings=(), bearing=bearing)
 
 
 def _citations(problem: PadCase) -> Iterable[str]:
@@ -156,6 +157,7 @@ FILM = View(
     title="Tilting pads, films in two dimensions",
     key_results=KEY_RESULTS,
     fed_results=("total_flow",),
+    rows=LazyFunction("babbitt.kinds.tilting_pad_journal.report.tables:rows_of_clearances"),
     inputs=LazyFunction("babbitt.kinds.tilting_pad_journal.report.inputs:pad_inputs"),
     sections=LazyFunction("babbitt.kinds.tilting_pad_journal.report.calculation:pad_calculation"),
     figures=FIGURES,

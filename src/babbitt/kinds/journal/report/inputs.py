@@ -34,7 +34,7 @@ from babbitt.kinds.journal.report.film_inputs import (
     describe_step,
 )
 from babbitt.kinds.journal.report.one_dimension import describe
-from babbitt.report.inputs import InputGroup, Row, metal_rows, named_row, oil_rows
+from babbitt.report.inputs import InputGroup, Row, metal_rows, named_row, oil_rows, surface_rows
 
 __all__ = ["journal_inputs"]
 
@@ -66,7 +66,7 @@ def journal_inputs(case: JournalDesign) -> Iterator[InputGroup]:
     yield InputGroup("Lubricant", tuple(oil_rows(case.lubricant)))
     yield InputGroup("Oil supply", tuple(_supply(case)))
     yield InputGroup("Cooling by the surroundings", tuple(_cooling(case)))
-    yield InputGroup("Surfaces", tuple(_surfaces(case)))
+    yield InputGroup("Surfaces", tuple(surface_rows(case.bearing.surfaces)))
     yield InputGroup("Material", tuple(_material(case)))
     yield InputGroup("Method", (*method, *_limits(case)))
 
@@ -246,13 +246,6 @@ def _cooling(case: JournalDesign) -> Iterator[Row]:
         yield named_row("ambient_temperature", case.cooling.ambient_temperature)
         yield named_row("heat_transfer_coefficient", case.cooling.heat_transfer_coefficient)
         yield named_row("cooling_surface", case.cooling.surface)
-
-
-def _surfaces(case: JournalDesign) -> Iterator[Row]:
-    surfaces = case.bearing.surfaces
-    if surfaces is not None:
-        for name, value in vars(surfaces).items():
-            yield named_row(name, value)
 
 
 def _material(case: JournalDesign) -> Iterator[Row]:

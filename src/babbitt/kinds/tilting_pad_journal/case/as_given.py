@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from babbitt.core.units import written as written_plainly
-from babbitt.kinds.tilting_pad_journal.case.pads import THREE
+from babbitt.kinds.tilting_pad_journal.case.pads import given_three
 
 if TYPE_CHECKING:
     from babbitt.kinds.tilting_pad_journal.case.bearing import TiltingPadJournalCase
@@ -26,7 +26,7 @@ def words_of(case: TiltingPadJournalCase, speed: float, which: str) -> Iterator[
         yield "Pads", f"{pads.count} at equal distances, the first pivot at {written(pads.angles[0], 'deg')}"
     else:
         yield "Pads", f"{pads.count}, pivots at {', '.join(written(angle, 'deg') for angle in pads.angles)}"
-    given = [name for name in THREE if pads.fields_of(0)[name] is not None]
+    given = given_three(pads.fields_of(0))
     yield "Clearances", f"by {' and '.join(name.replace('_', ' ') for name in given)}, {which} values"
     differing = [str(number) for number, one in enumerate(pads.each, 1) if one.model_fields_set]
     if differing:

@@ -15,12 +15,14 @@ from babbitt.core.result_name import ResultName
 from babbitt.design.conditions import OilSupply, PrescribedLoad, PrescribedPosition
 from babbitt.kinds.tilting_pad_journal.case.as_given import words_of
 from babbitt.kinds.tilting_pad_journal.case.heat import (
+    heat_assumed,
     heat_assumptions,
     heat_choices,
     heat_not_read,
     mode_stiffness,
 )
-from babbitt.kinds.tilting_pad_journal.case.pads import JournalPads, OnePad, clearances, own_path
+from babbitt.kinds.tilting_pad_journal.case.pads import JournalPads, OnePad, clearances, given_three, own_path
+from babbitt.kinds.tilting_pad_journal.case.pivots import contact_assumptions
 from babbitt.kinds.tilting_pad_journal.model import Accuracy, Feed, PadBearing, PadCase, Thermal
 from babbitt.properties.materials import LoadCharacter
 from babbitt.reynolds.tilting_pads.model import TiltingPad
@@ -86,6 +88,8 @@ def pad_case(case: TiltingPadJournalCase, point: PadOperatingPoint | None, named
         probe_alarm=case.limits.probe_alarm,
         probe_trip=case.limits.probe_trip,
         assumption_sensitivity=case.assumption_sensitivity,
+        assumed=tuple(heat_assumed(case)),
+        given_clearances=tuple(given_three(case.pads.fields_of(number)) for number in range(case.pads.count)),
         given=tuple(words_of(case, speed, which)),
         assumptions=(*case.assumptions, *assumptions_of(case, which)),
         warnings=(*about_grouped_digits(case), *warnings_of(case, speed, which), *fields_not_read(case, point)),
@@ -173,6 +177,7 @@ def assumptions_of(case: TiltingPadJournalCase, which: str) -> Iterator[str]:
         yield "Clearances hold in operation: neither heat nor load changes them."
     if case.anticipated_cross_coupling is not None:
         yield "The rotor stands on two such bearings, of which each bears half of the cross-coupling."
+    yield from contact_assumptions(pad["pivot"] for pad in pads)
     if case.pedestal is not None:
         yield "Stiffness and damping, and what follows from them, are those of bearing and pedestal in series."
     yield from heat_assumptions(case)

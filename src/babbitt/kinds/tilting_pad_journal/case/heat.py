@@ -34,6 +34,7 @@ if TYPE_CHECKING:
 __all__ = [
     "PadJournalWalls",
     "ReferenceTemperature",
+    "heat_assumed",
     "heat_assumptions",
     "heat_choices",
     "heat_goes_with_the_films",
@@ -74,7 +75,9 @@ class PadHousingInput(Part):
     example: ClassVar[str] = "{temperature: 45 degC}"
 
     temperature: Surroundings | None = Field(
-        None, description="Its temperature. That of the fresh oil if not given, an assumption."
+        None,
+        description="Its temperature. That of the fresh oil if not given, an assumption; it then follows the oil "
+        "from operating point to operating point and in sweeps.",
     )
 
 
@@ -271,6 +274,19 @@ def pad_growth(case: TiltingPadJournalCase) -> PadGrowth | None:
     )
 
 
+def heat_assumed(case: TiltingPadJournalCase) -> Iterator[str]:
+    """Names of what is assumed of the heat and may be varied (`sensitivity.ASSUMED`)."""
+    if case.thermal_model != "isothermal" and case.carry_over is None:
+        yield "assumed_carry_over"
+    pads = case.walls.pads
+    if case.thermal_model != "full" or pads is None:
+        return
+    if pads.heat_transfer_coefficient is None:
+        yield "assumed_back_coefficient"
+    if "growth" in case.deformation and case.walls.housing.temperature is None:
+        yield "assumed_housing_temperature"
+
+
 def heat_assumptions(case: TiltingPadJournalCase) -> Iterator[str]:
     """Numbers of walls, bending and growth that the case does not give."""
     material = case.materials.pads
@@ -286,13 +302,16 @@ def heat_assumptions(case: TiltingPadJournalCase) -> Iterator[str]:
         if pads.edge_coefficient is None:
             yield f"Heat transfer of {usual} on the edges of the pads."
         if pads.temperature is None:
-            yield "The oil behind the pads is as warm as the fresh oil."
+            yield "The oil behind the pads is as warm as the fresh oil, and follows it."
         named = None if case.materials.pads is None else case.materials.pads.known("conductivity")
         if pads.conductivity is None and named is None:
             yield f"The pads conduct heat as steel, {STEEL_CONDUCTIVITY:g} W/(m K)."
     if "growth" in case.deformation:
         if case.walls.housing.temperature is None:
-            yield "The housing is as warm as the fresh oil; it decides how much clearance growth leaves."
+            yield (
+                "The housing is as warm as the fresh oil, and follows it where the supply temperature is varied; "
+                "it decides how much clearance growth leaves."
+            )
         for name in ("journal", "housing"):
             if getattr(case.materials, name) is None:
                 yield f"The {name} expands as steel, {1e6 * STEEL_EXPANSION:g}e-6 1/K."

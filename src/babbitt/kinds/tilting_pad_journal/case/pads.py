@@ -17,7 +17,7 @@ from babbitt.core.units import si, written
 from babbitt.kinds.tilting_pad_journal.case.materials import PadStructureInput
 from babbitt.kinds.tilting_pad_journal.case.pivots import PivotInput, RigidPivotInput
 
-__all__ = ["THREE", "JournalPads", "OnePad", "clearances", "own_path", "pad_fields"]
+__all__ = ["THREE", "JournalPads", "OnePad", "clearances", "given_three", "own_path", "pad_fields"]
 
 Angle = Annotated[float, si("rad", "-360 deg", "360 deg")]
 Extent = Annotated[float, si("rad", "1 deg", "179 deg")]
@@ -88,7 +88,9 @@ class JournalPads(Part):
         "preload and assembled_clearance are given.",
     )
     preload: Preload | None = Field(
-        None, description="Preload: 1 less assembled over machined clearance. Usual 0 to 0.5."
+        None,
+        description="Preload: 1 less assembled over machined clearance. Usual 0 to 0.5. Where it alone is varied, "
+        "the clearance that is given besides is held, and the other follows.",
     )
     assembled_clearance: ClearanceInput | None = Field(
         None, description="Assembled clearance: gap at the pivots when the journal is centred."
@@ -208,6 +210,11 @@ def pad_fields(pads: JournalPads, one: OnePad | None) -> dict[str, Any]:
     if len(own) >= 2:
         fields |= {name: None for name in THREE if name not in own}
     return fields
+
+
+def given_three(fields: Mapping[str, Any]) -> tuple[str, ...]:
+    """Which of `THREE` the fields of a pad give, as `pad_fields` has them."""
+    return tuple(name for name in THREE if fields[name] is not None)
 
 
 def clearances(fields: Mapping[str, Any], diameter: float, which: str = "mean") -> tuple[float, float]:

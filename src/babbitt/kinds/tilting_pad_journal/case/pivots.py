@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
 from pydantic import Discriminator, Field
 
-from babbitt.case.part import Issue, Part, refused, rule
+from babbitt.case.part import Issue, Part, is_given, refused, rule
 from babbitt.core.units import si, written
 from babbitt.reynolds.tilting_pads.pivots import (
     YIELD,
@@ -34,6 +34,7 @@ __all__ = [
     "RockerPivotInput",
     "SpringPivotInput",
     "TablePivotInput",
+    "contact_assumptions",
     "written_pivot",
 ]
 
@@ -256,6 +257,24 @@ class FlexureInput(_AnyPivot):
             "tangential_damping": self.tangential_damping,
             "rest_tilt": self.rest_tilt,
         }
+
+
+STEEL = {
+    "elastic_modulus": "pivots of 210 GPa",
+    "poisson_ratio": "with Poisson's ratio 0.3",
+    "housing_elastic_modulus": "housing of 210 GPa",
+    "housing_poisson_ratio": "with Poisson's ratio 0.3",
+    "yield_strength": f"yield strength {1e-6 * YIELD:g} MPa (42CrMo4, quenched and tempered)",
+}
+"""Fields of the contacts of pivots that are those of steel where they are not given."""
+
+
+def contact_assumptions(pivots: Iterable[Part]) -> Iterator[str]:
+    """What of the contacts of pivots is that of steel for want of anything else."""
+    contacts = [one for one in pivots if isinstance(one, _HertzPivot)]
+    said = [words for name, words in STEEL.items() if not all(is_given(one, name) for one in contacts)]
+    if said:
+        yield f"Contacts of pivots as of steel: {', '.join(said)}."
 
 
 PivotInput = Annotated[

@@ -10,7 +10,7 @@ from babbitt.case.error_messages import MISSING
 from babbitt.case.part import Issue, is_given, refused
 from babbitt.case.parts.clearance import issues_of
 from babbitt.core.units import ZERO_CELSIUS, written
-from babbitt.kinds.tilting_pad_journal.case.pads import THREE, JournalPads, OnePad, clearances
+from babbitt.kinds.tilting_pad_journal.case.pads import THREE, JournalPads, OnePad, clearances, given_three
 from babbitt.kinds.tilting_pad_journal.case.pivots import FlexureInput, RigidPivotInput
 
 if TYPE_CHECKING:
@@ -76,7 +76,7 @@ def clearances_fit(case: TiltingPadJournalCase) -> Iterator[Issue]:
         fields = pads.fields_of(number)
         machined, assembled = clearances(fields, case.diameter)
         preload = 1.0 - assembled / machined
-        given = [name for name in THREE if fields[name] is not None]
+        given = given_three(fields)
         where = pad_path(case, number, *given)
         if len(given) == 3 and abs(preload - fields["preload"]) > AGREE:
             says = (

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 
 from babbitt.core.units import ZERO_CELSIUS
+from babbitt.design.conditions import PrescribedPosition
 from babbitt.kinds.tilting_pad_journal.case.pivots import written_pivot
 from babbitt.kinds.tilting_pad_journal.model import PadCase
-from babbitt.report.inputs import InputGroup, Row, metal_rows, named_row, oil_rows
+from babbitt.report.inputs import InputGroup, Row, metal_rows, named_row, oil_rows, surface_rows
 from babbitt.reynolds.tilting_pads.model import TiltingPad
 from babbitt.reynolds.tilting_pads.pedestal import Pedestal
 
@@ -20,6 +22,7 @@ def pad_inputs(case: PadCase) -> Iterator[InputGroup]:
     yield InputGroup("Bearing", tuple(_bearing(case)))
     yield InputGroup("Operation", tuple(_operation(case)))
     yield InputGroup("Lubricant", (*oil_rows(case.lubricant), *_oil(case)))
+    yield InputGroup("Surfaces", tuple(surface_rows(case.bearing.surfaces)))
     yield InputGroup("Material", tuple(metal_rows(case.bearing.metal)))
 
 
@@ -66,6 +69,12 @@ def _of_pads(
 
 
 def _operation(case: PadCase) -> Iterator[Row]:
+    if isinstance(case.duty, PrescribedPosition):
+        x, y = named_row("journal_x", case.duty.x), named_row("journal_y", case.duty.y)
+        yield from (replace(row, label=f"Given, {row.label[0].lower()}{row.label[1:]}") for row in (x, y))
+    else:
+        yield named_row("load", case.duty.load)
+        yield named_row("load_angle", case.load_angle, "Direction of the load, counter-clockwise from +x")
     yield named_row("angular_speed", case.journal_speed)
     if case.rotor_mass is not None:
         yield named_row("rotor_mass", case.rotor_mass)
@@ -131,6 +140,8 @@ def _heat(case: PadCase) -> Iterator[Row]:
         yield Row("Heat transfer on edges", f"{heat.walls.edge_coefficient:.4g}", None, "W/(m² K)")
         if heat.walls.back_temperature is not None:
             yield named_row("ambient_temperature", heat.walls.back_temperature, "Oil behind the pads")
+        else:
+            yield Row("Oil behind the pads", "as warm as the fresh oil, assumed")
     if heat.bending is not None:
         yield Row("Elastic modulus of the pads", f"{1e-9 * heat.bending.elastic_modulus:.4g}", None, "GPa")
         if heat.bending.poisson_ratio:
@@ -144,3 +155,5 @@ def _heat(case: PadCase) -> Iterator[Row]:
         yield Row("Expansion of pads, journal, housing", parts, None, "10⁻⁶/K")
         if growth.housing_temperature is not None:
             yield Row("Temperature of the housing", f"{growth.housing_temperature - ZERO_CELSIUS:.4g}", None, "°C")
+        else:
+            yield Row("Temperature of the housing", "that of the fresh oil, assumed")

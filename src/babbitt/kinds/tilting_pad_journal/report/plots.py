@@ -114,7 +114,7 @@ def coefficients_over_whirl(case: PadCase, dynamics: PadDynamics) -> Figure:
             right.axhline(1e-3 * fit.damping[i, j], color=GREY, linestyle=":", linewidth=0.8)
     left.set(xlabel="whirl ratio $ν$", ylabel="$K$ in MN/m")
     right.set(xlabel="whirl ratio $ν$", ylabel="$C$ in kN s/m")
-    right.legend(frameon=False, fontsize=7, ncols=4, loc="best", handlelength=1.8, columnspacing=1.0)
+    right.legend(frameon=False, fontsize=7, ncols=4, loc="best", handlelength=3.4, columnspacing=1.0)
     for panel in (left, right):
         panel.axvline(1.0, color="0.8", linewidth=0.6, zorder=0)
         _room(panel)

@@ -7,11 +7,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Result
 from babbitt.kinds.tilting_pad_journal.cross_coupling import CrossCoupling
 from babbitt.kinds.tilting_pad_journal.model import PadCase
 from babbitt.report.drawing import GREY, INK, Sheet, mark
-from babbitt.report.plain_tables import plain_table
+from babbitt.report.symbols import symbol_node
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -19,8 +20,10 @@ if TYPE_CHECKING:
 
 __all__ = ["log_decrements", "stability_table"]
 
-
 DASHED = (0, (5, 2))
+DECREMENTS = ("log_decrement", "log_decrement_anticipated")
+CRITICAL, RATIO = "critical_cross_coupling", "cross_coupling_ratio"
+"""What the table tells, by either kind of coefficients."""
 
 
 def log_decrements(case: PadCase, found: CrossCoupling, least: float) -> Figure:
@@ -64,28 +67,37 @@ def _over_cross_coupling(panel: Axes, found: CrossCoupling, least: float) -> Non
     mark(panel, anticipated, found.full.anticipated_decrement)
     panel.set_xlim(0.0, 1e-6 * float(crosses[-1]))
     panel.set(xlabel="$Q$ in MN/m", ylabel="log decrement $δ$")
-    panel.legend(frameon=False, fontsize=7, loc="upper right", handlelength=1.8)
+    panel.legend(
+        facecolor="white", edgecolor="none", framealpha=1.0, fontsize=7, loc="lower left", handlelength=1.8
+    )
 
 
 def stability_table(result: Result) -> dict[str, Any]:
     """Margins by both kinds of coefficients."""
-    rows = []
-    for name, prefix in (("rotor and pads together", ""), ("synchronously reduced", "synchronous_")):
-        critical = result.values.get(f"{prefix}critical_cross_coupling")
-        ratio = result.values.get(f"{prefix}cross_coupling_ratio")
-        rows.append((
+    values, prefixes = result.values, ("", "synchronous_")
+    anticipated = values["anticipated_cross_coupling"]
+    critical = [values.get(f"{prefix}critical_cross_coupling", math.nan) for prefix in prefixes]
+    coupling = QUANTITIES["anticipated_cross_coupling"].suited(anticipated, *critical)
+    rows = [
+        (
             name,
-            f"{result.values[f'{prefix}log_decrement']:.3g}",
-            f"{result.values[f'{prefix}log_decrement_anticipated']:.3g}",
-            "none" if critical is None else f"{1e-6 * critical:.4g}",
-            "none" if ratio is None else f"{ratio:.3g}",
-        ))  # fmt: skip
-    anticipated = 1e-6 * result.values["anticipated_cross_coupling"]
-    return plain_table(
-        "Cross-coupling of the rotor",
-        ("Coefficients", "Log decrement", "at Q_A", "Q_0", "Q_0/Q_A"),
-        ("", "", "", "MN/m", ""),
-        rows,
-        f"Anticipated Q_A = {anticipated:.4g} MN/m of the whole rotor, on two such bearings. Judged by "
-        "the motions of rotor and pads together.",
+            *(QUANTITIES[one].format(values[f"{prefix}{one}"]) for one in DECREMENTS),
+            coupling.format(threshold) if math.isfinite(threshold) else "none",
+            QUANTITIES[RATIO].format(values[f"{prefix}{RATIO}"]) if math.isfinite(threshold) else "none",
+        )
+        for name, prefix, threshold in zip(
+            ("rotor and pads together", "synchronously reduced"), prefixes, critical, strict=True
+        )
+    ]
+    heads: list[dict[str, Any]] = [{"text": "Coefficients", "symbol": None, "unit": ""}]
+    heads += [
+        {"text": "", "symbol": symbol_node(one.symbol), "unit": one.display.label}
+        for one in (*(QUANTITIES[name] for name in DECREMENTS), QUANTITIES[CRITICAL], QUANTITIES[RATIO])
+    ]
+    heads[3]["unit"] = coupling.display.label
+    note = (
+        f"Log decrement without cross-coupling and with that anticipated, {coupling.with_unit(anticipated)} of "
+        "the whole rotor on two such bearings; threshold, and threshold over anticipated. Judged by the motions "
+        "of rotor and pads together."
     )
+    return {"title": "Cross-coupling of the rotor", "columns": heads, "rows": rows, "note": note}

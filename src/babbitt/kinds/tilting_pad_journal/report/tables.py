@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
-from babbitt.core.quantities import AXES, QUANTITIES
-from babbitt.core.result import Result
+from babbitt.core.quantities import AXES, QUANTITIES, Quantity
+from babbitt.core.result import Matrix, Result
 from babbitt.kinds.tilting_pad_journal.report.stability import stability_table
 from babbitt.kinds.tilting_pad_journal.sensitivity import ASSUMED, MOVED, written
 from babbitt.report.columns import ABSENT
 from babbitt.report.plain_tables import plain_table, table_by_pad
+from babbitt.report.result_rows import result_row
 from babbitt.report.symbols import symbol_node
 
-__all__ = ["sensitivity_tables", "tables"]
+__all__ = ["rows_of_clearances", "sensitivity_tables", "tables"]
 
 SHAPE = ("pad_pivot_angle", "pad_clearance", "pad_assembled_clearance", "pad_preload")
 FILM = (
@@ -44,7 +45,22 @@ PIVOTS = {
     "pivot_contact_pressure": "the largest pressure in its contact by Hertz",
 }
 """Quantities of pivots, and what the note below their table calls them."""
+STRAIGHT = 0.1
+"""Whirl (1: a circle) below which the rotor moves on a line: on ellipses twenty times as long as they are wide."""
 BENDING = ("pad_load", "pad_bending", "pad_bending_stiffness")
+
+
+def rows_of_clearances(results: Sequence[Result]) -> list[dict[str, Any]]:
+    """Load of every pad at several clearances; the tables are those of one of them."""
+    if len(results) < 2:
+        return []
+    loads = [one.arrays["pad_load"][0] if one.outcome.solved else () for one in results]
+    return [
+        result_row(
+            "pad_load", f"Load of pad {pad + 1}", [row[pad] if row else math.nan for row in loads], f"{pad + 1}"
+        )
+        for pad in range(max(map(len, loads)))
+    ]
 
 
 def tables(result: Result) -> list[dict[str, Any]]:
@@ -131,25 +147,32 @@ def _finite(matrix: Sequence[Sequence[float]]) -> list[float]:
 def _coefficients(result: Result) -> dict[str, Any]:
     """Stiffness and damping over the whirl ratio, then what is fitted."""
     arrays = result.arrays
-    rows: list[Sequence[str]] = [_row("at rest", arrays["static_stiffness"], arrays["static_damping"])]
     every = zip(arrays["whirl_ratio"][0], arrays["dynamic_stiffness"], arrays["dynamic_damping"], strict=True)
-    rows += [_row(f"{ratio:g}", (stiffness,), (damping,)) for ratio, stiffness, damping in every]
+    found = [("at rest", arrays["static_stiffness"], arrays["static_damping"])]
+    found += [(f"{ratio:g}", (stiffness,), (damping,)) for ratio, stiffness, damping in every]
     note = "At whirl ratio 1 they are synchronous: stiffness and damping of the result."
     if "fitted_stiffness" in arrays:
-        rows.append(_row("fitted", arrays["fitted_stiffness"], arrays["fitted_damping"]))
-        masses = ", ".join(f"{one:.4g}" for row in arrays["virtual_mass"] for one in row)
+        found.append(("fitted", arrays["fitted_stiffness"], arrays["fitted_damping"]))
+        mass = _suited("virtual_mass", arrays["virtual_mass"])
+        masses = ", ".join(mass.format(one) for row in arrays["virtual_mass"] for one in row)
         note += (
-            f" Fitted with virtual masses xx, xy, yx, yy of {masses} kg, misfit {result.values['fit_error']:.1%}."
+            f" Fitted with virtual masses xx, xy, yx, yy of {masses} {mass.display.label}, "
+            f"misfit {result.values['fit_error']:.1%}."
         )
+    k = _suited("stiffness", *(stiffness for _, stiffness, _ in found))
+    c = _suited("damping", *(damping for _, _, damping in found))
+    rows = [
+        (name, *(of.format(one) for of, matrix in ((k, stiffness), (c, damping)) for row in matrix for one in row))
+        for name, stiffness, damping in found
+    ]
     names = ("Whirl ratio", *(f"K {one}" for one in AXES), *(f"C {one}" for one in AXES))
-    units = ("", *("MN/m",) * 4, *("kN s/m",) * 4)
+    units = ("", *(k.display.label,) * 4, *(c.display.label,) * 4)
     return plain_table("Coefficients over the whirl ratio", names, units, rows, note)
 
 
-def _row(name: str, stiffness: Iterable[Iterable[float]], damping: Iterable[Iterable[float]]) -> tuple[str, ...]:
-    k = [one for row in stiffness for one in row]
-    c = [one for row in damping for one in row]
-    return (name, *(f"{one / 1e6:.4g}" for one in k), *(f"{one / 1e3:.4g}" for one in c))
+def _suited(name: str, *matrices: Matrix) -> Quantity:
+    """A quantity in the unit suited to the entries of some matrices."""
+    return QUANTITIES[name].suited(*(one for matrix in matrices for row in matrix for one in row))
 
 
 def _motions(result: Result) -> dict[str, Any]:
@@ -159,7 +182,7 @@ def _motions(result: Result) -> dict[str, Any]:
             f"{frequency / math.tau:.2f}",
             f"{growth:.4g}",
             f"{decrement:.3g}",
-            "forward" if whirl > 0.0 else "backward" if whirl < 0.0 else "straight",
+            "straight" if abs(whirl) < STRAIGHT else "forward" if whirl > 0.0 else "backward",
             f"{100.0 * share:.0f}",
         )
         for growth, frequency, decrement, whirl, share in result.arrays["rotor_modes"]
@@ -169,5 +192,6 @@ def _motions(result: Result) -> dict[str, Any]:
         ("Frequency", "Growth", "Log decrement", "Whirl of the rotor", "Share of the rotor"),
         ("Hz", "1/s", "", "", "%"),
         rows,
-        "Those that swing, with the pads' own motions; what does not swing dies or grows without a frequency.",
+        "Those that swing, with the pads' own motions; what does not swing dies or grows without a frequency. "
+        "Straight: the rotor moves on a line, or an ellipse more than twenty times as long as it is wide.",
     )
