@@ -109,18 +109,13 @@ def test_nothing_is_assumed_of_films_at_a_given_temperature():
     assert case_from_dict(pad_case(thermal="global", assumption_sensitivity=True)).assumption_sensitivity
 
 
-def test_what_the_case_gives_is_not_assumed():
+def test_what_the_case_gives_is_varied_too_and_not_called_assumed():
     given = dict(GROWING, carry_over=0.7)
-    given["walls"] = GROWING["walls"] | {"housing": {"temperature": "45 degC"}}
     found = result_of(assumption_sensitivity=True, **given)
-    assert [name for name in found.arrays if name.startswith("assumed")] == ["assumed_back_coefficient"]
+    assert found.arrays["assumed_carry_over"] == pytest.approx(np.array([[0.5, 0.7, 0.9]]))
     (table,) = sensitivity_tables(found)
-    assert {row[0].partition(":")[0] for row in table["rows"][1:]} == {"Heat transfer on the backs in W/(m² K)"}
-
-
-def test_with_all_given_there_is_nothing_to_assume():
-    with pytest.raises(CaseError, match="all else that may be varied of the heat is given"):
-        read(pad_case(thermal="global", carry_over=0.8, assumption_sensitivity=True))
+    assert "Carry-over: 0.5 in place of 0.7" in {row[0] for row in table["rows"]}
+    assert table["columns"][0]["text"] == "Varied"
 
 
 def test_an_assumed_housing_says_that_it_follows_the_oil(result):

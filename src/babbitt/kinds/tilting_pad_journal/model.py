@@ -184,8 +184,8 @@ class PadCase:
     the films have the `effective_temperature` (K), else it is None and found from friction and fresh oil; `heat`
     counts for films with their own temperatures, whose bores at the probes `probe_alarm` and `probe_trip` (K)
     limit. Without `turbulence` films are laminar whatever their Reynolds number.
-    `assumed` names what of the heat the case does not give (`sensitivity.ASSUMED`), `given_clearances` the two of
-    clearance, assembled_clearance and preload that it gives of every pad, empty where they are not known.
+    `given_clearances` names the two of clearance, assembled_clearance and preload that the case gives of every
+    pad, empty where they are not known.
     `rotor_mass` (kg) is the part of a rotor that this bearing carries, `shaft_stiffness` (N/m) that of the shaft
     between that mass and the journal; None is rigid. `anticipated_cross_coupling` (N/m) drives the whole rotor, on
     two such bearings, forward; the housing stands on the `pedestal`, None: a rigid one. Coefficients are given at
@@ -215,7 +215,6 @@ class PadCase:
     probe_alarm: float | None = None
     probe_trip: float | None = None
     assumption_sensitivity: bool = False
-    assumed: tuple[str, ...] = ()
     given_clearances: tuple[tuple[str, ...], ...] = ()
     given: tuple[tuple[str, str], ...] = ()
     assumptions: tuple[str, ...] = ()

@@ -37,7 +37,7 @@ ASSUMED = {
 
 @dataclass(frozen=True)
 class Assumption:
-    """One number that is assumed.
+    """One number that is assumed, or given and known no better.
 
     Attributes
     ----------
@@ -71,12 +71,7 @@ def written(name: str, value: float) -> str:
 
 
 def assumptions(case: PadCase) -> Iterator[Assumption]:
-    """What is assumed of the heat of a bearing and may be otherwise; what the case gives is not."""
-    yield from (one for one in varied(case) if one.name in case.assumed)
-
-
-def varied(case: PadCase) -> Iterator[Assumption]:
-    """All numbers of the heat of a bearing that a case may leave open; nothing of films at a given temperature."""
+    """What of the heat of a bearing may be otherwise, given or not; nothing of films at a given temperature."""
     if case.thermal is Thermal.ISOTHERMAL:
         return
     share, heat, supply = case.feed.carry_over, case.heat, case.oil_supply

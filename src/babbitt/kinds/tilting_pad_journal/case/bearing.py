@@ -24,7 +24,6 @@ from babbitt.kinds.tilting_pad_journal.case import rules
 from babbitt.kinds.tilting_pad_journal.case.heat import (
     PadJournalWalls,
     ReferenceTemperature,
-    heat_assumed,
     heat_goes_with_the_films,
 )
 from babbitt.kinds.tilting_pad_journal.case.materials import PadJournalMaterials
@@ -267,18 +266,9 @@ class TiltingPadJournalCase(PadFilmChoices, CaseFile):
 
     @rule
     def _assumptions_are_made(self) -> Iterator[Issue]:
-        if not self.assumption_sensitivity or any(heat_assumed(self)):
-            return
-        if self.thermal_model == "isothermal":
+        if self.assumption_sensitivity and self.thermal_model == "isothermal":
             says = "of films at a given temperature nothing is assumed of their heat"
             yield Issue(("assumption_sensitivity",), says, "thermal: global, adiabatic or full, or leave it out")
-        else:
-            says = "carry_over and all else that may be varied of the heat is given"
-            allowed = (
-                "false, or one of carry_over, the heat transfer coefficient of walls.pads and the temperature of "
-                "walls.housing left out"
-            )
-            yield Issue(("assumption_sensitivity",), says, allowed)
 
     @rule
     def _alarm_before_the_trip(self) -> Iterator[Issue]:

@@ -15,7 +15,6 @@ from babbitt.core.result_name import ResultName
 from babbitt.design.conditions import OilSupply, PrescribedLoad, PrescribedPosition
 from babbitt.kinds.tilting_pad_journal.case.as_given import words_of
 from babbitt.kinds.tilting_pad_journal.case.heat import (
-    heat_assumed,
     heat_assumptions,
     heat_choices,
     heat_not_read,
@@ -88,7 +87,6 @@ def pad_case(case: TiltingPadJournalCase, point: PadOperatingPoint | None, named
         probe_alarm=case.limits.probe_alarm,
         probe_trip=case.limits.probe_trip,
         assumption_sensitivity=case.assumption_sensitivity,
-        assumed=tuple(heat_assumed(case)),
         given_clearances=tuple(given_three(case.pads.fields_of(number)) for number in range(case.pads.count)),
         given=tuple(words_of(case, speed, which)),
         assumptions=(*case.assumptions, *assumptions_of(case, which)),

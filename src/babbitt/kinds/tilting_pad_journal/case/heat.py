@@ -34,7 +34,6 @@ if TYPE_CHECKING:
 __all__ = [
     "PadJournalWalls",
     "ReferenceTemperature",
-    "heat_assumed",
     "heat_assumptions",
     "heat_choices",
     "heat_goes_with_the_films",
@@ -272,19 +271,6 @@ def pad_growth(case: TiltingPadJournalCase) -> PadGrowth | None:
         STEEL_EXPANSION if materials.housing is None else materials.housing.expansion(),
         case.walls.housing.temperature,
     )
-
-
-def heat_assumed(case: TiltingPadJournalCase) -> Iterator[str]:
-    """Names of what is assumed of the heat and may be varied (`sensitivity.ASSUMED`)."""
-    if case.thermal_model != "isothermal" and case.carry_over is None:
-        yield "assumed_carry_over"
-    pads = case.walls.pads
-    if case.thermal_model != "full" or pads is None:
-        return
-    if pads.heat_transfer_coefficient is None:
-        yield "assumed_back_coefficient"
-    if "growth" in case.deformation and case.walls.housing.temperature is None:
-        yield "assumed_housing_temperature"
 
 
 def heat_assumptions(case: TiltingPadJournalCase) -> Iterator[str]:

@@ -121,11 +121,11 @@ def sensitivity_tables(result: Result) -> Iterator[dict[str, Any]]:
         )]
         for number, place, name in _ends(result, assumed)
     ]  # fmt: skip
-    heads: list[dict[str, Any]] = [{"text": "Assumed", "symbol": None, "unit": ""}]
+    heads: list[dict[str, Any]] = [{"text": "Varied", "symbol": None, "unit": ""}]
     heads += [{"text": one.symbol, "symbol": symbol_node(one.symbol), "unit": one.display.label} for one in moved]
     note = (
-        "The bearing solved again with less and with more of each number that is assumed of its heat; a dash "
-        "where it has no film, or its pads starve."
+        "The bearing solved again with less and with more of each number of its heat that is seldom known better, "
+        "given or assumed; a dash where it has no film, or its pads starve."
     )
     yield {"title": "What assumptions move", "columns": heads, "rows": rows, "note": note}
 
