@@ -40,7 +40,9 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+    from babbitt.reynolds.heat.following_clearance import FollowingClearance, WarmClearance
     from babbitt.reynolds.heat.heat_model import FilmHeat
+    from babbitt.reynolds.heat.thermal_film_state import ThermalFilmState
     from babbitt.reynolds.heat.thermal_solution import ThermalFilm
     from babbitt.reynolds.solution import FilmSolution
 
@@ -58,6 +60,8 @@ A film whose nodes fill and empty with the clearance has two states there, and t
 assumption, below the error of the grid: films on both sides of a jump of 1e-4 differ by 0.2 % in thickness."""
 SAME_TEMPERATURE = 0.05
 """Change of the effective temperature in K at which the heat capacity counts as converged."""
+CLOSE_TEMPERATURE = 0.01
+"""Closeness in K to which the temperature of the heat capacity is known while the clearance follows the film."""
 GROWING = (0.5, 0.65, 0.8, 0.9, 0.95, 1.0)
 """Shares of the load under which a film is sought, one after the other."""
 ENDED_HOT = (Outcome.THERMAL_RUNAWAY, Outcome.NO_LUBRICANT_DATA, Outcome.NOT_CONVERGED)
@@ -123,6 +127,8 @@ class _Reached:
 def _settled_clearance(case: FilmCase, reached: _Reached, sought: ThermalSearch) -> Equilibrium[FilmState]:
     """Film whose clearance is that of its own temperatures; raises `NoFilmError` where a round has no film."""
     before = None
+    if sought.is_fresh and _may_follow(case):
+        sought.growth = _growth(case, reached.relative_clearance, reached.temperature)
     for rounds in range(1, MOST_ROUNDS + 1):
         psi, at = reached.relative_clearance, reached.temperature
         if psi <= 0.0:
@@ -130,6 +136,8 @@ def _settled_clearance(case: FilmCase, reached: _Reached, sought: ThermalSearch)
         if rounds == CLOSER_FROM:
             sought.closer = True
         state = reached.state = _thermal_state(case, psi, at, sought)
+        if sought.growth is not None:
+            psi, at, sought.growth = state.relative_clearance, sought.growth.now.temperature, None
         sought.climbs = False
         grown = _grown_clearance(case, state)
         here = (psi, grown - psi)
@@ -201,14 +209,48 @@ def _grown_clearance(case: FilmCase, state: FilmState) -> float:
     thermal = state.thermal
     if thermal is None:
         raise ValueError("a film without temperatures of its own")
+    return _clearance_at(case, thermal.mean_bush_temperature, thermal.journal_temperature)
+
+
+def _clearance_at(case: FilmCase, bush: float, journal: float) -> float:
+    """Relative clearance with bush and journal at their temperatures in K."""
     bearing = case.bearing
     return operating_relative_clearance(
-        bearing.relative_clearance,
-        bearing.expansion_bearing,
-        bearing.expansion_journal,
-        thermal.mean_bush_temperature,
-        thermal.journal_temperature,
+        bearing.relative_clearance, bearing.expansion_bearing, bearing.expansion_journal, bush, journal
     )
+
+
+def _may_follow(case: FilmCase) -> bool:
+    """Whether the clearance may follow the film while it is sought: under a load in a rigid bore, whose supplies
+    stand at given pressures."""
+    supply = case.oil_supply
+    assert supply is not None
+    assert case.heat is not None
+    rigid = not case.bearing.compliance and case.heat.growth is None
+    ducts = bool(supply.tubes or supply.holes or closed_pockets(case))
+    return isinstance(case.duty, PrescribedLoad) and rigid and not ducts
+
+
+def _growth(case: FilmCase, psi: float, temperature: float) -> FollowingClearance:
+    """Clearance of a bearing, and heat capacity and conductivity of its oil, by the temperatures of its film."""
+    from babbitt.reynolds.heat.following_clearance import FollowingClearance, WarmClearance
+
+    oil, radius = case.lubricant, 0.5 * case.bearing.diameter
+
+    def warm(grown: float, at: float) -> WarmClearance:
+        return WarmClearance(radius * grown, at, properties_at(oil, at)[2], oil.conductivity(at))
+
+    def law(thermal: ThermalFilmState) -> WarmClearance | None:
+        bush, journal = thermal.wall_temperatures()
+        width, viscosity = thermal.walls.width, thermal.reference_viscosity * thermal.effective_viscosity
+        grown = _clearance_at(case, float(bush @ width / width.sum()), journal)
+        warmth = _temperature_at(oil, viscosity, thermal.temperature, CLOSE_TEMPERATURE)
+        try:
+            return warm(grown, warmth) if grown > 0.0 else None
+        except NoFilmError:
+            return None
+
+    return FollowingClearance(law, warm(psi, temperature))
 
 
 def _thermal_state(case: FilmCase, psi: float, temperature: float, search: ThermalSearch) -> FilmState:
@@ -235,6 +277,9 @@ def _thermal_state(case: FilmCase, psi: float, temperature: float, search: Therm
     viscosity = thermal.effective_viscosity
     solution = replace(thermal.film, film=replace(thermal.film.film, viscosity=viscosity))
     settled = _temperature_of(oil, thermal)
+    if search.growth is not None:
+        psi = 2.0 * search.growth.now.clearance / case.bearing.diameter
+        heat_capacity = search.growth.now.volumetric_heat_capacity
     return FilmState(
         temperature=settled,
         relative_clearance=psi,
@@ -301,6 +346,7 @@ def thermal_resolution(case: FilmCase) -> Resolution:
 
 
 def _settled(case: FilmCase, film: JournalFilm, heat: FilmHeat, search: ThermalSearch) -> ThermalFilm:
+    from babbitt.reynolds.heat.following_clearance import keeps_its_ring
     from babbitt.reynolds.heat.thermal_equilibrium import thermal_film_at
 
     grid = thermal_resolution(case)
@@ -309,6 +355,8 @@ def _settled(case: FilmCase, film: JournalFilm, heat: FilmHeat, search: ThermalS
     if isinstance(case.duty, PrescribedEccentricity):
         return _at_eccentricity(case, case.duty, film, heat, search)
     load = load_vector(case, case.duty.load)
+    if search.growth is not None and keeps_its_ring(film):
+        return search.trail.solve_growing(film, heat, load, grid, search.growth)
     find = search.trail.climb if search.climbs else search.trail.solve
     return find(film, heat, load, grid)
 
@@ -365,14 +413,19 @@ def _accepted(thermal: ThermalFilm, oil: Lubricant) -> ThermalFilm:
 
 def _temperature_of(oil: Lubricant, thermal: ThermalFilm) -> float:
     """Temperature at which the oil has the effective viscosity; the mean of the film if it has it everywhere."""
-    low, high = float(thermal.temperature.min()), thermal.maximum_temperature
+    return _temperature_at(oil, thermal.effective_viscosity, thermal.temperature, 1e-9)
+
+
+def _temperature_at(oil: Lubricant, viscosity: float, temperature: Array, closeness: float) -> float:
+    """Temperature of the oil at a viscosity in Pa s, to a closeness in K; the mean of all where none has it."""
+    low, high = float(temperature.min()), float(temperature.max())
 
     def surplus(temperature: float) -> float:
-        return oil.dynamic_viscosity(temperature) - thermal.effective_viscosity
+        return oil.dynamic_viscosity(temperature) - viscosity
 
     if surplus(low) > 0.0 > surplus(high):
-        return bracketed_root(surplus, low, high, absolute=1e-9)
-    return float(thermal.temperature.mean())
+        return bracketed_root(surplus, low, high, absolute=closeness)
+    return float(temperature.mean())
 
 
 def following_stiffness(case: FilmCase, state: FilmState) -> Array | None:
