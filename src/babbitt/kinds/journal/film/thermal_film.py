@@ -17,7 +17,7 @@ from babbitt.core.result import Outcome
 from babbitt.design.conditions import PrescribedEccentricity, PrescribedLoad, PrescribedPosition
 from babbitt.design.feeding import Arrival, arrival
 from babbitt.design.heat_balance import CEILING, Equilibrium, NoFilmError
-from babbitt.design.oil import bounded_viscosity, highest_usable, properties_at
+from babbitt.design.oil import COLDEST, bounded_viscosity, highest_usable, properties_at
 from babbitt.kinds.journal.film.closed_pockets import ClosedPressures, closed_film
 from babbitt.kinds.journal.film.heat_model import AxialTemperature
 from babbitt.kinds.journal.film.isothermal import FilmState, operating_film
@@ -60,8 +60,6 @@ A film whose nodes fill and empty with the clearance has two states there, and t
 assumption, below the error of the grid: films on both sides of a jump of 1e-4 differ by 0.2 % in thickness."""
 SAME_TEMPERATURE = 0.05
 """Change of the effective temperature in K at which the heat capacity counts as converged."""
-CLOSE_TEMPERATURE = 0.01
-"""Closeness in K to which the temperature of the heat capacity is known while the clearance follows the film."""
 GROWING = (0.5, 0.65, 0.8, 0.9, 0.95, 1.0)
 """Shares of the load under which a film is sought, one after the other."""
 ENDED_HOT = (Outcome.THERMAL_RUNAWAY, Outcome.NO_LUBRICANT_DATA, Outcome.NOT_CONVERGED)
@@ -233,9 +231,13 @@ def _may_follow(case: FilmCase) -> bool:
 
 def _growth(case: FilmCase, psi: float, temperature: float) -> FollowingClearance:
     """Clearance of a bearing, and heat capacity and conductivity of its oil, by the temperatures of its film."""
+    import numpy as np
+
     from babbitt.reynolds.heat.following_clearance import FollowingClearance, WarmClearance
 
     oil, radius = case.lubricant, 0.5 * case.bearing.diameter
+    warmths = np.arange(COLDEST, highest_usable(oil))
+    thinner = -np.log(oil.dynamic_viscosity(warmths))
 
     def warm(grown: float, at: float) -> WarmClearance:
         return WarmClearance(radius * grown, at, properties_at(oil, at)[2], oil.conductivity(at))
@@ -244,7 +246,7 @@ def _growth(case: FilmCase, psi: float, temperature: float) -> FollowingClearanc
         bush, journal = thermal.wall_temperatures()
         width, viscosity = thermal.walls.width, thermal.reference_viscosity * thermal.effective_viscosity
         grown = _clearance_at(case, float(bush @ width / width.sum()), journal)
-        warmth = _temperature_at(oil, viscosity, thermal.temperature, CLOSE_TEMPERATURE)
+        warmth = float(np.interp(-math.log(viscosity), thinner, warmths))
         try:
             return warm(grown, warmth) if grown > 0.0 else None
         except NoFilmError:
@@ -413,19 +415,14 @@ def _accepted(thermal: ThermalFilm, oil: Lubricant) -> ThermalFilm:
 
 def _temperature_of(oil: Lubricant, thermal: ThermalFilm) -> float:
     """Temperature at which the oil has the effective viscosity; the mean of the film if it has it everywhere."""
-    return _temperature_at(oil, thermal.effective_viscosity, thermal.temperature, 1e-9)
-
-
-def _temperature_at(oil: Lubricant, viscosity: float, temperature: Array, closeness: float) -> float:
-    """Temperature of the oil at a viscosity in Pa s, to a closeness in K; the mean of all where none has it."""
-    low, high = float(temperature.min()), float(temperature.max())
+    low, high = float(thermal.temperature.min()), thermal.maximum_temperature
 
     def surplus(temperature: float) -> float:
-        return oil.dynamic_viscosity(temperature) - viscosity
+        return oil.dynamic_viscosity(temperature) - thermal.effective_viscosity
 
     if surplus(low) > 0.0 > surplus(high):
-        return bracketed_root(surplus, low, high, absolute=closeness)
-    return float(temperature.mean())
+        return bracketed_root(surplus, low, high, absolute=1e-9)
+    return float(thermal.temperature.mean())
 
 
 def following_stiffness(case: FilmCase, state: FilmState) -> Array | None:
