@@ -216,7 +216,7 @@ def _at(rows: Columns, place: int) -> dict[str, Any]:
 def _lines(task: RowTask, cases: PatchedCases, row: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
     """The answers of one row; problems of one name are set apart by their `variant`."""
     try:
-        calculations = cases.case(row).calculations()
+        calculations = [one.only(task.outputs) for one in cases.case(row).calculations()]
     except InputError as error:
         yield {**row, **_without_answer(REFUSED, error.message)}
         return

@@ -105,19 +105,19 @@ def coefficients_over_speed(
         return None
     bearing = kernel_bearing(film, Scales.of(film, abs(film.angular_speed)))
     axial = kernel_operator(resolution.axial_unknowns)
+    turn = math.copysign(1.0, film.angular_speed)
+    mirrored = np.array([[1.0, turn], [turn, 1.0]])
 
     def at(speed: float) -> Coefficients | None:
         scales, result = Scales.of(film, speed), np.zeros(RESULT_SIZE)
-        x, y = np.asarray(load) * scales.sense / scales.force
         _, _, status, _, _, _ = find_equilibrium(
-            axial, bearing, resolution.coarse_intervals, resolution.intervals, x, y, 0.0, 0.0,
-            resolution.tolerance, max_steps, result,
+            axial, bearing, resolution.coarse_intervals, resolution.intervals, load[0] / scales.force,
+            turn * load[1] / scales.force, 0.0, 0.0, resolution.tolerance, max_steps, result,
         )  # fmt: skip
         if status != CONVERGED or not np.isfinite(result).all():
             return None
-        unit, mirror = scales.force / scales.length, np.diag(scales.sense)
-        stiffness, damping = (mirror @ one.reshape(2, 2) @ mirror * unit for one in (result[2:6], result[6:]))
-        return stiffness, damping / scales.rate
+        unit = mirrored * (scales.force / scales.length)
+        return result[2:6].reshape(2, 2) * unit, result[6:].reshape(2, 2) * (unit / scales.rate)
 
     return at
 

@@ -67,17 +67,18 @@ class FollowingClearance:
         if warm is None:
             return 1.0
         self.now = warm
+        if (warm.volumetric_heat_capacity, warm.conductivity) != (last.volumetric_heat_capacity, last.conductivity):
+            thermal.heat = replace(
+                thermal.heat,
+                volumetric_heat_capacity=warm.volumetric_heat_capacity,
+                conductivity=warm.conductivity,
+            )
         wider = warm.clearance / last.clearance
         heavier = warm.volumetric_heat_capacity / last.volumetric_heat_capacity
         better, walls = warm.conductivity / last.conductivity, thermal.walls
         thermal.rise /= heavier * wider**2
         thermal.walls = walls._replace(
             conduction=walls.conduction * better / (heavier * wider**2), flow_heat=walls.flow_heat * heavier * wider
-        )
-        thermal.heat = replace(
-            thermal.heat,
-            volumetric_heat_capacity=warm.volumetric_heat_capacity,
-            conductivity=warm.conductivity,
         )
         thermal.sample.ring.surface.held_pressure[:] *= wider**2
         return wider

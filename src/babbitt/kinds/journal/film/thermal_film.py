@@ -60,6 +60,8 @@ A film whose nodes fill and empty with the clearance has two states there, and t
 assumption, below the error of the grid: films on both sides of a jump of 1e-4 differ by 0.2 % in thickness."""
 SAME_TEMPERATURE = 0.05
 """Change of the effective temperature in K at which the heat capacity counts as converged."""
+SAME_OIL = 0.01
+"""Change of the effective temperature in K up to which the oil of a film that is sought keeps its properties."""
 GROWING = (0.5, 0.65, 0.8, 0.9, 0.95, 1.0)
 """Shares of the load under which a film is sought, one after the other."""
 ENDED_HOT = (Outcome.THERMAL_RUNAWAY, Outcome.NO_LUBRICANT_DATA, Outcome.NOT_CONVERGED)
@@ -242,17 +244,25 @@ def _growth(case: FilmCase, psi: float, temperature: float) -> FollowingClearanc
     def warm(grown: float, at: float) -> WarmClearance:
         return WarmClearance(radius * grown, at, properties_at(oil, at)[2], oil.conductivity(at))
 
+    last = warm(psi, temperature)
+
     def law(thermal: ThermalFilmState) -> WarmClearance | None:
+        nonlocal last
         bush, journal = thermal.wall_temperatures()
         width, viscosity = thermal.walls.width, thermal.reference_viscosity * thermal.effective_viscosity
         grown = _clearance_at(case, float(bush @ width / width.sum()), journal)
         warmth = float(np.interp(-math.log(viscosity), thinner, warmths))
+        if not grown > 0.0:
+            return None
+        if abs(warmth - last.temperature) < SAME_OIL:
+            return replace(last, clearance=radius * grown)
         try:
-            return warm(grown, warmth) if grown > 0.0 else None
+            last = warm(grown, warmth)
         except NoFilmError:
             return None
+        return last
 
-    return FollowingClearance(law, warm(psi, temperature))
+    return FollowingClearance(law, last)
 
 
 def _thermal_state(case: FilmCase, psi: float, temperature: float, search: ThermalSearch) -> FilmState:

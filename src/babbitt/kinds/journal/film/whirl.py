@@ -13,7 +13,7 @@ import numpy as np
 from babbitt.kinds.journal.film.isothermal import FilmState, following, known_bore
 from babbitt.kinds.journal.film.load_slope import with_known_slope
 from babbitt.kinds.journal.film.model import FilmCase
-from babbitt.kinds.journal.film.stable_equilibrium import converged_film, place_of
+from babbitt.kinds.journal.film.stable_equilibrium import converged_film, place_of, pushes_off
 from babbitt.kinds.journal.film.unloaded import is_unloaded
 from babbitt.reynolds.equilibrium.cavitating_film import coefficients_over_speed
 from babbitt.reynolds.frame import LoadFrame, rounded
@@ -105,7 +105,7 @@ def _reserve_at(
 
     def reserve(speed: float) -> float:
         found = None if quick is None else quick(rounded(speed))
-        if found is not None and np.linalg.det(found[0]) >= 0.0:  # the journal may stay there
+        if found is not None and not pushes_off(found[0]):
             return stable_masses_of_rotor(*found, shaft_stiffness).reserve(mass)
         solved = with_known_slope(case, at_speed(case, state, speed, bore))
         if not solved.outcome.solved:
@@ -127,7 +127,7 @@ def threshold_speed(case: FilmCase, state: FilmState, mass: float, shaft_stiffne
     Nor is one where the film carries nothing: no load holds the journal at another place at another speed. None
     is looked for where the case does not ask.
     """
-    if not case.limiting_speeds or is_unloaded(case, state):
+    if not (case.limiting_speeds and case.whirl_speed) or is_unloaded(case, state):
         return None
 
     gives_way = bool(case.bearing.compliance)
