@@ -60,6 +60,9 @@ A film whose nodes fill and empty with the clearance has two states there, and t
 assumption, below the error of the grid: films on both sides of a jump of 1e-4 differ by 0.2 % in thickness."""
 SAME_TEMPERATURE = 0.05
 """Change of the effective temperature in K at which the heat capacity counts as converged."""
+HOT = 473.15
+"""Highest temperature in K from which a film is sought at one clearance after the other: whether one runs away is
+told by all of them, on lines that a film draws that has come so far. An assumption, far from the ceiling."""
 SAME_OIL = 0.01
 """Change of the effective temperature in K up to which the oil of a film that is sought keeps its properties."""
 GROWING = (0.5, 0.65, 0.8, 0.9, 0.95, 1.0)
@@ -368,7 +371,11 @@ def _settled(case: FilmCase, film: JournalFilm, heat: FilmHeat, search: ThermalS
         return _at_eccentricity(case, case.duty, film, heat, search)
     load = load_vector(case, case.duty.load)
     if search.growth is not None and keeps_its_ring(film):
-        return search.trail.solve_growing(film, heat, load, grid, search.growth)
+        found = search.trail.solve_growing(film, heat, load, grid, search.growth)
+        if found.maximum_temperature < HOT:
+            return found
+        search.growth.begin()
+        search.trail.last = None
     find = search.trail.climb if search.climbs else search.trail.solve
     return find(film, heat, load, grid)
 
