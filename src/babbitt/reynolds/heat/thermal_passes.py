@@ -46,7 +46,7 @@ SETTLED = 5e-2
 CLOSER = 1e-3
 """Change of temperature in a pass, K, at which a film has converged that goes on from the last one or whose
 clearance follows it: such films are compared with each other, and this close a pass more is cheap."""
-SAME_CLEARANCE = 5e-6
+SAME_CLEARANCE = 1e-6
 """Share by which a clearance that follows its film may still change in a pass when the film has converged."""
 COLD_LOAD = 2.0
 """Dimensionless load up to which the journal starts where a film of fresh oil carries it: a centred one leaks

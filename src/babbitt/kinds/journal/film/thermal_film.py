@@ -63,7 +63,7 @@ SAME_TEMPERATURE = 0.05
 HOT = 473.15
 """Highest temperature in K from which a film is sought at one clearance after the other: whether one runs away is
 told by all of them, on lines that a film draws that has come so far. An assumption, far from the ceiling."""
-SAME_OIL = 0.01
+SAME_OIL = 1e-3
 """Change of the effective temperature in K up to which the oil of a film that is sought keeps its properties."""
 GROWING = (0.5, 0.65, 0.8, 0.9, 0.95, 1.0)
 """Shares of the load under which a film is sought, one after the other."""
