@@ -17,7 +17,7 @@ from babbitt.core.result import Outcome
 from babbitt.design.conditions import PrescribedEccentricity, PrescribedLoad, PrescribedPosition
 from babbitt.design.feeding import Arrival, arrival
 from babbitt.design.heat_balance import CEILING, Equilibrium, NoFilmError
-from babbitt.design.oil import COLDEST, bounded_viscosity, highest_usable, properties_at
+from babbitt.design.oil import bounded_viscosity, highest_usable, properties_at
 from babbitt.kinds.journal.film.closed_pockets import ClosedPressures, closed_film
 from babbitt.kinds.journal.film.heat_model import AxialTemperature
 from babbitt.kinds.journal.film.isothermal import FilmState, operating_film
@@ -63,6 +63,8 @@ SAME_TEMPERATURE = 0.05
 HOT = 473.15
 """Highest temperature in K from which a film is sought at one clearance after the other: whether one runs away is
 told by all of them, on lines that a film draws that has come so far. An assumption, far from the ceiling."""
+KNOWN_TEMPERATURES = 257
+"""At which the viscosity of an oil is known while its effective temperature follows the film: some 1 K apart."""
 SAME_OIL = 1e-3
 """Change of the effective temperature in K up to which the oil of a film that is sought keeps its properties."""
 GROWING = (0.5, 0.65, 0.8, 0.9, 0.95, 1.0)
@@ -240,8 +242,8 @@ def _growth(case: FilmCase, psi: float, temperature: float) -> FollowingClearanc
 
     from babbitt.reynolds.heat.following_clearance import FollowingClearance, WarmClearance
 
-    oil, radius = case.lubricant, 0.5 * case.bearing.diameter
-    warmths = np.arange(COLDEST, highest_usable(oil))
+    oil, radius, hottest = case.lubricant, 0.5 * case.bearing.diameter, highest_usable(case.lubricant)
+    warmths = np.linspace(min(temperature, hottest), hottest, KNOWN_TEMPERATURES)  # from that of fresh oil
     thinner = -np.log(oil.dynamic_viscosity(warmths))
 
     def warm(grown: float, at: float) -> WarmClearance:
