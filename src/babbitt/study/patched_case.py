@@ -98,7 +98,7 @@ class _Read:
 
 @dataclass(eq=False)
 class PatchedCases:
-    """Cases of the rows of a study, one after the other; rows that differ in numbers alone share one that was read.
+    """Cases of the rows of a study, one after the other; those that differ in numbers alone share one that was read.
 
     Attributes
     ----------
@@ -121,7 +121,11 @@ class PatchedCases:
             self._known[words] = self._read(case, row)
             return case
         known = self._known[words]
-        found = None if known is None else patched(known.case, {way: float(row[path]) for path, way in known.ways.items()})
+        found = (
+            None
+            if known is None
+            else patched(known.case, {way: float(row[path]) for path, way in known.ways.items()})
+        )
         if known is None or found is None:
             return self.task.case(row)
         if not known.confirmed:

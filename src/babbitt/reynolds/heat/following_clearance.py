@@ -67,7 +67,10 @@ class FollowingClearance:
         if warm is None:
             return 1.0
         self.now = warm
-        if (warm.volumetric_heat_capacity, warm.conductivity) != (last.volumetric_heat_capacity, last.conductivity):
+        if (warm.volumetric_heat_capacity, warm.conductivity) != (
+            last.volumetric_heat_capacity,
+            last.conductivity,
+        ):
             thermal.heat = replace(
                 thermal.heat,
                 volumetric_heat_capacity=warm.volumetric_heat_capacity,
@@ -78,7 +81,8 @@ class FollowingClearance:
         better, walls = warm.conductivity / last.conductivity, thermal.walls
         thermal.rise /= heavier * wider**2
         thermal.walls = walls._replace(
-            conduction=walls.conduction * better / (heavier * wider**2), flow_heat=walls.flow_heat * heavier * wider
+            conduction=walls.conduction * better / (heavier * wider**2),
+            flow_heat=walls.flow_heat * heavier * wider,
         )
         thermal.sample.ring.surface.held_pressure[:] *= wider**2
         return wider

@@ -94,9 +94,7 @@ def at_speed(case: FilmCase, state: FilmState, speed: float, bore: KnownBore | N
     return replace(found.solution, outcome=found.outcome)
 
 
-def _reserve_at(
-    case: FilmCase, state: FilmState, mass: float, shaft_stiffness: float
-) -> Callable[[float], float]:
+def _reserve_at(case: FilmCase, state: FilmState, mass: float, shaft_stiffness: float) -> Callable[[float], float]:
     """Reserve of a mass in kg over the hydrodynamic speed in rad/s; no number where no film is found."""
     film = replace(state.solution.film, angular_speed=case.rotation.sense * abs(state.solution.film.angular_speed))
     bore, grid = known_bore(case), case.accuracy.resolution

@@ -47,6 +47,7 @@ MOST_TRIED = 8
 OF_THE_SEARCH = ("iterations", "wall_time")
 """Results that tell how one bearing was found."""
 
+
 def solve_many(task: RowTask, rows: Columns) -> Columns | None:
     """Solve rows as arrays, equal to one by one (`babbitt.study.rows.SolvesMany`)."""
     count = rows["row"].size
