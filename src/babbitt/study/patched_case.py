@@ -98,7 +98,7 @@ class _Read:
 
 @dataclass(eq=False)
 class PatchedCases:
-    """Cases of the rows of a study, one after the other; those that differ in numbers alone share one that was read.
+    """Cases of the rows of a study, one by one; those that differ in numbers alone share one that was read.
 
     Attributes
     ----------

@@ -248,7 +248,7 @@ class ThermalFilmState:
         return float(change)
 
     def wall_temperatures(self) -> tuple[Array, float]:
-        """Of the bush, shape (lines,), and of the journal, K; insulated ones are as warm as the oil beside them."""
+        """Of the bush, shape (lines,), and of the journal, K; insulated ones are as warm as oil beside them."""
         walls = self.walls
         if not walls.insulated:
             return walls.bush.copy(), float(walls.journal[0])
