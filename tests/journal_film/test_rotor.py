@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -14,6 +15,10 @@ from routh_hurwitz import hurwitz_margins, is_stable
 from babbitt.core.notices import explanations
 from babbitt.kinds.journal.film.isothermal import operating_film
 from babbitt.kinds.journal.film.whirl import at_speed
+from babbitt.reynolds.equilibrium.cavitating_film import coefficients_over_speed
+from babbitt.reynolds.equilibrium.solve import solve_journal
+from babbitt.reynolds.frame import LoadFrame
+from babbitt.reynolds.model import DRAFT, Cavitation, JournalFilm, grooved_bore
 from babbitt.reynolds.stability.rotor import RIGID, critical_mass_of_rotor, growth_rates, stable_masses_of_rotor
 from babbitt.reynolds.stability.routh import NO_MASS, stable_masses, whirl_frequency
 from babbitt.reynolds.stability.whirl_limits import crossing
@@ -126,6 +131,29 @@ def test_at_another_speed_the_load_keeps_the_direction_that_was_found():
     assert at_speed(case, state, abs(case.journal_speed)).position == pytest.approx(
         state.solution.position, rel=1e-5
     )
+
+
+@pytest.mark.parametrize("sense", [1.0, -1.0])
+@pytest.mark.parametrize("cavitation", [Cavitation.MASS_CONSERVING, Cavitation.REYNOLDS])
+def test_coefficients_at_another_speed_are_those_of_the_whole_film(sense, cavitation):
+    lands = grooved_bore((0.0, math.pi), 0.3)
+    bearing = JournalFilm(0.2, 0.12, 150e-6, 0.02, sense * 100.0, lands, cavitation=cavitation)
+    frame = LoadFrame.of(bearing, (0.0, -sense * 3e4))
+    at = coefficients_over_speed(frame.film, frame.load, DRAFT)
+    for speed in (60.0, 100.0, 170.0):
+        whole = solve_journal(replace(bearing, angular_speed=sense * speed), frame.load, DRAFT)
+        stiffness, damping = at(speed)
+        assert stiffness == pytest.approx(whole.stiffness, rel=1e-11)
+        assert damping == pytest.approx(whole.damping, rel=1e-11)
+    assert coefficients_over_speed(frame.film, (0.0, -sense * 1e12), DRAFT)(100.0) is None
+
+
+def test_films_that_change_with_the_speed_but_for_their_unit_are_solved_whole():
+    lands = grooved_bore((0.0, math.pi), 0.3)
+    bearing = JournalFilm(0.2, 0.12, 150e-6, 0.02, 100.0, lands)
+    pressed = tuple(replace(one, start_pressure=1e5, end_pressure=1e5) for one in lands)
+    for other in ({"cavitation_pressure": -5e4}, {"misalignment": (1e-4, 0.0)}, {"lands": pressed}):
+        assert coefficients_over_speed(replace(bearing, **other), (0.0, -3e4), DRAFT) is None
 
 
 def test_a_threshold_is_not_told_where_films_are_missing_beside_it():

@@ -139,8 +139,8 @@ def test_a_clearance_settles_on_lines_that_stay():
     """Oil that goes round many times: the grown clearance belongs to the temperatures, to the digits asked for."""
     found = thermal_operating_film(SPINNING)
     assert found.outcome.solved
-    assert found.evaluations >= 2
     metal, state = SPINNING.bearing, found.film
+    assert state.relative_clearance != pytest.approx(metal.relative_clearance, rel=100.0 * SAME_CLEARANCE)
     grown = operating_relative_clearance(
         metal.relative_clearance, metal.expansion_bearing, metal.expansion_journal,
         state.thermal.mean_bush_temperature, state.thermal.journal_temperature,

@@ -250,6 +250,16 @@ def test_supplies_keep_their_places() -> None:
         assert flows[shift] == pytest.approx(found.supply_flow, rel=SAME)
 
 
+def test_a_round_bore_stays_round_in_its_frame() -> None:
+    """Lands that have the clearance of the film, whose digits are cut, have the cut one."""
+    clearance = 0.0001547941399812180323
+    lands = tuple(replace(land, clearance=clearance) for land in grooved_bore((0.3, 3.4), 0.2))
+    film = JournalFilm(0.2, 0.12, clearance, 0.02, 100.0, lands)
+    framed = LoadFrame.of(film, (1e3, -2e4)).film
+    assert framed.clearance != clearance
+    assert framed.is_round
+
+
 def test_a_frame_points_the_load_down() -> None:
     film, load = random_film("tilt", 2)
     frame = LoadFrame.of(film, load)

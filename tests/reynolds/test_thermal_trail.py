@@ -8,10 +8,16 @@ import pytest
 
 from babbitt.core.result import Outcome
 from babbitt.reynolds.heat.heat_model import THERMAL_ENGINEERING, BushRing, ConductingWalls, FilmHeat, JournalHeat
-from babbitt.reynolds.heat.thermal_continuation import CLOSER, ThermalTrail
+from babbitt.reynolds.heat.thermal_continuation import ThermalTrail
 from babbitt.reynolds.heat.thermal_equilibrium import solve_thermal_journal
 from babbitt.reynolds.heat.thermal_film_state import RELAX
-from babbitt.reynolds.heat.thermal_passes import cold_start, continued, find_thermal_equilibrium, fresh_ring
+from babbitt.reynolds.heat.thermal_passes import (
+    CLOSER,
+    cold_start,
+    continued,
+    find_thermal_equilibrium,
+    fresh_ring,
+)
 from babbitt.reynolds.lands._equilibrium import CONVERGED
 from babbitt.reynolds.model import JournalFilm, grooved_bore
 from babbitt.reynolds.scales import Scales

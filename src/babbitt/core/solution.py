@@ -8,7 +8,7 @@ reports, figures and exports read what was solved instead of solving it again.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Protocol, runtime_checkable
 
@@ -104,6 +104,10 @@ class Method(ABC):
         (found,) = self.solve(problem)
         return found
 
+    def only(self, problem: Any, quantities: Collection[str]) -> Any:
+        """The problem without searches that tell none of some quantities, no limit and no doubt; here the same."""
+        return problem
+
     def refuse(self, problem: Any) -> None:  # noqa: B027 - most methods refuse nothing
         """Raise what `solve` would raise of an unusable problem, with at most one film solved; here nothing.
 
@@ -130,6 +134,10 @@ class Calculation:
 
     problem: Problem
     method: Method
+
+    def only(self, quantities: Collection[str]) -> Calculation:
+        """The calculation as far as it tells some quantities, all limits, and what questions the result."""
+        return replace(self, problem=self.method.only(self.problem, quantities))
 
     def solve(self, progress: ProgressCallback = no_progress) -> tuple[Solution, ...]:
         """Solve the problem by its method."""

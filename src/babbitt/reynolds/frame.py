@@ -193,6 +193,7 @@ def turned_land(land: Land, angle: float, sense: float) -> Land:
         land,
         start_angle=start,
         end_angle=end,
+        clearance=land.clearance if land.clearance is None else rounded(land.clearance),
         centre=turned_vector(land.centre, angle, sense),
         start_pressure=rounded(land.start_pressure),
         end_pressure=rounded(land.end_pressure),

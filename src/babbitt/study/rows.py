@@ -23,6 +23,7 @@ from babbitt.core.result import ROUND_OFF, Outcome, Result, Verdict
 from babbitt.core.result_name import ResultName
 from babbitt.study.appraisal import ALL_LIMITS, appraised
 from babbitt.study.inputs import Input
+from babbitt.study.patched_case import PatchedCases, is_empty
 from babbitt.study.shares import given_with
 
 __all__ = [
@@ -140,15 +141,6 @@ class SolvesMany(Protocol):
         """Answer rows as `solved_rows` does, equal to it; None for a case or fields that it does not know."""
 
 
-def is_empty(value: Any) -> bool:
-    """Whether a cell of a table holds nothing.
-
-    >>> is_empty(math.nan), is_empty(""), is_empty(0.0)
-    (True, True, False)
-    """
-    return bool(value == "" or value != value)
-
-
 def margin_name(code: str) -> str:
     """Name of the column with the margin of a check."""
     return f"margin_{code}"
@@ -212,7 +204,8 @@ def solved_as_arrays(task: RowTask, rows: Columns) -> Columns | None:
 
 def solved_one_by_one(task: RowTask, rows: Columns) -> Columns:
     """Solve rows case by case; parameters and columns as of `solved_rows`."""
-    lines = [line for place in range(rows["row"].size) for line in _lines(task, _at(rows, place))]
+    cases = PatchedCases(task)
+    lines = [line for place in range(rows["row"].size) for line in _lines(task, cases, _at(rows, place))]
     return _columns(task, lines)
 
 
@@ -220,10 +213,10 @@ def _at(rows: Columns, place: int) -> dict[str, Any]:
     return {name: column[place] for name, column in rows.items()}
 
 
-def _lines(task: RowTask, row: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
+def _lines(task: RowTask, cases: PatchedCases, row: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
     """The answers of one row; problems of one name are set apart by their `variant`."""
     try:
-        calculations = task.case(row).calculations()
+        calculations = [one.only(task.outputs) for one in cases.case(row).calculations()]
     except InputError as error:
         yield {**row, **_without_answer(REFUSED, error.message)}
         return

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Collection, Iterable
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, ClassVar
 
 from babbitt.core.progress import ProgressCallback, no_progress
@@ -18,6 +18,10 @@ if TYPE_CHECKING:
     from babbitt.kinds.journal.oil_balance.model import OilSystemProblem
 
 __all__ = ["METHODS", "Film", "GroovedLongBearing", "InfinitelyLongBearing", "Iso7902", "OilBalance"]
+
+
+WHIRL_SPEEDS = {"threshold_speed", "threshold_speed_elastic"}
+"""What a search through many films tells, and no limit is held against."""
 
 
 @dataclass(frozen=True)
@@ -44,6 +48,10 @@ class Film(Method):
         from babbitt.kinds.journal.film.check import film_solution
 
         return (film_solution(problem, progress),)
+
+    def only(self, problem: FilmCase, quantities: Collection[str]) -> FilmCase:
+        """The film without the speed at which the rotor whirls, where that is not asked for."""
+        return problem if WHIRL_SPEEDS & set(quantities) else replace(problem, whirl_speed=False)
 
     def coefficients_over_speed(self, problem: FilmCase, speeds: Iterable[float]) -> SpeedRun:
         """Solve at several speeds, the heat balance anew at each."""

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 import time
+from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -39,9 +40,11 @@ from babbitt.reynolds.model import Cavitation, FilmStart, JournalFilm, Land, Res
 from babbitt.reynolds.scales import Scales
 from babbitt.reynolds.solution import FilmSolution
 
-__all__ = ["cavitating_film_at", "equilibrium_from"]
+__all__ = ["Coefficients", "cavitating_film_at", "coefficients_over_speed", "equilibrium_from"]
 
 Array = NDArray[np.float64]
+Coefficients = tuple[Array, Array]
+"""Stiffness in N/m and damping in N s/m, shape (2, 2) each."""
 
 SLIGHT = 0.25
 """By which the void of single nodes beside the edge of a streamer may lie outside 0 to 1, on any grid.
@@ -87,6 +90,36 @@ def equilibrium_from(
     result[:2] += standing
     at = np.array([x, y])
     return assemble(film, scales, bearing, axial, grid, at, np.zeros(2), result, status, steps, gap, 0.0, begun)
+
+
+def coefficients_over_speed(
+    film: JournalFilm, load: tuple[float, float], resolution: Resolution, max_steps: int = 80
+) -> Callable[[float], Coefficients | None] | None:
+    """Coefficients of a film in equilibrium over its speed in rad/s, those of `equilibrium_from` without the rest.
+
+    None where a film is not one whose lands are the same at every speed but for their unit: plain, fed and vented
+    without pressure. At a speed where no equilibrium is found there are no coefficients.
+    """
+    plain = film.is_plain and film.film_start is FilmStart.GROOVE and not film.is_surface
+    if not plain or film.cavitation is Cavitation.HALF_SOMMERFELD or film.cavitation_pressure != 0.0:
+        return None
+    bearing = kernel_bearing(film, Scales.of(film, abs(film.angular_speed)))
+    axial = kernel_operator(resolution.axial_unknowns)
+    turn = math.copysign(1.0, film.angular_speed)
+    mirrored = np.array([[1.0, turn], [turn, 1.0]])
+
+    def at(speed: float) -> Coefficients | None:
+        scales, result = Scales.of(film, speed), np.zeros(RESULT_SIZE)
+        _, _, status, _, _, _ = find_equilibrium(
+            axial, bearing, resolution.coarse_intervals, resolution.intervals, load[0] / scales.force,
+            turn * load[1] / scales.force, 0.0, 0.0, resolution.tolerance, max_steps, result,
+        )  # fmt: skip
+        if status != CONVERGED or not np.isfinite(result).all():
+            return None
+        unit = mirrored * (scales.force / scales.length)
+        return result[2:6].reshape(2, 2) * unit, result[6:].reshape(2, 2) * (unit / scales.rate)
+
+    return at
 
 
 def cavitating_film_at(

@@ -10,11 +10,13 @@ from __future__ import annotations
 import time
 from dataclasses import dataclass, replace
 
+from babbitt.reynolds.heat.following_clearance import FollowingClearance, with_clearance
 from babbitt.reynolds.heat.globalisation import accelerated_equilibrium, stabilised
 from babbitt.reynolds.heat.heat_model import THERMAL_ENGINEERING, FilmHeat
-from babbitt.reynolds.heat.thermal_equilibrium import Posed, answer, posed, search
+from babbitt.reynolds.heat.thermal_equilibrium import Posed, answer, directly, posed, search
 from babbitt.reynolds.heat.thermal_film_state import ThermalFilmState
 from babbitt.reynolds.heat.thermal_passes import (
+    CLOSER,
     SETTLED,
     ThermalEquilibrium,
     continued,
@@ -27,11 +29,7 @@ from babbitt.reynolds.model import JournalFilm, Resolution
 from babbitt.reynolds.surface.mesh_lines import Density
 from babbitt.reynolds.surface.surface_equilibrium import line_density
 
-__all__ = ["CLOSER", "ThermalTrail"]
-
-CLOSER = 1e-3
-"""Change of temperature in a pass, K, at which a film that goes on from the last one has converged: such films are
-compared with each other, and this close a pass more is cheap."""
+__all__ = ["ThermalTrail"]
 
 
 @dataclass
@@ -59,6 +57,25 @@ class ThermalTrail:
         if found is None or found.status != CONVERGED:
             found = search(asked.seen, heat, asked.scales, asked.load, resolution)
         return self._noted(asked, found, begun)
+
+    def solve_growing(
+        self,
+        film: JournalFilm,
+        heat: FilmHeat,
+        load: tuple[float, float],
+        resolution: Resolution,
+        growth: FollowingClearance,
+    ) -> ThermalFilm:
+        """Film whose clearance follows its temperatures, one that `keeps_its_ring`; at its own where none does."""
+        begun, asked = time.perf_counter(), posed(film, load)
+        found = _with_a_gap(directly(asked.seen, heat, asked.scales, asked.load, resolution, growth))
+        if found.status == CONVERGED:
+            grown = posed(with_clearance(film, growth.now.clearance), load)
+            solved = self._noted(grown, found, begun)
+            if solved.film.outcome.solved:
+                return solved
+        growth.begin()
+        return self.solve(film, heat, load, resolution)
 
     def climb(
         self,

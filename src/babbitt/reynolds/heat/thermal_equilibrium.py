@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from babbitt.core.notices import InputError
 from babbitt.reynolds.frame import LoadFrame
+from babbitt.reynolds.heat.following_clearance import FollowingClearance
 from babbitt.reynolds.heat.globalisation import accelerated_equilibrium, recovered
 from babbitt.reynolds.heat.heat_model import THERMAL_ENGINEERING, FilmHeat
 from babbitt.reynolds.heat.thermal_passes import (
@@ -26,7 +27,7 @@ from babbitt.reynolds.heat.thermal_passes import (
     SWEEPS,
     ThermalEquilibrium,
     attempt,
-    find_thermal_equilibrium,
+    find_on_fine_ring,
     fresh_ring,
 )
 from babbitt.reynolds.heat.thermal_solution import ThermalFilm, thermal_film
@@ -182,19 +183,29 @@ def search(
     film: JournalFilm, heat: FilmHeat, scales: Scales, load: Array, resolution: Resolution
 ) -> ThermalEquilibrium:
     """On the fine ring at once where the film stays thick, else after a coarse one; then with a growing load."""
-    size = math.hypot(*load)
-    found = on_usual_lines(film, heat, scales, load, resolution) if size <= COLD_LOAD else None
-    if found is not None and found.status == CONVERGED and found.gap > THICK:
-        return found
-    found, share = attempt(film, heat, scales, load, resolution, 1.0), 0.1 * MODERATE_LOAD / max(size, 1e-300)
+    found, share = directly(film, heat, scales, load, resolution), 0.1 * MODERATE_LOAD
     if found.status != CONVERGED:
-        found = recovered(film, heat, scales, load, resolution, found, min(share, 1.0))
+        share = min(share / max(math.hypot(*load), 1e-300), 1.0)
+        found = recovered(film, heat, scales, load, resolution, found, share)
     return replace(found, status=NO_FILM) if found.gap < THINNEST else found
 
 
+def directly(
+    film: JournalFilm, heat: FilmHeat, scales: Scales, load: Array, resolution: Resolution,
+    growth: FollowingClearance | None = None,
+) -> ThermalEquilibrium:  # fmt: skip
+    """Under the whole load, on lines drawn for the clearance given, which may follow on the fine ring."""
+    thick = math.hypot(*load) <= COLD_LOAD
+    found = on_usual_lines(film, heat, scales, load, resolution, growth) if thick else None
+    if found is not None and found.status == CONVERGED and found.gap > THICK:
+        return found
+    return attempt(film, heat, scales, load, resolution, 1.0, growth)
+
+
 def on_usual_lines(
-    film: JournalFilm, heat: FilmHeat, scales: Scales, load: Array, resolution: Resolution
-) -> ThermalEquilibrium | None:
+    film: JournalFilm, heat: FilmHeat, scales: Scales, load: Array, resolution: Resolution,
+    growth: FollowingClearance | None,
+) -> ThermalEquilibrium | None:  # fmt: skip
     """Equilibrium on the fine ring at once; None where the film is thin already at the temperature guessed.
 
     Lines crowd a little where a film of usual thickness would be thin.
@@ -207,7 +218,7 @@ def on_usual_lines(
         thermal.sample.evaluate(usual)
     thinner = thermal.guess(usual)
     at, _, _, gap = position_under(thermal.sample, load / thinner, usual, COLDLY_CARRIED, 30, False)
-    return find_thermal_equilibrium(thermal, load, at, resolution.tolerance, SETTLED) if gap > THICK else None
+    return find_on_fine_ring(thermal, load, at, resolution, growth) if gap > THICK else None
 
 
 def polished(found: ThermalEquilibrium) -> ThermalEquilibrium:

@@ -247,6 +247,14 @@ class ThermalFilmState:
                 self.prepare_walls()
         return float(change)
 
+    def wall_temperatures(self) -> tuple[Array, float]:
+        """Of the bush, shape (lines,), and of the journal, K; insulated ones are as warm as oil beside them."""
+        walls = self.walls
+        if not walls.insulated:
+            return walls.bush.copy(), float(walls.journal[0])
+        touching = self.temperature[:, :, [0, -1]].mean(axis=1)
+        return touching[:, 0].copy(), float(touching[:, 1] @ walls.width / walls.width.sum())
+
     def bush_heat(self) -> float:
         """Heat that the bush takes, W."""
         return float((self.walls.bush_flux * self.walls.width).sum() * self.walls.area)

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.numerics.damped_newton import damped_newton
+from babbitt.reynolds.heat.following_clearance import FollowingClearance
 from babbitt.reynolds.heat.heat_model import FilmHeat
 from babbitt.reynolds.heat.thermal_film_state import ThermalFilmState
 from babbitt.reynolds.lands._equilibrium import (
@@ -42,6 +43,11 @@ COARSE, COARSELY_SETTLED = 1e-2, 2.0
 """Residual force over load, and change of temperature in a pass (K), at which a coarse ring has done its part."""
 SETTLED = 5e-2
 """Change of temperature in a pass, K, at which film and temperature have converged."""
+CLOSER = 1e-3
+"""Change of temperature in a pass, K, at which a film has converged that goes on from the last one or whose
+clearance follows it: such films are compared with each other, and this close a pass more is cheap."""
+SAME_CLEARANCE = 1e-6
+"""Share by which a clearance that follows its film may still change in a pass when the film has converged."""
 COLD_LOAD = 2.0
 """Dimensionless load up to which the journal starts where a film of fresh oil carries it: a centred one leaks
 nothing and would have no bound to its temperature."""
@@ -73,9 +79,10 @@ class ThermalEquilibrium:
 
 
 def attempt(
-    film: JournalFilm, heat: FilmHeat, scales: Scales, load: Array, resolution: Resolution, share: float
-) -> ThermalEquilibrium:
-    """Coarse rings under a growing load, then the fine ring."""
+    film: JournalFilm, heat: FilmHeat, scales: Scales, load: Array, resolution: Resolution, share: float,
+    growth: FollowingClearance | None = None,
+) -> ThermalEquilibrium:  # fmt: skip
+    """Coarse rings under a growing load, then the fine ring, where the clearance may follow."""
     per_turn, total = 2 * resolution.intervals, 0
     thermal = fresh_ring(film, heat, scales, per_turn // 2, resolution, None)
     at = cold_start(thermal.sample, share * load)
@@ -90,7 +97,7 @@ def attempt(
         share = min(1.0, 3.0 * share)
         thermal = continued(fresh_ring(film, heat, scales, per_turn // 2, resolution, density), thermal)
     thermal = continued(fresh_ring(film, heat, scales, per_turn, resolution, density), thermal)
-    found = find_thermal_equilibrium(thermal, load, at, resolution.tolerance, SETTLED)
+    found = find_on_fine_ring(thermal, load, at, resolution, growth)
     return replace(found, passes=total + found.passes)
 
 
@@ -119,12 +126,28 @@ def continued(thermal: ThermalFilmState, before: ThermalFilmState) -> ThermalFil
     return thermal
 
 
-def find_thermal_equilibrium(
-    thermal: ThermalFilmState, load: Array, at: Array, tolerance: float, settled: float
+def find_on_fine_ring(
+    thermal: ThermalFilmState, load: Array, at: Array, resolution: Resolution, growth: FollowingClearance | None
 ) -> ThermalEquilibrium:
-    """Let film, temperature and journal converge on one ring."""
-    found = damped_newton(_Carrying(thermal, load, tolerance, settled), at, MOST_PASSES, CONTACT)
-    known = None if found.status == NO_FILM else load
+    """`find_thermal_equilibrium`, closer where the clearance follows."""
+    settled = SETTLED if growth is None else CLOSER
+    return find_thermal_equilibrium(thermal, load, at, resolution.tolerance, settled, growth)
+
+
+def find_thermal_equilibrium(
+    thermal: ThermalFilmState,
+    load: Array,
+    at: Array,
+    tolerance: float,
+    settled: float,
+    growth: FollowingClearance | None = None,
+) -> ThermalEquilibrium:
+    """Let film, temperature and journal converge on one ring, and the clearance that follows them, if one does."""
+    if growth is not None:
+        growth.begin()
+    carrying = _Carrying(thermal, load, tolerance, settled, growth)
+    found = damped_newton(carrying, at, MOST_PASSES, CONTACT)
+    known = None if found.status == NO_FILM else carrying.load
     return ThermalEquilibrium(thermal, found.at, found.status, found.steps, found.room, known)
 
 
@@ -136,6 +159,7 @@ class _Carrying:
     load: Array
     tolerance: float
     change_at_rest: float
+    growth: FollowingClearance | None = None
     calm: int = 0
     sunk: int = 0
     nearest: float = math.inf
@@ -163,6 +187,8 @@ class _Carrying:
         if self.sunk > MAX_CONTACT_PASSES:
             return NO_FILM
         changed, change = self.thermal.advance(at, SWEEPS, 1 if 1 < step < ACTIVE_SET_ROUNDS else ROUNDS)
+        if self.growth is not None and change < COARSELY_SETTLED:
+            change = max(change, self._follow(self.growth))
         self.residual = self.thermal.sample.force + self.load
         size, floor = math.hypot(*self.residual), self.tolerance * self.size_of_load + 1e-13
         if not (math.isfinite(size) and math.isfinite(change)):
@@ -178,6 +204,13 @@ class _Carrying:
         elif step - self.reached > IN_VAIN:
             return TOO_MANY_STEPS
         return None
+
+    def _follow(self, growth: FollowingClearance) -> float:
+        """Let the clearance follow; its change as one of temperature, K. The load goes with its square."""
+        wider = growth.follow(self.thermal)
+        self.load = self.load * wider**2
+        self.size_of_load *= wider**2
+        return abs(wider - 1.0) / SAME_CLEARANCE * self.change_at_rest
 
     def move(self, at: Array, room: float) -> Array:
         """Step of the journal at frozen temperatures."""

@@ -148,13 +148,7 @@ def thermal_film(
     mesh = thermal.sample.ring.mesh
     inner = mesh.nodes[mesh.between_sides] * half
     resolved = columns.size.size > 1
-    wall, shaft = thermal.walls.bush.copy(), float(thermal.walls.journal[0])
-    if thermal.walls.insulated:  # walls are as warm as the oil that touches them
-        touching = thermal.temperature[:, :, [0, -1]].mean(axis=1)
-        wall, shaft = (
-            touching[:, 0].copy(),
-            float(touching[:, 1] @ thermal.walls.width / thermal.walls.width.sum()),
-        )
+    wall, shaft = thermal.wall_temperatures()
     return ThermalFilm(
         film=film,
         axial_positions=inner if resolved else np.zeros(1),

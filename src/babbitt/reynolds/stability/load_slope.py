@@ -262,8 +262,11 @@ class _NearbyFilms:
     def _film(self, move: Array, rate: Array, opening: Array | float, guess: Array) -> _Displaced:
         sample, at = self._sample, self.nodes.ring.position + move
         surface, shape = sample.ring.surface, self._gaps.shape
-        surface.opening_a[:], surface.opening_b[:] = np.broadcast_to(opening, shape)
         sample.work.wet[:] = self._wet
+        if self._bore_gain is None:
+            self.settled = self._settle(at, rate) and self.settled
+            return _Displaced(sample.force.copy(), np.zeros(shape))
+        surface.opening_a[:], surface.opening_b[:] = np.broadcast_to(opening, shape)
 
         def mismatch(solve: Callable[[Array, Array], bool], gain: Array) -> Array:
             surface.gap_a[:], surface.gap_b[:] = self._gaps + gain.reshape(shape)
@@ -297,7 +300,7 @@ class _NearbyFilms:
     def _own_gain(self) -> Array:
         """What the bore gives way under the pressure of the last film, in clearances, (2, n, points)."""
         if self._bore_gain is None:
-            return np.zeros_like(self._gaps)
+            return np.zeros(self._gaps.shape)
         film, ring = self._seen.film, self._sample.ring
         pressure = true_pressures(ring.surface, self._sample.work.pressure) * self.nodes.scales.pressure
         void = np.where(self._sample.work.holds, 0.0, 1.0)

@@ -166,10 +166,11 @@ def bore_outline(film: JournalFilm, theta: Array) -> Array:
 
 def narrowest_gap_angle(solution: FilmSolution) -> float:
     """Direction of the narrowest gap outside grooves, pockets and holes, rad within (-pi, pi]."""
-    theta = np.linspace(-math.pi, math.pi, ALL_AROUND, endpoint=False)
-    z = np.linspace(-0.5, 0.5, AXIAL_POINTS) * solution.film.width
+    theta, film = np.linspace(-math.pi, math.pi, ALL_AROUND, endpoint=False), solution.film
+    alike = film.is_straight and not (film.steps or film.pockets)  # then one place of the width tells all
+    z = np.linspace(-0.5, 0.5, 1 if alike else AXIAL_POINTS) * film.width
     gap = journal_gap(solution, theta, z)
-    for patch in supply_patches(solution.film):
+    for patch in supply_patches(film):
         gap[np.ix_(inside(theta, patch.theta), between(z, patch.z))] = math.inf
     least = gap.min(axis=1)
     place = int(least.argmin())

@@ -186,7 +186,8 @@ class FilmCase:
     part of a rotor that this bearing carries, `shaft_stiffness` (N/m) the stiffness of the shaft between that mass
     and the journal; None is rigid. Without `turbulence` the film is laminar whatever its Reynolds number.
     `tilt_coefficients` asks for stiffness and damping against tilt, too, `error_estimate` for the error of the
-    grid, `limiting_speeds` for those at which friction becomes mixed and the rotor whirls.
+    grid, `limiting_speeds` for those at which friction becomes mixed and the rotor whirls; the latter, which no
+    limit knows, is not looked for either without `whirl_speed`.
     `changing_load` acts in addition to the load of the duty; `moving_mass` (kg) then moves with the journal.
     `warnings` arose while the case was made and ride along.
     With a model of its `heat` the film has its own temperatures; without, one temperature. `asperities` ask for
@@ -211,6 +212,7 @@ class FilmCase:
     shaft_stiffness: float | None = None
     error_estimate: bool = False
     limiting_speeds: bool = True
+    whirl_speed: bool = True
     changing_load: ChangingLoad | None = None
     moving_mass: float = 0.0
     search: Search = Search.AUTO

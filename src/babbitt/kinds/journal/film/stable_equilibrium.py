@@ -5,10 +5,13 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
     from babbitt.reynolds.model import JournalFilm, Resolution
     from babbitt.reynolds.solution import FilmSolution
 
-__all__ = ["held_place", "is_saddle", "place_of", "converged_film"]
+__all__ = ["converged_film", "held_place", "is_saddle", "place_of", "pushes_off"]
 
 Place = tuple[float, float]
 """Of the journal centre, in clearances."""
@@ -67,5 +70,10 @@ def place_of(found: FilmSolution) -> Place:
 
 def is_saddle(found: FilmSolution) -> bool:
     """Whether the journal always leaves an equilibrium position: det K < 0. Without stiffness nothing is known."""
-    (xx, xy), (yx, yy) = found.stiffness
-    return found.outcome.solved and bool(xx * yy - xy * yx < 0.0)
+    return found.outcome.solved and pushes_off(found.stiffness)
+
+
+def pushes_off(stiffness: NDArray[np.float64]) -> bool:
+    """Whether a stiffness makes a journal leave its place by itself: det K < 0."""
+    (xx, xy), (yx, yy) = stiffness.tolist()
+    return bool(xx * yy - xy * yx < 0.0)

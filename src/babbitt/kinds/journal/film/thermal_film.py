@@ -40,7 +40,9 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+    from babbitt.reynolds.heat.following_clearance import FollowingClearance, WarmClearance
     from babbitt.reynolds.heat.heat_model import FilmHeat
+    from babbitt.reynolds.heat.thermal_film_state import ThermalFilmState
     from babbitt.reynolds.heat.thermal_solution import ThermalFilm
     from babbitt.reynolds.solution import FilmSolution
 
@@ -58,6 +60,13 @@ A film whose nodes fill and empty with the clearance has two states there, and t
 assumption, below the error of the grid: films on both sides of a jump of 1e-4 differ by 0.2 % in thickness."""
 SAME_TEMPERATURE = 0.05
 """Change of the effective temperature in K at which the heat capacity counts as converged."""
+HOT = 473.15
+"""Highest temperature in K from which a film is sought at one clearance after the other: whether one runs away is
+told by all of them, on lines that a film draws that has come so far. An assumption, far from the ceiling."""
+KNOWN_TEMPERATURES = 257
+"""At which the viscosity of an oil is known while its effective temperature follows the film: some 1 K apart."""
+SAME_OIL = 1e-3
+"""Change of the effective temperature in K up to which the oil of a film that is sought keeps its properties."""
 GROWING = (0.5, 0.65, 0.8, 0.9, 0.95, 1.0)
 """Shares of the load under which a film is sought, one after the other."""
 ENDED_HOT = (Outcome.THERMAL_RUNAWAY, Outcome.NO_LUBRICANT_DATA, Outcome.NOT_CONVERGED)
@@ -123,6 +132,8 @@ class _Reached:
 def _settled_clearance(case: FilmCase, reached: _Reached, sought: ThermalSearch) -> Equilibrium[FilmState]:
     """Film whose clearance is that of its own temperatures; raises `NoFilmError` where a round has no film."""
     before = None
+    if sought.is_fresh and _may_follow(case):
+        sought.growth = _growth(case, reached.relative_clearance, reached.temperature)
     for rounds in range(1, MOST_ROUNDS + 1):
         psi, at = reached.relative_clearance, reached.temperature
         if psi <= 0.0:
@@ -130,6 +141,8 @@ def _settled_clearance(case: FilmCase, reached: _Reached, sought: ThermalSearch)
         if rounds == CLOSER_FROM:
             sought.closer = True
         state = reached.state = _thermal_state(case, psi, at, sought)
+        if sought.growth is not None:
+            psi, at, sought.growth = state.relative_clearance, sought.growth.now.temperature, None
         sought.climbs = False
         grown = _grown_clearance(case, state)
         here = (psi, grown - psi)
@@ -201,14 +214,60 @@ def _grown_clearance(case: FilmCase, state: FilmState) -> float:
     thermal = state.thermal
     if thermal is None:
         raise ValueError("a film without temperatures of its own")
+    return _clearance_at(case, thermal.mean_bush_temperature, thermal.journal_temperature)
+
+
+def _clearance_at(case: FilmCase, bush: float, journal: float) -> float:
+    """Relative clearance with bush and journal at their temperatures in K."""
     bearing = case.bearing
     return operating_relative_clearance(
-        bearing.relative_clearance,
-        bearing.expansion_bearing,
-        bearing.expansion_journal,
-        thermal.mean_bush_temperature,
-        thermal.journal_temperature,
+        bearing.relative_clearance, bearing.expansion_bearing, bearing.expansion_journal, bush, journal
     )
+
+
+def _may_follow(case: FilmCase) -> bool:
+    """Whether the clearance may follow the film while it is sought: under a load in a rigid bore, whose supplies
+    stand at given pressures."""
+    supply = case.oil_supply
+    assert supply is not None
+    assert case.heat is not None
+    rigid = not case.bearing.compliance and case.heat.growth is None
+    ducts = bool(supply.tubes or supply.holes or closed_pockets(case))
+    return isinstance(case.duty, PrescribedLoad) and rigid and not ducts
+
+
+def _growth(case: FilmCase, psi: float, temperature: float) -> FollowingClearance:
+    """Clearance of a bearing, and heat capacity and conductivity of its oil, by the temperatures of its film."""
+    import numpy as np
+
+    from babbitt.reynolds.heat.following_clearance import FollowingClearance, WarmClearance
+
+    oil, radius, hottest = case.lubricant, 0.5 * case.bearing.diameter, highest_usable(case.lubricant)
+    warmths = np.linspace(min(temperature, hottest), hottest, KNOWN_TEMPERATURES)  # from that of fresh oil
+    thinner = -np.log(oil.dynamic_viscosity(warmths))
+
+    def warm(grown: float, at: float) -> WarmClearance:
+        return WarmClearance(radius * grown, at, properties_at(oil, at)[2], oil.conductivity(at))
+
+    last = warm(psi, temperature)
+
+    def law(thermal: ThermalFilmState) -> WarmClearance | None:
+        nonlocal last
+        bush, journal = thermal.wall_temperatures()
+        width, viscosity = thermal.walls.width, thermal.reference_viscosity * thermal.effective_viscosity
+        grown = _clearance_at(case, float(bush @ width / width.sum()), journal)
+        warmth = float(np.interp(-math.log(viscosity), thinner, warmths))
+        if not grown > 0.0:
+            return None
+        if abs(warmth - last.temperature) < SAME_OIL:
+            return replace(last, clearance=radius * grown)
+        try:
+            last = warm(grown, warmth)
+        except NoFilmError:
+            return None
+        return last
+
+    return FollowingClearance(law, last)
 
 
 def _thermal_state(case: FilmCase, psi: float, temperature: float, search: ThermalSearch) -> FilmState:
@@ -235,6 +294,9 @@ def _thermal_state(case: FilmCase, psi: float, temperature: float, search: Therm
     viscosity = thermal.effective_viscosity
     solution = replace(thermal.film, film=replace(thermal.film.film, viscosity=viscosity))
     settled = _temperature_of(oil, thermal)
+    if search.growth is not None:
+        psi = 2.0 * search.growth.now.clearance / case.bearing.diameter
+        heat_capacity = search.growth.now.volumetric_heat_capacity
     return FilmState(
         temperature=settled,
         relative_clearance=psi,
@@ -301,6 +363,7 @@ def thermal_resolution(case: FilmCase) -> Resolution:
 
 
 def _settled(case: FilmCase, film: JournalFilm, heat: FilmHeat, search: ThermalSearch) -> ThermalFilm:
+    from babbitt.reynolds.heat.following_clearance import keeps_its_ring
     from babbitt.reynolds.heat.thermal_equilibrium import thermal_film_at
 
     grid = thermal_resolution(case)
@@ -309,6 +372,12 @@ def _settled(case: FilmCase, film: JournalFilm, heat: FilmHeat, search: ThermalS
     if isinstance(case.duty, PrescribedEccentricity):
         return _at_eccentricity(case, case.duty, film, heat, search)
     load = load_vector(case, case.duty.load)
+    if search.growth is not None and keeps_its_ring(film):
+        found = search.trail.solve_growing(film, heat, load, grid, search.growth)
+        if found.maximum_temperature < HOT:
+            return found
+        search.growth.begin()
+        search.trail.last = None
     find = search.trail.climb if search.climbs else search.trail.solve
     return find(film, heat, load, grid)
 

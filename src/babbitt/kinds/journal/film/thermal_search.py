@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from babbitt.kinds.journal.film.closed_pockets import ClosedPressures
 
 if TYPE_CHECKING:
+    from babbitt.reynolds.heat.following_clearance import FollowingClearance
     from babbitt.reynolds.heat.thermal_continuation import ThermalTrail
 
 __all__ = ["ThermalSearch"]
@@ -34,6 +35,8 @@ class ThermalSearch:
     climbs : bool
         Whether films are sought from the last one alone, see
         `babbitt.reynolds.heat.thermal_continuation.ThermalTrail.climb`.
+    growth : FollowingClearance or None
+        What the clearance of a first film follows.
     """
 
     attitude: float | None = None
@@ -41,6 +44,7 @@ class ThermalSearch:
     climbs: bool = False
     closed: ClosedPressures = field(default_factory=ClosedPressures)
     exact: bool = False
+    growth: FollowingClearance | None = None
     _trail: ThermalTrail | None = None
 
     @property
@@ -52,6 +56,11 @@ class ThermalSearch:
             self._trail = ThermalTrail()
         return self._trail
 
+    @property
+    def is_fresh(self) -> bool:
+        """Whether nothing was sought yet."""
+        return self._trail is None
+
     def climbing(self) -> ThermalSearch:
         """Another search, which climbs from the last film of this one."""
         return replace(self, climbs=True, _trail=replace(self.trail), closed=replace(self.closed))
@@ -59,8 +68,7 @@ class ThermalSearch:
     @property
     def settled(self) -> float:
         """Change of temperature in a pass, K, at which a film at a given place has converged."""
-        from babbitt.reynolds.heat.thermal_continuation import CLOSER
-        from babbitt.reynolds.heat.thermal_passes import SETTLED
+        from babbitt.reynolds.heat.thermal_passes import CLOSER, SETTLED
 
         if self.exact:
             return EXACT

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
 from typing import TYPE_CHECKING
@@ -12,8 +13,10 @@ import numpy as np
 from babbitt.kinds.journal.film.isothermal import FilmState, following, known_bore
 from babbitt.kinds.journal.film.load_slope import with_known_slope
 from babbitt.kinds.journal.film.model import FilmCase
-from babbitt.kinds.journal.film.stable_equilibrium import converged_film, place_of
+from babbitt.kinds.journal.film.stable_equilibrium import converged_film, place_of, pushes_off
 from babbitt.kinds.journal.film.unloaded import is_unloaded
+from babbitt.reynolds.equilibrium.cavitating_film import coefficients_over_speed
+from babbitt.reynolds.frame import LoadFrame, rounded
 from babbitt.reynolds.stability.rotor import RIGID, stable_masses_of_rotor
 from babbitt.reynolds.stability.whirl_limits import ElasticWhirl, Whirl, crossing, rotor_mass, stability_excess
 
@@ -74,8 +77,7 @@ def at_speed(case: FilmCase, state: FilmState, speed: float, bore: KnownBore | N
     `bore` is what films at other speeds tell of one that gives way.
     """
     film = replace(state.solution.film, angular_speed=case.rotation.sense * speed)
-    share = -state.load / math.hypot(*state.solution.force)
-    load = share * float(state.solution.force[0]), share * float(state.solution.force[1])
+    load = load_found(state)
 
     def settle(one: JournalFilm) -> FilmSolution:
         return converged_film(one, load, case.accuracy.resolution, place_of(state.solution))
@@ -92,31 +94,54 @@ def at_speed(case: FilmCase, state: FilmState, speed: float, bore: KnownBore | N
     return replace(found.solution, outcome=found.outcome)
 
 
+def _reserve_at(case: FilmCase, state: FilmState, mass: float, shaft_stiffness: float) -> Callable[[float], float]:
+    """Reserve of a mass in kg over the hydrodynamic speed in rad/s; no number where no film is found."""
+    film = replace(state.solution.film, angular_speed=case.rotation.sense * abs(state.solution.film.angular_speed))
+    bore, grid = known_bore(case), case.accuracy.resolution
+    frame = LoadFrame.of(film, load_found(state))
+    quick = None if bore is not None else coefficients_over_speed(frame.film, frame.load, grid)
+
+    def reserve(speed: float) -> float:
+        found = None if quick is None else quick(rounded(speed))
+        if found is not None and not pushes_off(found[0]):
+            return stable_masses_of_rotor(*found, shaft_stiffness).reserve(mass)
+        solved = with_known_slope(case, at_speed(case, state, speed, bore))
+        if not solved.outcome.solved:
+            return math.nan
+        return stable_masses_of_rotor(solved.stiffness, solved.damping, shaft_stiffness).reserve(mass)
+
+    return reserve
+
+
+def load_found(state: FilmState) -> tuple[float, float]:
+    """Load in N against the direction of the force found."""
+    share = -state.load / math.hypot(*state.solution.force)
+    return share * float(state.solution.force[0]), share * float(state.solution.force[1])
+
+
 def threshold_speed(case: FilmCase, state: FilmState, mass: float, shaft_stiffness: float = RIGID) -> float | None:
     """Hydrodynamic speed in rad/s above which a rotor whirls, nearest to that here; None if none is in sight.
 
     Nor is one where the film carries nothing: no load holds the journal at another place at another speed. None
     is looked for where the case does not ask.
     """
-    if not case.limiting_speeds or is_unloaded(case, state):
+    if not (case.limiting_speeds and case.whirl_speed) or is_unloaded(case, state):
         return None
 
-    bore = known_bore(case)
+    gives_way = bool(case.bearing.compliance)
     here = abs(state.solution.film.angular_speed)
     own = stable_masses_of_rotor(state.solution.stiffness, state.solution.damping, shaft_stiffness).reserve(mass)
+    at = _reserve_at(case, state, mass, shaft_stiffness)
 
     @cache
     def reserve(speed: float) -> float:
-        if bore is not None and state.thermal is None and speed == here:
+        if gives_way and state.thermal is None and speed == here:
             return own  # that of the same film, its bore counted
-        found = with_known_slope(case, at_speed(case, state, speed, bore))
-        if not found.outcome.solved:
-            return math.nan
-        return stable_masses_of_rotor(found.stiffness, found.damping, shaft_stiffness).reserve(mass)
+        return at(speed)
 
     # films of one viscosity tell how the reserve changes with the speed, the film itself how large it is here
     share = _ratio(own, reserve(here)) if state.thermal is not None else 1.0
-    blur = BLUR if bore is not None else 0.0
+    blur = BLUR if gives_way else 0.0
     return crossing(lambda speed: stability_excess(share * reserve(speed)), here, blur)
 
 

@@ -15,22 +15,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.case.case_file import CaseFile
-from babbitt.case.error_messages import metadata_of
-from babbitt.case.part import Part, broken_rules
 from babbitt.core.limited_flow import value_kept
 from babbitt.core.notices import InputError
 from babbitt.core.result import Result, Verdict
-from babbitt.core.units import SiField
 from babbitt.kinds.journal.film.many import PRODUCED, films_many
 from babbitt.kinds.journal.film.model import FilmCase
 from babbitt.kinds.journal.iso7902.many import check_many
 from babbitt.kinds.journal.iso7902.model import DesignCase
 from babbitt.numerics.lanes import assembled, in_branches, lanes_of
+from babbitt.study.patched_case import ENDS, Steps, is_empty, patched, way_to
 from babbitt.study.rows import (
     Columns,
     RowTask,
     answers_of_arrays,
-    is_empty,
     joined,
     kelvin_name,
     solved_one_by_one,
@@ -39,7 +36,6 @@ from babbitt.study.rows import (
 __all__ = ["solve_many"]
 
 Index = NDArray[np.intp]
-Steps = tuple[str, ...]
 Problem = DesignCase | FilmCase
 
 FEWEST = 16
@@ -50,9 +46,6 @@ MOST_TRIED = 8
 
 OF_THE_SEARCH = ("iterations", "wall_time")
 """Results that tell how one bearing was found."""
-
-ENDS: Mapping[str, Steps] = {"quantity": (), "clearance": ("mean",), "viscosity": ("nu40",)}
-"""By the form of an input, where below its field its number stands in a case that was read."""
 
 
 def solve_many(task: RowTask, rows: Columns) -> Columns | None:
@@ -186,52 +179,19 @@ def _varied(
     for one in task.inputs:
         if one.is_choice or one.form not in ENDS or is_empty(values[one.path]):
             continue
-        steps = (*one.field.split("."), *ENDS[one.form])
-        if _at(case, steps) != values[one.path]:
+        steps = way_to(case, one, values[one.path])
+        if steps is None:
             return None
         made[steps] = rows[one.path]
     return made
 
 
-def _at(case: Any, steps: Steps) -> Any:
-    for step in steps:
-        case = case[int(step)] if isinstance(case, tuple) else getattr(case, step, None)
-    return case
-
-
 def _problems(case: CaseFile, varied: Mapping[Steps, NDArray[np.float64]], chosen: Index) -> Sequence[Problem]:
     """Problems of some rows, their numbers in lanes; none for rows that the case does not take."""
-    for steps, column in varied.items():
-        values = lanes_of(column[chosen])
-        if not _in_range(type(_at(case, steps[:-1])), steps[-1], values):
-            return ()
-        case = _with(case, steps, values)
-    above = dict.fromkeys(steps[:depth] for steps in varied for depth in range(len(steps)))
-    parts = [part for steps in above if isinstance(part := _at(case, steps), Part)]
-    if any(True for part in parts for _ in broken_rules(part)):
+    found = patched(case, {steps: lanes_of(column[chosen]) for steps, column in varied.items()})
+    if found is None:
         return ()
-    return tuple(one.problem for one in case.calculations() if isinstance(one.problem, Problem))
-
-
-def _in_range(part: type[Part], name: str, values: Any) -> bool:
-    """Whether values lie in the range of their field."""
-    fields = list(metadata_of(part, name, SiField))
-    return all(
-        bool((one.ranged(values) >= one.bounds[0]) & (one.ranged(values) <= one.bounds[1]))
-        for one in fields
-        if one.bounds is not None
-    )
-
-
-def _with(case: Any, steps: Steps, value: Any) -> Any:
-    """A case with a value in one place."""
-    if not steps:
-        return value
-    first, rest = steps[0], steps[1:]
-    if isinstance(case, tuple):
-        place = int(first)
-        return (*case[:place], _with(case[place], rest, value), *case[place + 1 :])
-    return case.model_copy(update={first: _with(getattr(case, first), rest, value)})
+    return tuple(one.problem for one in found.calculations() if isinstance(one.problem, Problem))
 
 
 def _answers(task: RowTask, rows: Columns, lanes: Index, case: Problem) -> list[tuple[Index, Columns]]:
