@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from typing import TYPE_CHECKING, Any
 
 from babbitt.core.language import language, phrases, translated
@@ -89,7 +89,10 @@ def content(machine: MachineResult, level: Level = Level.FULL) -> Data:
         "findings": _findings(results, level),
         "level": level.value,
         "shared_assumptions": list(shared),
-        "bearings": [_bearing(part, level, len(parts), shared) for part in parts],
+        "bearings": [
+            _bearing(part, level, len(parts), shared, machine.given.get(part.shown.problem.name, ()))
+            for part in parts
+        ],
         "checker": checker_content(parts, worst) if level is not Level.SUMMARY else None,
         "case_text": plain_lines(machine.case_text).strip("\n") if level is Level.FULL else "",
     }
@@ -133,8 +136,8 @@ def _shared_assumptions(results: Sequence[Result]) -> tuple[str, ...]:
     return tuple(said for said in first if all(said in other for other in others))
 
 
-def _bearing(part: Chapter, level: Level, count: int, shared: Sequence[str]) -> Data:
-    said = bearing_content(part)
+def _bearing(part: Chapter, level: Level, count: int, shared: Sequence[str], given: Collection[str]) -> Data:
+    said = bearing_content(part, given)
     said["assumptions"] = [one for one in said["assumptions"] if one not in shared]
     if level is Level.SUMMARY:
         empty: Data = {key: [] for key in ("inputs", "tables", "assumptions", "sections", "figures")}
