@@ -115,7 +115,7 @@ def calculation_content(chapter: Chapter) -> list[Data]:
         {
             "title": translated(section.title),
             "remark": translated(section.remark),
-            "lines": [_line(line) for line in section.lines],
+            "lines": [_line(line, chapter.shown.result.kind) for line in section.lines],
         }
         for section in _sections(chapter)
     ]
@@ -212,9 +212,9 @@ def _of_limited_film(chapter: Chapter, name: str, quantity: Quantity) -> Data:
     return {"limited": quantity.format(value) if math.isfinite(value) else ABSENT}
 
 
-def _line(line: Line) -> Data:
+def _line(line: Line, kind: str) -> Data:
     return {
-        "meaning": label(line.name),
+        "meaning": label(line.name, kind),
         "symbol": line.symbol,
         "formula": line.formula,
         "substituted": line.substituted,

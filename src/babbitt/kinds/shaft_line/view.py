@@ -35,6 +35,7 @@ FREQUENCY_DOMAIN = View(
     title="Static films, vibration in the frequency domain",
     inputs=_inputs,
     left_out=LEFT_OUT,
+    sections=LazyFunction("babbitt.kinds.thrust.report.calculation:line_calculation"),
     figures=FIGURES,
     report_figures=FIGURES,
     tables=LazyFunction("babbitt.kinds.thrust.report.tables:tables"),

@@ -36,6 +36,7 @@ FILM = View(
     title="Film in two dimensions",
     inputs=LazyFunction("babbitt.kinds.thrust.report.inputs:thrust_inputs"),
     left_out=LEFT_OUT,
+    sections=LazyFunction("babbitt.kinds.thrust.report.calculation:thrust_calculation"),
     figures=FIGURES,
     report_figures=FIGURES,
     tables=LazyFunction("babbitt.kinds.thrust.report.tables:tables"),
