@@ -30,7 +30,7 @@ THRUST_WORDS = (
     local("thickest_film", "h_p,max", "m", "Thickest film over a pivot", 5, MICRO),
     local("this_minimum_film", "h_P", "m", "Its thinnest film", 5, MICRO),
     local("film_thickness_ratio", "h_P/h_p", "1", "Film thickness ratio, thinnest over that at the pivot", 5),
-    local("friction_of_thrust", "f", "1", "Friction coefficient at the mean radius", 5),
+    local("friction_of_thrust", "f_T", "1", "Friction coefficient at the mean radius", 5),
     local("carried_flow", "Q_c", "m3/s", "Hot oil carried over", 5, PER_MINUTE),
     local("this_inlet_temperature", "T_1,P", "K", "Temperature of the oil that it takes in", 6),
     local("this_power", "P_P", "W", "Its friction power", 5),
