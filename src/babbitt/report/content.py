@@ -36,6 +36,7 @@ from babbitt.report.scope import scope_of
 from babbitt.report.symbols import symbol_node
 from babbitt.report.text import plain_lines, plain_text
 from babbitt.report.totals import Totals, totals
+from babbitt.report.us_words import in_us_units
 from babbitt.report.view import view_of
 
 if TYPE_CHECKING:
@@ -63,7 +64,7 @@ def content(machine: MachineResult, level: Level = Level.FULL) -> Data:
     shared = _shared_assumptions(results) if level is Level.STANDARD else ()
     summed, marks = totals(results), footnote(columns_of(results), results)
     worst = [_worst_case(results, code) for code in _codes(results, level)]
-    return {
+    said = {
         "language": language(),
         "words": dict(phrases(language())),
         "name": plain_text(machine.name) or translated("Unnamed case"),
@@ -96,6 +97,7 @@ def content(machine: MachineResult, level: Level = Level.FULL) -> Data:
         "checker": checker_content(parts, worst) if level is not Level.SUMMARY else None,
         "case_text": plain_lines(machine.case_text).strip("\n") if level is Level.FULL else "",
     }
+    return dict(in_us_units(said))
 
 
 def _governing(results: Sequence[Result]) -> Data | None:
