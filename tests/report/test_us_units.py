@@ -15,6 +15,7 @@ from babbitt.case import load_case, parse_case, template
 from babbitt.core.quantities import QUANTITIES, displayed_in
 from babbitt.core.quantities.display import SI, US
 from babbitt.report.content import content
+from babbitt.report.us_figure import Elsewhere
 from babbitt.report.us_words import NOT_TEXT, OTHERS, PARTNERS, in_us_units
 from babbitt.report.view import view_of
 from babbitt.solving import solve
@@ -140,6 +141,8 @@ def test_curves_are_in_the_units_that_stand_at_their_axes(name, monkeypatch):
     for figure, other in figures_of(solve(load_case(EXAMPLES / name)), monkeypatch):
         for axes, theirs in zip(figure.axes, other.axes, strict=True):
             for axis in "xy":
+                if isinstance(getattr(theirs, f"{axis}axis").get_major_locator(), Elsewhere):
+                    continue  # drawn in the SI, with ticks of the US
                 ours, own = (unit_of(getattr(one, f"get_{axis}label")()) for one in (axes, theirs))
                 factor, offset = (1.0, 0.0) if ours == own else BY_LABEL[ours, own]
                 for line, drawn in zip(axes.get_lines(), theirs.get_lines(), strict=True):
@@ -243,3 +246,30 @@ def test_texts_in_other_languages_keep_their_decimal_comma():
 
     with displayed_in("us"), written_in("de"):
         assert in_us_units("Tasche 40,5 mm breit") == "Tasche 1,594 in breit"
+
+
+NAMED = re.compile(rf" in ({UNITS_OF_THE_SI})(?=$|[ ),.;:])")
+
+
+@pytest.mark.parametrize("kind", ["hydrostatic_journal", "thrust", "tilting_pad_journal"])
+def test_figures_drawn_in_the_si_have_ticks_and_texts_of_the_us(kind, monkeypatch):
+    """What is drawn stays; the number at a tick is where it stands, in the unit that the axis names."""
+    turned = 0
+    for figure, other in figures_of(solve(parse_case(template(kind))), monkeypatch):
+        for axes, theirs in zip(figure.axes, other.axes, strict=True):
+            for axis in "xy":
+                named = NAMED.search(getattr(axes, f"get_{axis}label")())
+                if named is None:
+                    continue
+                label = getattr(theirs, f"get_{axis}label")()
+                partner, factor, offset = PARTNERS[named[1]]
+                power = re.search(r" in \$10\^\{(\d)\}\$ ", label)
+                assert label.split(" (")[0].rstrip().endswith(partner)
+                scale = getattr(theirs, f"{axis}axis")
+                for place in scale.get_majorticklocs():
+                    number = float(scale.get_major_formatter()(place)) * 10.0 ** int(power[1] if power else 0)
+                    assert number == pytest.approx(factor * place + offset, rel=6e-3, abs=1e-6)
+                turned += 1
+        said = [text.get_text() for text in other.findobj(Text)]
+        assert not [one for one in said if LEFT.search(one) or NAMED.search(one)]
+    assert turned > 4 or kind == "thrust"

@@ -72,7 +72,7 @@ class Row:
         given : collection of str
             Paths of the fields that the case has written; empty where that is not known.
         """
-        fields = (left_out | OIL).get(self.name or self.label.partition(", pad ")[0])
+        fields = {**left_out, **OIL}.get(self.name or self.label.partition(", pad ")[0])
         return bool(fields and given) and not any(
             path == one or path.endswith(f".{one}") for one in fields or () for path in given
         )

@@ -15,7 +15,7 @@ from typing import Any
 from babbitt.core.language import decimal, translated
 from babbitt.core.quantities.display import SI, US, DisplayUnit, is_spoken
 
-__all__ = ["OF_RESULTS", "in_us_units"]
+__all__ = ["OF_RESULTS", "PARTNERS", "in_us_units", "numbers_in_us_units", "units_named_in_us_units"]
 
 DIGITS, OF_RESULTS = 4, 3
 """Significant digits at least: of inputs, which may be exact with one digit, and of results, which are not."""
@@ -76,6 +76,7 @@ PARTNERS = _partners()
 
 _SIGN, _NUMBER = r"[+±−-]?", r"\d+(?:[.{comma}]\d+)?(?:e[+−-]?\d+)?"
 _UNIT = "|".join(re.escape(unit) for unit in sorted(PARTNERS, key=len, reverse=True))
+_NAMED = re.compile(rf"(?<= in )(?:{_UNIT})(?=$|[ ),.;:])")
 _BETWEEN = r"(?:, | to | and | × | bis | und | и | до |…| – )"
 
 
@@ -126,6 +127,21 @@ def in_us_units(data: Any, digits: int = DIGITS) -> Any:
     return _converted(data, digits) if is_spoken("us") else data
 
 
+def numbers_in_us_units(said: str, unit: str) -> str:
+    """Numbers of results whose unit, one of `PARTNERS`, stands elsewhere, in that which is spoken."""
+    turned: str = _numbers(said, unit, OF_RESULTS) if is_spoken("us") else said
+    return turned
+
+
+def units_named_in_us_units(said: str) -> str:
+    """Units of scales, of which the numbers stand elsewhere.
+
+    >>> units_named_in_us_units("Temperature of the film in °C along the hottest pad")
+    'Temperature of the film in °F along the hottest pad'
+    """
+    return _NAMED.sub(lambda found: PARTNERS[found[0]][0], said)
+
+
 def _converted(data: Any, digits: int) -> Any:
     if isinstance(data, str):
         return _text(data, digits)
@@ -139,6 +155,8 @@ def _converted(data: Any, digits: int) -> Any:
         key: one if _stays(key, one) else _converted(one, OF_RESULTS if key in RESULTS else digits)
         for key, one in data.items()
     }
+    if isinstance(made.get("caption"), str):
+        made["caption"] = units_named_in_us_units(made["caption"])
     if data.get("unit") in PARTNERS and isinstance(data["unit"], str):
         for key in ("value", "values", "limited"):
             if key in data:

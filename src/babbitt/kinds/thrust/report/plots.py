@@ -12,6 +12,7 @@ from babbitt.kinds.thrust.peak import between_nodes
 from babbitt.kinds.thrust.sharing import Share
 from babbitt.report import shading
 from babbitt.report.drawing import GREY, INK, Array, Sheet
+from babbitt.report.us_words import numbers_in_us_units
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -42,7 +43,13 @@ def pads_polar(share: Share, dynamic: Array | None) -> Figure:
         place, ink = (angle, 0.73 * base), {"ha": "center", "textcoords": "offset points"}
         panel.annotate(f"{number}", place, xytext=(0, 0.5), va="bottom", fontsize=7, **ink)
         panel.annotate(
-            f"{loads[number - 1]:.3g}", place, xytext=(0, -0.5), va="top", fontsize=6, color="0.3", **ink
+            numbers_in_us_units(f"{loads[number - 1]:.3g}", "kN"),
+            place,
+            xytext=(0, -0.5),
+            va="top",
+            fontsize=6,
+            color="0.3",
+            **ink,
         )
     panel.annotate("kN", (0.0, 0.0), ha="center", va="center", fontsize=6, color="0.3")
     turn = bearing.sense * np.linspace(0.3, 1.2, 30) + math.pi / 2
