@@ -91,7 +91,7 @@ def describe_place(thermal: ThermalFilm) -> str:
 def _hot_spot(top: Axes, bottom: Axes, thermal: ThermalFilm, field: FilmField) -> None:
     line, column, layer = np.unravel_index(int(thermal.temperature.argmax()), thermal.temperature.shape)
     angle = field.theta[0] + (thermal.film.angles.ravel()[line] - field.theta[0]) % (2.0 * math.pi)
-    said = f"{thermal.maximum_temperature - ZERO_CELSIUS:.1f}"
+    said = numbers_in_us_units(f"{thermal.maximum_temperature - ZERO_CELSIUS:.1f}", "°C")
     shading.point(bottom, math.degrees(angle), thermal.layers[layer], said)
     if thermal.axial_positions.size > 1:
         shading.point(

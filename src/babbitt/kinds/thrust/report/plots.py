@@ -92,7 +92,7 @@ def pad_pressure(share: Share) -> Figure:
     x, y = sense * radius * np.cos(turned), radius * np.sin(turned)
     levels = np.linspace(0.0, float(pressure.max()), 9)[1:-1]
     lines = panel.contour(x, y, pressure, levels=levels, colors="0.25", linewidths=0.6)
-    panel.clabel(lines, fmt=lambda value: f"{value:.2g}", fontsize=6, inline_spacing=2)
+    panel.clabel(lines, fmt=lambda value: numbers_in_us_units(f"{value:.2g}", "MPa"), fontsize=6, inline_spacing=2)
     for edge in ((x[0], y[0]), (x[-1], y[-1]), (x[:, 0], y[:, 0]), (x[:, -1], y[:, -1])):
         panel.plot(*edge, color=INK, linewidth=0.9)
     i, j = np.unravel_index(int(pressure.argmax()), pressure.shape)
@@ -145,9 +145,16 @@ def pad_temperature(share: Share) -> Figure:
     shown = np.concatenate((celsius[:, :1], celsius, celsius[:, -1:]), axis=1)
     degrees = np.degrees(film.theta)
     lines = shading.shaded(panel, degrees, across, shown)
-    panel.clabel(lines, np.asarray(lines.levels)[::2], fontsize=6, fmt="%g", inline_spacing=2)
+    panel.clabel(
+        lines,
+        np.asarray(lines.levels)[::2],
+        fontsize=6,
+        fmt=lambda value: numbers_in_us_units(f"{value:g}", "°C"),
+        inline_spacing=2,
+    )
     line, layer = np.unravel_index(int(shown.argmax()), shown.shape)
-    shading.point(panel, float(degrees[line]), float(across[layer]), f"{heat.maximum - ZERO_CELSIUS:.1f}")
+    said = numbers_in_us_units(f"{heat.maximum - ZERO_CELSIUS:.1f}", "°C")
+    shading.point(panel, float(degrees[line]), float(across[layer]), said)
     panel.set_xlabel("angle from the leading edge in °")
     panel.set_ylabel("pad  ←  $y/h$  →  collar")
     panel.set_ylim(0.0, 1.0)
