@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import datetime
 import typing
 from collections.abc import Iterator
 from pathlib import Path
@@ -15,12 +16,14 @@ from babbitt.core.kind import kinds
 from babbitt.core.language import LANGUAGES, phrases
 from babbitt.core.report_level import Level
 from babbitt.report.content import content
+from babbitt.report.document import typeset
 from babbitt.report.inputs import OIL, inputs
+from babbitt.report.title_block import title_content
 from babbitt.report.view import find_view
 from babbitt.solving import solve
 
 EXAMPLES = Path(babbitt.__file__).parents[2] / "examples"
-LEGEND = "not written in the case: a default, an assumption or of the catalogue"
+LEGEND = "not in the case: default, assumption or catalogue"
 SAID = """
 babbitt: 1
 kind: journal
@@ -140,3 +143,12 @@ def test_every_example_tells_them_apart(name):
     view = find_view(problem.kind, case.calculations()[0].method.name)
     rows = [row for group in inputs(problem, view, ()) for row in group.rows]
     assert not view.left_out or 0 < len(marked(case)) < len(rows)
+
+
+def test_fields_in_remedies_are_set_as_code():
+    made = content(solve(parse_case(SAID)), Level.STANDARD)
+    found = [{"code": "W123", "title": "T", "message": "M", "remedy": "Try `method: film` once."}]
+    made["bearings"][0]["warnings"] = [{"heading": "Remarks", "found": found}]
+    title = title_content(None, datetime.date(2026, 1, 1))
+    page = typeset(made | {"title": title}, "report.typ", "html").decode()
+    assert "Try <code>method: film</code> once." in page
