@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from babbitt import __version__
 from babbitt.case.case_file import CaseFile
 from babbitt.case.case_hash import case_hash
+from babbitt.case.part import given_paths
 from babbitt.case.parts.title_block import TitleBlock
 from babbitt.core.notices import InputError
 from babbitt.core.progress import ProgressCallback, no_progress
@@ -37,6 +38,8 @@ class MachineResult:
         What the case says of itself.
     title_block : TitleBlock or None
         Of the report.
+    given : Mapping
+        By the name of a problem: paths of the fields that its case has written. Problems made by hand have none.
     """
 
     name: str
@@ -47,6 +50,7 @@ class MachineResult:
     source: str = ""
     notes: str = ""
     title_block: TitleBlock | None = None
+    given: Mapping[str, frozenset[str]] = field(default_factory=dict)
 
     @property
     def results(self) -> tuple[Result, ...]:
@@ -103,7 +107,13 @@ def solve(case: CaseFile, progress: ProgressCallback = no_progress) -> MachineRe
         source=getattr(case, "source", ""),
         notes=getattr(case, "notes", ""),
         title_block=case.title_block,
+        given=given_fields(case, (one.problem for one in solutions)),
     )
+
+
+def given_fields(case: CaseFile, problems: Iterable[Any]) -> Mapping[str, frozenset[str]]:
+    """Paths of the fields that a case has written, by the name of each problem."""
+    return {one.name: frozenset(given_paths(case, one.name)) for one in problems}
 
 
 def refusal_of(case: CaseFile) -> InputError | None:

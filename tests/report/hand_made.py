@@ -5,7 +5,8 @@ The numbers of the eleven bearings are those of a published study of a marine re
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 
 from babbitt.core.kind import Kind
 from babbitt.core.notices import Notice
@@ -60,6 +61,7 @@ class HandMadeMachine:
     source: str = ""
     notes: str = ""
     title_block: None = None
+    given: Mapping[str, frozenset[str]] = field(default_factory=dict)
 
     @property
     def solutions(self) -> tuple[Solution, ...]:

@@ -5,7 +5,8 @@ from __future__ import annotations
 import datetime
 import re
 import sys
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
 from functools import partial
 from html.parser import HTMLParser
 
@@ -46,6 +47,7 @@ class Solved:
     source: str = ""
     notes: str = ""
     title_block: None = None
+    given: Mapping[str, frozenset[str]] = field(default_factory=dict)
 
     @property
     def solutions(self) -> tuple[Solution, ...]:

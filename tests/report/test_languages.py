@@ -209,3 +209,11 @@ def test_letters_without_a_typeface_cost_the_claim_of_the_standard_alone(gear):
     made = report(replace(gear, name="轴承 \U0001f600"), "pdf", Level.SUMMARY)
     assert made.startswith(b"%PDF")
     assert b"/StructTreeRoot" in made
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_the_reverse_gear_takes_26_pages_at_most(gear, language):
+    pytest.importorskip("typst")
+    with written_in(language):
+        made = report(gear, "pdf", Level.STANDARD)
+    assert 20 < len(re.findall(rb"/Type\s*/Page\b", made)) <= 26

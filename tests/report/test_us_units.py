@@ -11,9 +11,12 @@ from matplotlib.figure import Figure
 from matplotlib.text import Text
 
 import babbitt
-from babbitt.case import load_case, parse_case
+from babbitt.case import load_case, parse_case, template
 from babbitt.core.quantities import QUANTITIES, displayed_in
 from babbitt.core.quantities.display import SI, US
+from babbitt.report.content import content
+from babbitt.report.us_figure import Elsewhere
+from babbitt.report.us_words import NOT_TEXT, OTHERS, PARTNERS, in_us_units
 from babbitt.report.view import view_of
 from babbitt.solving import solve
 
@@ -86,7 +89,6 @@ def test_the_option_leaves_json_alone_and_ends_with_the_command(tmp_path):
     from typer.testing import CliRunner
 
     import babbitt.cli.solve  # noqa: F401  # registers its commands
-    from babbitt.case import template
     from babbitt.cli.app import app
 
     case, out = tmp_path / "case.yaml", tmp_path / "out.json"
@@ -139,6 +141,8 @@ def test_curves_are_in_the_units_that_stand_at_their_axes(name, monkeypatch):
     for figure, other in figures_of(solve(load_case(EXAMPLES / name)), monkeypatch):
         for axes, theirs in zip(figure.axes, other.axes, strict=True):
             for axis in "xy":
+                if isinstance(getattr(theirs, f"{axis}axis").get_major_locator(), Elsewhere):
+                    continue  # drawn in the SI, with ticks of the US
                 ours, own = (unit_of(getattr(one, f"get_{axis}label")()) for one in (axes, theirs))
                 factor, offset = (1.0, 0.0) if ours == own else BY_LABEL[ours, own]
                 for line, drawn in zip(axes.get_lines(), theirs.get_lines(), strict=True):
@@ -163,3 +167,109 @@ def test_maps_of_a_film_name_the_unit_of_their_numbers(monkeypatch):
         said = {text.get_text() for text in one.findobj(Text)}
         assert f"film thickness in {unit}" in said
         assert any(abs(float(text) - value) < 0.01 * value for text in said if re.fullmatch(r"[\d.]+", text))
+
+
+MORE_IN_PINT = {
+    "m²": "m**2", "kg m²": "kg*m**2", "1/K": "1/delta_degC", "µm/MPa": "um/MPa", "L/(min MPa)": "L/min/MPa",
+    "W/K": "W/delta_degC", "W/(m K)": "W/m/delta_degC", "W/(m² K)": "W/m**2/delta_degC",
+    "kg/(m³ K)": "kg/m**3/delta_degC", "J/(kg K²)": "J/kg/delta_degC**2", "mL": "mL", "L": "L", "1/GPa": "1/GPa",
+    "ft²": "ft**2", "in³": "in**3", "gal": "gallon", "lb ft²": "lb*ft**2", "1/°F": "1/delta_degF",
+    "1/Mpsi": "1/(1e6*psi)", "mil/kpsi": "thou/(1000*psi)", "gpm/psi": "gallon/min/psi",
+    "Btu/(h °F)": "Btu_it/hour/delta_degF", "Btu/(h ft °F)": "Btu_it/hour/ft/delta_degF",
+    "Btu/(h ft² °F)": "Btu_it/hour/ft**2/delta_degF", "lb/(ft³ °F)": "lb/ft**3/delta_degF",
+    "Btu/(lb °F²)": "Btu_it/lb/delta_degF**2",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("unit", OTHERS)
+def test_units_of_texts_have_the_size_that_pint_gives(unit):
+    partner, factor = OTHERS[unit]
+    one, other = (REGISTRY.parse_expression(MORE_IN_PINT.get(name, name)) for name in (unit, partner))
+    assert REGISTRY.Quantity(1.0, "dimensionless") * one / other == pytest.approx(factor, rel=1e-6)
+
+
+UNITS_OF_THE_SI = "|".join(re.escape(unit) for unit in sorted(PARTNERS, key=len, reverse=True))
+LEFT = re.compile(rf"(?<![\w.])\d[\d.]*\s?({UNITS_OF_THE_SI})(?![\w/²³])")
+QUOTED = ("references", "source", "name", "notes", "bearing")
+"""What a report quotes as it stands."""
+
+
+def said(data, path=()):
+    if isinstance(data, str):
+        yield path, data
+    elif isinstance(data, dict):
+        for key, part in data.items():
+            if key not in (*NOT_TEXT, *QUOTED):
+                yield from said(part, (*path, key))
+    elif isinstance(data, list | tuple):
+        for place, part in enumerate(data):
+            yield from said(part, (*path, place))
+
+
+KINDS = ["journal", "thrust", "screw_heel", "hydrostatic_pad", "hydrostatic_journal", "jacking_pocket", "shaft",
+         "overhung_coupling", "tilting_pad_journal"]  # fmt: skip
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_no_unit_of_the_si_is_left_in_a_report(kind):
+    machine = solve(parse_case(template(kind)))
+    plain = dict(said(content(machine)))
+    with displayed_in("us"):
+        whole = content(machine)
+    found = dict(said(whole))
+    assert plain.keys() == found.keys()
+    assert [one for one in plain.values() if LEFT.search(one)]
+    left = [one for path, one in found.items() if (path[-1] == "unit" and one in PARTNERS) or LEFT.search(one)]
+    assert [one for one in left if "ISO 3448" not in one] == []
+    with displayed_in("us"):
+        assert in_us_units(whole) == whole
+
+
+def test_texts_have_their_values_in_both_systems():
+    assert in_us_units(["5 mm", "20 °C"]) == ["5 mm", "20 °C"]
+    with displayed_in("us"):
+        assert in_us_units("capillary 0.6 mm × 60 mm at 20 to 60 °C, pad 2, 5 MN/m, a rise of 10 K") == (
+            "capillary 0.02362 in × 2.362 in at 68 to 140 °F, pad 2, 28550 lbf/in, a rise of 18 °F"
+        )
+        row = {"label": "Whole", "value": "-45, 135", "unit": "kN", "note": "5 W of SAE 10W-30, 3 mm2"}
+        assert in_us_units(row) == {
+            "label": "Whole", "value": "-10120, 30350", "unit": "lbf", "note": "0.006705 hp of SAE 10W-30, 3 mm2",
+        }  # fmt: skip
+        own = {"label": "Notes", "value": "for shafts of 40 mm", "unit": ""}
+        assert in_us_units(own) == own
+        table = {"columns": [{"unit": ""}, {"unit": "µm"}], "rows": [["1", "25.4"]], "note": ""}
+        assert in_us_units(table)["rows"] == [["1", "1"]]
+
+
+def test_texts_in_other_languages_keep_their_decimal_comma():
+    from babbitt.core.language import written_in
+
+    with displayed_in("us"), written_in("de"):
+        assert in_us_units("Tasche 40,5 mm breit") == "Tasche 1,594 in breit"
+
+
+NAMED = re.compile(rf" in ({UNITS_OF_THE_SI})(?=$|[ ),.;:])")
+
+
+@pytest.mark.parametrize("kind", ["hydrostatic_journal", "thrust", "tilting_pad_journal"])
+def test_figures_drawn_in_the_si_have_ticks_and_texts_of_the_us(kind, monkeypatch):
+    """What is drawn stays; the number at a tick is where it stands, in the unit that the axis names."""
+    turned = 0
+    for figure, other in figures_of(solve(parse_case(template(kind))), monkeypatch):
+        for axes, theirs in zip(figure.axes, other.axes, strict=True):
+            for axis in "xy":
+                named = NAMED.search(getattr(axes, f"get_{axis}label")())
+                if named is None:
+                    continue
+                label = getattr(theirs, f"get_{axis}label")()
+                partner, factor, offset = PARTNERS[named[1]]
+                power = re.search(r" in \$10\^\{(\d)\}\$ ", label)
+                assert label.split(" (")[0].rstrip().endswith(partner)
+                scale = getattr(theirs, f"{axis}axis")
+                for place in scale.get_majorticklocs():
+                    number = float(scale.get_major_formatter()(place)) * 10.0 ** int(power[1] if power else 0)
+                    assert number == pytest.approx(factor * place + offset, rel=6e-3, abs=1e-6)
+                turned += 1
+        said = [text.get_text() for text in other.findobj(Text)]
+        assert not [one for one in said if LEFT.search(one) or NAMED.search(one)]
+    assert turned > 4 or kind == "thrust"

@@ -335,11 +335,16 @@ class BearingResult:
             E007 for another suffix, a path that cannot be written, or a package that is not installed.
         """
         from babbitt.report.document import write_report
-        from babbitt.solving import MachineResult
+        from babbitt.solving import MachineResult, given_fields
 
-        block = None if self.case is None else self.case.title_block
+        case, solved = self.case, self.solution
         machine = MachineResult(
-            self.name, (self.solution,), self.case_hash, case_text=self.case_text, title_block=block
+            self.name,
+            (solved,),
+            self.case_hash,
+            case_text=self.case_text,
+            title_block=None if case is None else case.title_block,
+            given={} if case is None else given_fields(case, [solved.problem]),
         )
         write_report(machine, Path(path), level, units, language)
 

@@ -201,6 +201,35 @@ def is_given(part: Part, name: str) -> bool:
     return name in part.model_fields_set and vars(part).get(name, part) is not None
 
 
+def given_paths(part: Part, of: str = "") -> Iterator[str]:
+    """Paths of the fields that were written, such as ``surfaces.wave_factor``.
+
+    Parameters
+    ----------
+    part : Part
+    of : str
+        The name of a problem: of the pieces of a list that have names, those of that bearing and operating point
+        alone count.
+    """
+    for name in part.model_fields_set:
+        value = getattr(part, name)
+        if value is None:
+            continue
+        yield name
+        for piece in value if isinstance(value, tuple) else (value,):
+            if isinstance(piece, Part) and (piece is value or _is_of(getattr(piece, "name", None), of)):
+                yield from (f"{name}.{path}" for path in given_paths(piece, of))
+
+
+def _is_of(name: str | None, problem: str) -> bool:
+    """Whether a piece of a list has no name, or that of the bearing or of the operating point of a problem.
+
+    >>> [_is_of(name, "Wheel [ahead] (mean clearance)") for name in ("Wheel", "Wheel 2", "ahead", "astern", None)]
+    [True, False, True, False, True]
+    """
+    return not name or problem == name or problem.startswith((f"{name} [", f"{name} (")) or f"[{name}]" in problem
+
+
 def not_read(part: Part, why: str, *paths: str) -> Iterator[Notice]:
     """Report fields that are given and that nothing reads.
 

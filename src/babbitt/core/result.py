@@ -117,6 +117,8 @@ class Check:
         Where the limit comes from.
     advisory : bool
         A recommendation or a screening indicator: a miss is listed and changes no verdict.
+    general : tuple of float and str, optional
+        Of a limit that the case sets: what would hold without it, in SI, and where that comes from.
     """
 
     code: str
@@ -126,6 +128,7 @@ class Check:
     bound: Bound
     source: str
     advisory: bool = False
+    general: tuple[float, str] | None = None
 
     @property
     def ok(self) -> bool:

@@ -153,12 +153,12 @@ def film_checks(case: CheckedProblem, values: Mapping[str, float]) -> Iterator[C
     """Film thickness against experience and against the surfaces."""
     film = values["minimum_film_thickness"]
     name = "minimum_film_thickness"
-    if case.limits.minimum_film_thickness is not None:
-        yield Check("C101", name, film, case.limits.minimum_film_thickness, AT_LEAST, USER)
-    elif "empirical_film_limit" in values:
+    general = None
+    if "empirical_film_limit" in values:
         own = case.limits.tables
         source = "experience value for diameter and surface speed" if own is None else own.source
-        yield Check("C101", name, film, values["empirical_film_limit"], AT_LEAST, source)
+        general = values["empirical_film_limit"], source
+    yield from _own_or_general("C101", name, film, case.limits.minimum_film_thickness, AT_LEAST, general)
     if "geometric_film_limit" in values:
         given = case.bearing.surfaces is not None
         source = "roughness, tilt, deflection and waviness of the case" if given else "slope of the shaft alone"
@@ -168,20 +168,27 @@ def film_checks(case: CheckedProblem, values: Mapping[str, float]) -> Iterator[C
 def load_and_temperature_checks(case: CheckedProblem, values: Mapping[str, float]) -> Iterator[Check]:
     """Specific load and temperature against experience, or against the limits of the case."""
     pressure, metal = values["specific_load"], case.bearing.metal
-    if case.limits.specific_load is not None:
-        yield Check("C103", "specific_load", pressure, case.limits.specific_load, AT_MOST, USER)
-    elif metal is not None and (load_limit := specific_load_limit(metal.family, case.limits.tables)) is not None:
+    general = None
+    if metal is not None and (load_limit := specific_load_limit(metal.family, case.limits.tables)) is not None:
         slow = surface_speed(case) <= SLOW_UP_TO
-        limit = load_limit.exceptional if slow else load_limit.general
         which = f"exceptional value, for speeds up to {SLOW_UP_TO:g} m/s" if slow else "general value"
-        yield Check("C103", "specific_load", pressure, limit, AT_MOST, f"{load_limit.source}; {which}")
-    name = limited_temperature(values)
-    if case.limits.temperature is not None:
-        name = hottest_place(values)
-        yield Check("C104", name, values[name], case.limits.temperature, AT_MOST, USER)
-    else:
-        by_experience = temperature_limit(case)
-        yield Check("C104", name, values[name], by_experience.general, AT_MOST, by_experience.source)
+        general = load_limit.exceptional if slow else load_limit.general, f"{load_limit.source}; {which}"
+    yield from _own_or_general("C103", "specific_load", pressure, case.limits.specific_load, AT_MOST, general)
+    name, by_experience, highest = limited_temperature(values), temperature_limit(case), case.limits.temperature
+    source = by_experience.source
+    if highest is not None and (place := hottest_place(values)) != name:
+        name, source = place, f"{source}; for the oil that leaves"
+    yield from _own_or_general("C104", name, values[name], highest, AT_MOST, (by_experience.general, source))
+
+
+def _own_or_general(
+    code: str, name: str, value: float, own: float | None, bound: Bound, general: tuple[float, str] | None
+) -> Iterator[Check]:
+    """The limit that the case sets, else the general one with its source, where there is one."""
+    if own is not None:
+        yield Check(code, name, value, own, bound, USER, general=general)
+    elif general is not None:
+        yield Check(code, name, value, general[0], bound, general[1])
 
 
 def metal_checks(case: CheckedProblem, values: Mapping[str, float]) -> Iterator[Check]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from dataclasses import replace
 from typing import Any
 
@@ -46,7 +46,7 @@ WARNING_HEADINGS = {
 """Headings of the warnings of a bearing, by what they do to its verdict."""
 
 
-def bearing_content(chapter: Chapter) -> Data:
+def bearing_content(chapter: Chapter, given: Collection[str] = ()) -> Data:
     """What the report says of one bearing, but for calculation and figures.
 
     Parameters
@@ -54,6 +54,8 @@ def bearing_content(chapter: Chapter) -> Data:
     chapter : Chapter
         One result, or several that differ in the clearance only: those stand side by side, and inputs,
         calculation and figures are those of one of them.
+    given : collection of str
+        Paths of the fields that the case has written; empty where that is not known.
 
     Returns
     -------
@@ -81,7 +83,10 @@ def bearing_content(chapter: Chapter) -> Data:
         "heading": translated("Operating point" if in_machine_table(result) else "Results"),
         "results": _key_results(chapter) if result.outcome.solved else [],
         "inputs": [
-            {"title": translated(group.title), "rows": [_input(row) for row in group.rows]}
+            {
+                "title": translated(group.title),
+                "rows": [_input(row) | {"left_out": row.is_left_out(view.left_out, given)} for row in group.rows],
+            }
             for group in inputs(shown.problem, view, chapter.given)
         ],
         "assumptions": list(dict.fromkeys(assumptions_of(chapter.results))),
@@ -110,7 +115,7 @@ def calculation_content(chapter: Chapter) -> list[Data]:
         {
             "title": translated(section.title),
             "remark": translated(section.remark),
-            "lines": [_line(line) for line in section.lines],
+            "lines": [_line(line, chapter.shown.result.kind) for line in section.lines],
         }
         for section in _sections(chapter)
     ]
@@ -207,9 +212,9 @@ def _of_limited_film(chapter: Chapter, name: str, quantity: Quantity) -> Data:
     return {"limited": quantity.format(value) if math.isfinite(value) else ABSENT}
 
 
-def _line(line: Line) -> Data:
+def _line(line: Line, kind: str) -> Data:
     return {
-        "meaning": label(line.name),
+        "meaning": label(line.name, kind),
         "symbol": line.symbol,
         "formula": line.formula,
         "substituted": line.substituted,
@@ -220,7 +225,8 @@ def _line(line: Line) -> Data:
 
 
 def _input(row: Row) -> Data:
-    return vars(row) | {
+    return {
+        "symbol": row.symbol,
         "label": translated_if_known(row.label),
         "value": translated_if_known(row.value),
         "unit": unit_sign(row.unit),

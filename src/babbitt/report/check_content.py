@@ -30,7 +30,17 @@ def sources_of(results: Iterable[Result]) -> list[str]:
 
 
 def _source(check: Check) -> str:
-    return translated(plain_text(check.source))
+    """Where a limit comes from; of one that the case sets also what would hold without it."""
+    source = translated(plain_text(check.source))
+    if check.general is None:
+        return source
+    value, why = check.general
+    return translated(
+        "{source} in place of {general} ({why})",
+        source=source,
+        general=check_text.written(check.quantity, value),
+        why=translated(plain_text(why)),
+    )
 
 
 def solved_checks(result: Result) -> tuple[Check, ...]:

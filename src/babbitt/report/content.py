@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from typing import TYPE_CHECKING, Any
 
 from babbitt.core.language import language, phrases, translated
@@ -36,6 +36,7 @@ from babbitt.report.scope import scope_of
 from babbitt.report.symbols import symbol_node
 from babbitt.report.text import plain_lines, plain_text
 from babbitt.report.totals import Totals, totals
+from babbitt.report.us_words import in_us_units
 from babbitt.report.view import view_of
 
 if TYPE_CHECKING:
@@ -63,7 +64,7 @@ def content(machine: MachineResult, level: Level = Level.FULL) -> Data:
     shared = _shared_assumptions(results) if level is Level.STANDARD else ()
     summed, marks = totals(results), footnote(columns_of(results), results)
     worst = [_worst_case(results, code) for code in _codes(results, level)]
-    return {
+    said = {
         "language": language(),
         "words": dict(phrases(language())),
         "name": plain_text(machine.name) or translated("Unnamed case"),
@@ -89,10 +90,14 @@ def content(machine: MachineResult, level: Level = Level.FULL) -> Data:
         "findings": _findings(results, level),
         "level": level.value,
         "shared_assumptions": list(shared),
-        "bearings": [_bearing(part, level, len(parts), shared) for part in parts],
+        "bearings": [
+            _bearing(part, level, len(parts), shared, machine.given.get(part.shown.problem.name, ()))
+            for part in parts
+        ],
         "checker": checker_content(parts, worst) if level is not Level.SUMMARY else None,
         "case_text": plain_lines(machine.case_text).strip("\n") if level is Level.FULL else "",
     }
+    return dict(in_us_units(said))
 
 
 def _governing(results: Sequence[Result]) -> Data | None:
@@ -133,8 +138,8 @@ def _shared_assumptions(results: Sequence[Result]) -> tuple[str, ...]:
     return tuple(said for said in first if all(said in other for other in others))
 
 
-def _bearing(part: Chapter, level: Level, count: int, shared: Sequence[str]) -> Data:
-    said = bearing_content(part)
+def _bearing(part: Chapter, level: Level, count: int, shared: Sequence[str], given: Collection[str]) -> Data:
+    said = bearing_content(part, given)
     said["assumptions"] = [one for one in said["assumptions"] if one not in shared]
     if level is Level.SUMMARY:
         empty: Data = {key: [] for key in ("inputs", "tables", "assumptions", "sections", "figures")}

@@ -62,7 +62,7 @@ def write_report(
     level : Level or {"standard", "summary", "full"}
         Inputs, results, checks and figures of every bearing; a page a machine; calculation and case file, too.
     units : {"si", "us"}
-        Of tables and figures; lines of the calculation stay in SI.
+        Of texts, tables and figures; lines of the calculation stay in SI, and so does the case file.
     language : {"en", "de", "ru"}, optional
         That of the title block of the case if not given, English if that has none.
 

@@ -18,6 +18,7 @@ from babbitt.core.language import ENGLISH, language, translated
 from babbitt.core.notices import InputError
 from babbitt.core.optional_package import how_to_install
 from babbitt.core.quantities import QUANTITIES, Quantity
+from babbitt.core.quantities.display import is_spoken
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -168,7 +169,12 @@ class Sheet:
 
 
 def rendered(figure: Figure, image_format: str) -> bytes:
-    """Write a figure without any date, so that equal figures are equal bytes; in the language of the report."""
+    """Write a figure without any date, so that equal figures are equal bytes; in the language and units
+    of the report."""
+    if is_spoken("us"):
+        from babbitt.report.us_figure import turn_figure
+
+        turn_figure(figure)
     if language() != ENGLISH:
         from babbitt.report.figure_words import translate_figure
 

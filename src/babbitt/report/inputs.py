@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import PurePath
 from typing import TYPE_CHECKING, Any
@@ -45,18 +45,41 @@ LAWS = {
     ConstantViscosity: "constant",
 }
 
+OIL = {
+    "density": ("lubricant.density", "oil.density"),
+    "heat_capacity": ("lubricant.heat_capacity", "oil.heat_capacity", "lubricant.volumetric_heat_capacity"),
+    "volumetric_heat_capacity": ("lubricant.volumetric_heat_capacity",),
+}
+"""Fields of what is known of an oil beyond its viscosity; a name of the catalogue does not give it."""
+
 UNITS = {"1e-6/K": "× 10⁻⁶/K"}
 """Units as they look on paper, where the vocabulary writes them for a plain terminal."""
 
 
 @dataclass(frozen=True)
 class Row:
-    """One input: what it is, its symbol where it has one, its value with the unit."""
+    """One input: what it is, its symbol where it has one, its value with the unit; the quantity, or no name."""
 
     label: str
     value: str
     symbol: Node | None = None
     unit: str = ""
+    name: str = ""
+
+    def is_left_out(self, left_out: Mapping[str, tuple[str, ...]], given: Collection[str]) -> bool:
+        """Whether the case may leave this input out and did: it is a default or an assumption.
+
+        Parameters
+        ----------
+        left_out : Mapping of str to tuple of str
+            As of `babbitt.report.view.View`, and those of every oil.
+        given : collection of str
+            Paths of the fields that the case has written; empty where that is not known.
+        """
+        fields = {**left_out, **OIL}.get(self.name or self.label.partition(", pad ")[0])
+        return bool(fields and given) and not any(
+            path == one or path.endswith(f".{one}") for one in fields or () for path in given
+        )
 
 
 @dataclass(frozen=True)
@@ -102,7 +125,11 @@ def named_row(name: str, value: float, given_label: str = "") -> Row:
     quantity = VOCABULARY[name]
     shown = text(number_node(quantity.shown(value), 6)).replace("e−", " × 10^−")
     return Row(
-        given_label or label(name), shown, symbol(name), UNITS.get(quantity.display.label, quantity.display.label)
+        given_label or label(name),
+        shown,
+        symbol(name),
+        UNITS.get(quantity.display.label, quantity.display.label),
+        name,
     )
 
 
@@ -119,11 +146,11 @@ def oil_rows(oil: Lubricant) -> Iterator[Row]:
                 viscosity = oil.kinematic_viscosity(kelvin)
                 yield _row(f"Kinematic viscosity at {_temperature(kelvin)}", viscosity, "mm2/s")
     if oil.covers(293.15):
-        yield _row(f"Density at {_temperature(293.15)}", oil.density(293.15), "kg/m3")
+        yield _row(f"Density at {_temperature(293.15)}", oil.density(293.15), "kg/m3", "density")
     if oil.fixed_volumetric_heat_capacity is not None:
         yield named_row("volumetric_heat_capacity", oil.fixed_volumetric_heat_capacity)
     else:
-        yield _row(f"Specific heat at {_temperature(323.15)}", oil.heat_capacity(323.15), "J/kgK")
+        yield _row(f"Specific heat at {_temperature(323.15)}", oil.heat_capacity(323.15), "J/kgK", "heat_capacity")
     yield Row("Source", plain_text(oil.source))
     if oil.origin:
         yield Row("From the catalogue of the user", plain_text(PurePath(oil.origin).name))
@@ -136,10 +163,10 @@ def _constant(law: ConstantViscosity) -> Row:
     return _row("Kinematic viscosity", law.viscosity, "mm2/s")
 
 
-def _row(what: str, value: float, unit: str) -> Row:
+def _row(what: str, value: float, unit: str, name: str = "") -> Row:
     """An input that the vocabulary does not name, in the unit of the system that is spoken."""
     shown = in_system(SI[unit])
-    return Row(what, f"{value * shown.scale:.4g}", None, shown.label)
+    return Row(what, f"{value * shown.scale:.4g}", None, shown.label, name)
 
 
 def _temperature(kelvin: float) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from babbitt.core.quantities import DisplayUnit, Quantity
 
-__all__ = ["KILO", "MICRO", "MILLI", "PRINTED_UNITS", "local"]
+__all__ = ["KILO", "MICRO", "MILLI", "PER_MINUTE", "PRINTED_UNITS", "local"]
 
 PRINTED_UNITS = {
     "1": "",
@@ -18,6 +18,7 @@ PRINTED_UNITS = {
 
 MICRO, MILLI = DisplayUnit("µm", 1e6), DisplayUnit("mm", 1e3)
 KILO = DisplayUnit("kPa", 1e-3)
+PER_MINUTE = DisplayUnit("L/min", 6e4)
 
 
 def local(

@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from babbitt.core.language import decimal, translated
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.units import written
+from babbitt.report.us_words import in_us_units
 
 __all__ = ["enlarged", "millimetres", "named", "round_below", "sized"]
 
@@ -32,7 +33,8 @@ def millimetres(symbol: str, length: float) -> str:
     >>> millimetres("D", 0.0436)
     'D = 43.6 mm'
     """
-    return decimal(f"{symbol} = {written(length, 'mm')}")
+    said: str = in_us_units(decimal(f"{symbol} = {written(length, 'mm')}"))
+    return said
 
 
 def enlarged(what: str, factor: float) -> str:

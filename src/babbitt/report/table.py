@@ -24,6 +24,7 @@ from babbitt.report.machine_table import columns_of, in_machine_table
 from babbitt.report.names import counted_results
 from babbitt.report.text import plain_text
 from babbitt.report.totals import totals
+from babbitt.report.us_words import OF_RESULTS, in_us_units
 from babbitt.report.view import view_of
 
 if TYPE_CHECKING:
@@ -111,9 +112,11 @@ def render(name: str, results: Sequence[Result], width: int) -> RenderableType:
         part
         for result in results
         for data in view_of(result).terminal_tables(result)
-        for part in (Text(), terminal_table(data, plain_text(result.name)))
+        for part in (Text(), terminal_table(in_us_units(data, OF_RESULTS), plain_text(result.name)))
     ]
-    said = [sentence for result in results for sentence in view_of(result).sentences(result)]
+    said = [
+        in_us_units(sentence, OF_RESULTS) for result in results for sentence in view_of(result).sentences(result)
+    ]
     parts += [Text(), *(Padding(Text(sentence), (0, 0, 0, 2)) for sentence in said)] if said else []
     parts += _remarks(results)
     return Group(*parts)

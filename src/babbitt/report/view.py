@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from babbitt.core.kind import find_kind
@@ -61,6 +61,8 @@ class View:
         Results -> further rows of results, of supplies or recesses.
     inputs : callable
         Problem -> groups of inputs.
+    left_out : Mapping of str to tuple of str
+        Inputs that a case may leave out, by the quantity of their row or its label: the fields that give them.
     sections : callable
         Solution -> sections of the calculation, line by line.
     figures : callable
@@ -102,6 +104,7 @@ class View:
     fed_results: tuple[str, ...] = ()
     rows: Callable[[Sequence[Result]], Iterable[Data]] = _none
     inputs: Callable[[Any], Iterable[InputGroup]] = _none
+    left_out: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     sections: Callable[[Solution], Iterable[Section]] = _none
     figures: Callable[[Solution, str], Iterable[Drawing]] = _none
     report_figures: Callable[[Solution], Iterable[Drawing]] = _none

@@ -10,7 +10,7 @@ from babbitt.core.notices import InputError
 from babbitt.core.quantities import QUANTITIES, Quantity
 from babbitt.core.units import ZERO_CELSIUS
 from babbitt.report.expression import Node
-from babbitt.report.local_quantity import MICRO, MILLI, PRINTED_UNITS, local
+from babbitt.report.local_quantity import MICRO, MILLI, PER_MINUTE, PRINTED_UNITS, local
 from babbitt.report.symbols import symbol_node
 
 __all__ = ["PRINTED_UNITS", "VOCABULARY", "calculated", "symbol"]
@@ -20,6 +20,10 @@ COMMON = (
     local("recess_depth", "H", "m", "Depth of the recess", 4, MILLI),
     local("heat_transfer_coefficient", "k_A", "W/(m² K)", "Heat transfer coefficient"),
     local("cooling_surface", "A", "m²", "Surface that gives off heat"),
+    local("entering_flow", "Q_le", "m3/s", "Oil over all leading edges", 5, PER_MINUTE),
+    local("trailing_flow", "Q_te", "m3/s", "Oil over all trailing edges", 5, PER_MINUTE),
+    local("carried_share", "λ_c", "1", "Share that is carried over"),
+    local("pad_warming", "ΔT", "K (abs)", "Rise of the oil along a pad", 5),
 )
 """What the calculations of several kinds need on the way to their results."""
 

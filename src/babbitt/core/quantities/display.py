@@ -23,6 +23,7 @@ __all__ = [
     "System",
     "displayed_in",
     "in_system",
+    "is_spoken",
     "ladder_of",
     "us_partner",
     "written_in_system",
@@ -219,6 +220,11 @@ def displayed_in(system: str) -> Iterator[None]:
         yield
     finally:
         _SYSTEM.reset(former)
+
+
+def is_spoken(system: System) -> bool:
+    """Whether tables, reports and plots speak the units of a system now."""
+    return _SYSTEM.get() == system
 
 
 def in_system(unit: DisplayUnit) -> DisplayUnit:

@@ -53,9 +53,23 @@ def _narrow_groove(_: FootstepProblem) -> tuple[str, ...]:
     return (KIRICHENKO, NARROW_GROOVE_THEORY)
 
 
+LEFT_OUT = {
+    "Eccentricity over clearance at rim, outer end": ("eccentricity_ratio", "tilt"),
+    "Density times heat capacity": ("oil.volumetric_heat_capacity",),
+    "Density": ("oil.density",),
+    "Pressure of the surroundings, absolute": ("ambient_pressure",),
+    "Equations": ("method",),
+    "Load counts": ("load_reference",),
+    "Friction in the clearance": ("options.friction_viscosity",),
+    "Face gap heats the oil": ("options.face_outlet",),
+    "Viscosity of backflow": ("options.backflow_viscosity",),
+}
+"""Inputs that a case may leave out (`babbitt.report.view.View`)."""
+
 SUPERPOSITION = View(
     title="Groove beside a slit (equations of the study, corrected)",
     inputs=_inputs,
+    left_out=LEFT_OUT,
     sections=_sections,
     figures=_figures,
     report_figures=_figures,

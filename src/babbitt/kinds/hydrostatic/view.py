@@ -44,12 +44,27 @@ def _oil(problem: HydrostaticCase) -> Lubricant | None:
     return problem.oil.lubricant
 
 
+LEFT_OUT = {
+    "Middles of the recesses": ("recesses.first", "recesses.angles", "pockets.first", "pockets.angles"),
+    "Density": ("oil.density",),
+    "Specific heat": ("oil.heat_capacity",),
+    "Efficiency of the pump": ("supply.pump_efficiency", "pump_efficiency"),
+    "Leakage of the pump": ("supply.leakage",),
+    "Friction factor in the recesses": ("recess_oil.friction_factor",),
+    "Bulk modulus of the oil": ("recess_oil.bulk_modulus",),
+    "Composite roughness height": ("roughness",),
+    "Film": ("method",),
+    "Grid": ("accuracy",),
+}
+"""Inputs that a case may leave out (`babbitt.report.view.View`)."""
+
 FIGURES = LazyFunction("babbitt.kinds.hydrostatic.report.figures:hydrostatic_figures")
 
 JACKING_FILM = View(
     title="Film in two dimensions",
     rows=recess_rows,
     inputs=_inputs,
+    left_out=LEFT_OUT,
     sections=_sections,
     figures=FIGURES,
     report_figures=FIGURES,

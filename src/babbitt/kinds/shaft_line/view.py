@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from babbitt.core.kind import LazyFunction
 from babbitt.kinds.shaft_line.report.citations import SIDORIKA, WITTRICK
 from babbitt.kinds.thrust.report.columns import COLUMNS
+from babbitt.kinds.thrust.view import LEFT_OUT
 from babbitt.report.citations import REYNOLDS
 from babbitt.report.view import View, lubricant_of
 
@@ -33,6 +34,8 @@ FIGURES = LazyFunction("babbitt.kinds.shaft_line.report.figures:line_figures")
 FREQUENCY_DOMAIN = View(
     title="Static films, vibration in the frequency domain",
     inputs=_inputs,
+    left_out=LEFT_OUT,
+    sections=LazyFunction("babbitt.kinds.thrust.report.calculation:line_calculation"),
     figures=FIGURES,
     report_figures=FIGURES,
     tables=LazyFunction("babbitt.kinds.thrust.report.tables:tables"),

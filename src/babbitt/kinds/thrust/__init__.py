@@ -18,5 +18,6 @@ KINDS = (
         "solve copies of the case with another thermal or turbulence, or vary a field with babbitt sweep",
         no_coefficients=NO_COEFFICIENTS,
         meanings="babbitt.kinds.thrust.report.words:OF_THRUST",
+        vocabulary="babbitt.kinds.thrust.report.words:THRUST_WORDS",
     ),
 )

@@ -61,11 +61,12 @@ class TemperatureLimits:
             yield from (check for check in self._held(values, PRESCRIBED) if not check.ok)
 
     def _held(self, values: Mapping[str, float], hottest: str) -> Iterator[Check]:
+        by_experience = pressure_fed_temperature_limit()
         if self.highest is not None:
-            yield Check("C104", hottest, values[hottest], self.highest, Bound.AT_MOST, USER)
+            general = by_experience.general, f"{by_experience.source}; for the oil that leaves"
+            yield Check("C104", hottest, values[hottest], self.highest, Bound.AT_MOST, USER, general=general)
         else:
             drained = "outlet_temperature" if "outlet_temperature" in values else hottest
-            by_experience = pressure_fed_temperature_limit()
             yield Check(
                 "C104", drained, values[drained], by_experience.general, Bound.AT_MOST, by_experience.source
             )

@@ -13,7 +13,7 @@ from babbitt.report.view import View, lubricant_of
 if TYPE_CHECKING:
     from babbitt.kinds.thrust.design import ThrustDesign
 
-__all__ = ["FILM"]
+__all__ = ["FILM", "LEFT_OUT"]
 
 
 def _citations(problem: ThrustDesign) -> Iterable[str]:
@@ -24,9 +24,19 @@ def _citations(problem: ThrustDesign) -> Iterable[str]:
 
 FIGURES = LazyFunction("babbitt.kinds.thrust.report.figures:thrust_figures")
 
+LEFT_OUT = {
+    "Hot oil carried over": ("oil.carry_over",),
+    "Temperature of the films": ("thermal",),
+    "Backing ring": ("ring_stiffness",),
+    "Crown": ("pads.crown",),
+}
+"""Inputs that a case may leave out (`babbitt.report.view.View`)."""
+
 FILM = View(
     title="Film in two dimensions",
     inputs=LazyFunction("babbitt.kinds.thrust.report.inputs:thrust_inputs"),
+    left_out=LEFT_OUT,
+    sections=LazyFunction("babbitt.kinds.thrust.report.calculation:thrust_calculation"),
     figures=FIGURES,
     report_figures=FIGURES,
     tables=LazyFunction("babbitt.kinds.thrust.report.tables:tables"),

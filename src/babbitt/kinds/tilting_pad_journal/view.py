@@ -151,6 +151,32 @@ def _citations(problem: PadCase) -> Iterable[str]:
         yield PALMGREN
 
 
+LEFT_OUT = {
+    "Pivot": ("pads.pivot", "each.pivot"),
+    "Mass of a pad": ("pads.mass", "each.mass"),
+    "Inertia of a pad about its pivot": ("pads.inertia", "each.inertia"),
+    "Probe, from the leading edge": ("pads.probe_fraction", "each.probe_fraction"),
+    "Pressure between the pads": ("groove_pressure",),
+    "Whirl ratios": ("whirl_ratios",),
+    "Mass on the pedestal, without the pads": ("pedestal.mass",),
+    "Flow": ("turbulence",),
+    "Feed": ("feed",),
+    "Hot oil carried over": ("carry_over",),
+    "Temperature of the films": ("thermal",),
+    "Temperature of the journal": ("walls.journal.temperature",),
+    "Conductance along the shaft": ("walls.journal.shaft_conductance",),
+    "Conductivity of the pads": ("walls.pads.conductivity",),
+    "Heat transfer on backs": ("walls.pads.heat_transfer_coefficient",),
+    "Heat transfer on edges": ("walls.pads.edge_coefficient",),
+    "ambient_temperature": ("walls.pads.temperature",),
+    "Elastic modulus of the pads": ("materials.pads",),
+    "Poisson's ratio of the pads, plates": ("materials.pads.poisson_ratio",),
+    "Clearances hold at": ("reference_temperature",),
+    "Expansion of pads, journal, housing": ("materials.pads", "materials.journal", "materials.housing"),
+    "Temperature of the housing": ("walls.housing.temperature",),
+}
+"""Inputs that a case may leave out (`babbitt.report.view.View`)."""
+
 FIGURES = LazyFunction("babbitt.kinds.tilting_pad_journal.report.figures:pad_figures")
 
 FILM = View(
@@ -159,6 +185,7 @@ FILM = View(
     fed_results=("total_flow",),
     rows=LazyFunction("babbitt.kinds.tilting_pad_journal.report.tables:rows_of_clearances"),
     inputs=LazyFunction("babbitt.kinds.tilting_pad_journal.report.inputs:pad_inputs"),
+    left_out=LEFT_OUT,
     sections=LazyFunction("babbitt.kinds.tilting_pad_journal.report.calculation:pad_calculation"),
     figures=FIGURES,
     report_figures=FIGURES,

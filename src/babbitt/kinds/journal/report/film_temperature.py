@@ -20,6 +20,7 @@ from babbitt.kinds.journal.film.temperature_field import (
 from babbitt.kinds.journal.report import film_maps
 from babbitt.report import shading
 from babbitt.report.drawing import GREY, INK, Array, Sheet, arrow
+from babbitt.report.us_words import numbers_in_us_units
 from babbitt.reynolds.heat.heat_model import BushRing
 from babbitt.reynolds.heat.thermal_solution import ThermalFilm
 
@@ -90,7 +91,7 @@ def describe_place(thermal: ThermalFilm) -> str:
 def _hot_spot(top: Axes, bottom: Axes, thermal: ThermalFilm, field: FilmField) -> None:
     line, column, layer = np.unravel_index(int(thermal.temperature.argmax()), thermal.temperature.shape)
     angle = field.theta[0] + (thermal.film.angles.ravel()[line] - field.theta[0]) % (2.0 * math.pi)
-    said = f"{thermal.maximum_temperature - ZERO_CELSIUS:.1f}"
+    said = numbers_in_us_units(f"{thermal.maximum_temperature - ZERO_CELSIUS:.1f}", "°C")
     shading.point(bottom, math.degrees(angle), thermal.layers[layer], said)
     if thermal.axial_positions.size > 1:
         shading.point(
@@ -111,8 +112,8 @@ def _cover_grooves(panel: Axes, thermal: ThermalFilm, field: FilmField, place: f
             )  # fmt: skip
         middle = math.degrees(first + 0.5 * (patch.theta[1] - patch.theta[0]))
         panel.annotate(
-            f"{mixed - ZERO_CELSIUS:.1f}", (middle, 0.5), fontsize=7, ha="center", va="center", rotation=90,
-            zorder=5, annotation_clip=True,
+            numbers_in_us_units(f"{mixed - ZERO_CELSIUS:.1f}", "°C"), (middle, 0.5), fontsize=7, ha="center",
+            va="center", rotation=90, zorder=5, annotation_clip=True,
         )  # fmt: skip
 
 

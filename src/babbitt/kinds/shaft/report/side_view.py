@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from babbitt.core.quantities.display import SI, in_system
 from babbitt.kinds.shaft.answer import ShaftAnswer
 from babbitt.kinds.shaft.model import PointLoad, Shaft
 from babbitt.kinds.shaft.problem import ShaftProblem
@@ -126,8 +127,9 @@ def _arrows(
 
 
 def _number(panel: Axes, force: float, at: tuple[float, float], apart: tuple[int, int]) -> None:
-    """Size of a force in kN near the end of its arrow."""
+    """Size of a force in kN, or what stands for it, near the end of its arrow."""
+    shown = abs(force) * in_system(SI["kN"]).scale
     panel.annotate(
-        f"{abs(force) / 1e3:.3g}", at, xytext=apart, textcoords="offset points", fontsize=7, zorder=7,
+        f"{float(f'{shown:.3g}'):g}", at, xytext=apart, textcoords="offset points", fontsize=7, zorder=7,
         bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.4, "alpha": 0.8},
     )  # fmt: skip

@@ -17,6 +17,7 @@ from babbitt.kinds.thrust.design import PrescribedThrust
 from babbitt.kinds.thrust.report import picture as thrust
 from babbitt.report.picture import Canvas, Picture
 from babbitt.report.picture_words import enlarged, round_below, sized
+from babbitt.report.us_words import in_us_units
 
 __all__ = ["line_picture"]
 
@@ -67,7 +68,11 @@ def _line(picture: Picture, design: LineDesign) -> None:
     if isinstance(design.thrust.duty, PrescribedThrust):
         picture.arrow((START - 0.3, 0.0), (START - 0.06, 0.0), "load")
         picture.text(-0.98 * REACH, 0.12, sized("load", design.thrust.duty.thrust), anchor="start")
-    notes = [f"L = {written(length, 'm')}", enlarged("diameters", factor)] if line.rods else ["rigid shaft"]
+    notes = (
+        [in_us_units(f"L = {written(length, 'm')}"), enlarged("diameters", factor)]
+        if line.rods
+        else ["rigid shaft"]
+    )
     picture.notes(-0.98 * REACH, LINE - 0.1, [", ".join(notes)])
 
 
@@ -77,7 +82,8 @@ def _diameter(rod: Rod) -> float:
 
 
 def _mass(kilograms: float) -> str:
-    return written(kilograms, "t" if kilograms >= 1e3 else "kg")
+    said: str = in_us_units(written(kilograms, "t" if kilograms >= 1e3 else "kg"))
+    return said
 
 
 def _shaft(picture: Picture, line: ShaftLine, along: float, factor: float) -> None:

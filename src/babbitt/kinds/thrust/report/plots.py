@@ -12,6 +12,7 @@ from babbitt.kinds.thrust.peak import between_nodes
 from babbitt.kinds.thrust.sharing import Share
 from babbitt.report import shading
 from babbitt.report.drawing import GREY, INK, Array, Sheet
+from babbitt.report.us_words import numbers_in_us_units
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -42,7 +43,13 @@ def pads_polar(share: Share, dynamic: Array | None) -> Figure:
         place, ink = (angle, 0.73 * base), {"ha": "center", "textcoords": "offset points"}
         panel.annotate(f"{number}", place, xytext=(0, 0.5), va="bottom", fontsize=7, **ink)
         panel.annotate(
-            f"{loads[number - 1]:.3g}", place, xytext=(0, -0.5), va="top", fontsize=6, color="0.3", **ink
+            numbers_in_us_units(f"{loads[number - 1]:.3g}", "kN"),
+            place,
+            xytext=(0, -0.5),
+            va="top",
+            fontsize=6,
+            color="0.3",
+            **ink,
         )
     panel.annotate("kN", (0.0, 0.0), ha="center", va="center", fontsize=6, color="0.3")
     turn = bearing.sense * np.linspace(0.3, 1.2, 30) + math.pi / 2
@@ -85,7 +92,7 @@ def pad_pressure(share: Share) -> Figure:
     x, y = sense * radius * np.cos(turned), radius * np.sin(turned)
     levels = np.linspace(0.0, float(pressure.max()), 9)[1:-1]
     lines = panel.contour(x, y, pressure, levels=levels, colors="0.25", linewidths=0.6)
-    panel.clabel(lines, fmt=lambda value: f"{value:.2g}", fontsize=6, inline_spacing=2)
+    panel.clabel(lines, fmt=lambda value: numbers_in_us_units(f"{value:.2g}", "MPa"), fontsize=6, inline_spacing=2)
     for edge in ((x[0], y[0]), (x[-1], y[-1]), (x[:, 0], y[:, 0]), (x[:, -1], y[:, -1])):
         panel.plot(*edge, color=INK, linewidth=0.9)
     i, j = np.unravel_index(int(pressure.argmax()), pressure.shape)
@@ -138,9 +145,16 @@ def pad_temperature(share: Share) -> Figure:
     shown = np.concatenate((celsius[:, :1], celsius, celsius[:, -1:]), axis=1)
     degrees = np.degrees(film.theta)
     lines = shading.shaded(panel, degrees, across, shown)
-    panel.clabel(lines, np.asarray(lines.levels)[::2], fontsize=6, fmt="%g", inline_spacing=2)
+    panel.clabel(
+        lines,
+        np.asarray(lines.levels)[::2],
+        fontsize=6,
+        fmt=lambda value: numbers_in_us_units(f"{value:g}", "°C"),
+        inline_spacing=2,
+    )
     line, layer = np.unravel_index(int(shown.argmax()), shown.shape)
-    shading.point(panel, float(degrees[line]), float(across[layer]), f"{heat.maximum - ZERO_CELSIUS:.1f}")
+    said = numbers_in_us_units(f"{heat.maximum - ZERO_CELSIUS:.1f}", "°C")
+    shading.point(panel, float(degrees[line]), float(across[layer]), said)
     panel.set_xlabel("angle from the leading edge in °")
     panel.set_ylabel("pad  ←  $y/h$  →  collar")
     panel.set_ylim(0.0, 1.0)

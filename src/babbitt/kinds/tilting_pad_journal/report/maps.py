@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from babbitt.kinds.tilting_pad_journal.model import PadCase
 from babbitt.report.drawing import GREY, INK, Array, Sheet
 from babbitt.report.shading import point, round_steps
+from babbitt.report.us_words import numbers_in_us_units
 from babbitt.reynolds.tilting_pads.pad_lands import pad_gaps
 from babbitt.reynolds.tilting_pads.solution import PadState, TiltingPadSolution
 
@@ -135,7 +136,7 @@ def _pad(panel: Axes, state: PadState, number: int, start: float, levels: Array,
         lines = panel.contour(theta, z, shown.T, levels=levels, colors="0.25", linewidths=0.45)
         panel.clabel(lines, np.asarray(lines.levels)[1::2], fontsize=6, fmt="%g", inline_spacing=2)
     row, column = np.unravel_index(int(shown.argmax()), shown.shape)
-    point(panel, float(theta[row]), float(z[column]), f"{float(shown.max()):.3g}")
+    point(panel, float(theta[row]), float(z[column]), numbers_in_us_units(f"{float(shown.max()):.3g}", "MPa"))
 
 
 def angle_ticks(panel: Axes) -> None:

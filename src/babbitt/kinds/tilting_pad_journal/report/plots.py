@@ -13,6 +13,7 @@ from babbitt.kinds.tilting_pad_journal.dynamics import PadDynamics, chain_of, mo
 from babbitt.kinds.tilting_pad_journal.margins import PadMargin
 from babbitt.kinds.tilting_pad_journal.model import PadCase
 from babbitt.report.drawing import GREY, INK, Array, Sheet, mark
+from babbitt.report.us_words import numbers_in_us_units
 from babbitt.reynolds.tilting_pads.dynamics import condensed_at
 from babbitt.reynolds.tilting_pads.model import TiltingPad
 from babbitt.reynolds.tilting_pads.pivots import RigidPivot
@@ -66,7 +67,7 @@ def pad_loads(solution: TiltingPadSolution) -> Figure:
     loads = np.array([state.load for state in solution.pads]) / 1e3
     films = np.array([state.minimum_film_thickness for state in solution.pads]) * 1e6
     carries = loads > 0.0
-    for panel, heights in ((left, loads), (right, films)):
+    for panel, heights, unit in ((left, loads, "kN"), (right, films, "µm")):
         panel.bar(numbers[carries], heights[carries], 0.6, facecolor="0.8", edgecolor=INK, linewidth=0.7)
         if not carries.all():
             panel.bar(
@@ -79,7 +80,7 @@ def pad_loads(solution: TiltingPadSolution) -> Figure:
                 hatch="///",
             )
         for number, height, has in zip(numbers, heights, carries, strict=True):
-            text = f"{height:.3g}" if has or panel is right else "unloaded"
+            text = numbers_in_us_units(f"{height:.3g}", unit) if has or panel is right else "unloaded"
             panel.annotate(text, (number, height), xytext=(0, 1.5), textcoords="offset points", fontsize=7,
                            ha="center", va="bottom")  # fmt: skip
         panel.set_xticks(numbers)

@@ -11,6 +11,7 @@ from babbitt.core.units import ZERO_CELSIUS
 from babbitt.kinds.tilting_pad_journal.model import PadCase
 from babbitt.kinds.tilting_pad_journal.report.maps import AROUND, angle_ticks, seam, unrolled
 from babbitt.report.drawing import GREY, INK, Sheet
+from babbitt.report.us_words import numbers_in_us_units
 from babbitt.reynolds.tilting_pads.thermal_pad_solution import ThermalTiltingPadSolution
 
 if TYPE_CHECKING:
@@ -70,8 +71,8 @@ def _bars(panel: Axes, found: ThermalTiltingPadSolution) -> None:
                   label=name)  # fmt: skip
         if of == "maximum":
             for x, height in zip(at, heights, strict=True):
-                panel.annotate(f"{height:.1f}", (x, height), xytext=(0, 1.5), textcoords="offset points",
-                               fontsize=6.5, ha="center", va="bottom")  # fmt: skip
+                panel.annotate(numbers_in_us_units(f"{height:.1f}", "°C"), (x, height), xytext=(0, 1.5),
+                               textcoords="offset points", fontsize=6.5, ha="center", va="bottom")  # fmt: skip
     highest = found.maximum_temperature - ZERO_CELSIUS
     panel.set_ylim(floor, floor + 1.35 * max(highest - floor, 1e-3))
     panel.set_xticks(numbers)

@@ -35,7 +35,6 @@ OF_PADS = {
 """What quantities mean in a bearing of tilting pads."""
 
 STIFF = DisplayUnit("MN/m", 1e-6)
-PER_MINUTE = DisplayUnit("L/min", 6e4)
 
 PAD_WORDS = (
     local("eccentric", "e", "m", "Eccentricity of the journal", 5, MICRO),
@@ -54,10 +53,6 @@ PAD_WORDS = (
     local("this_stiffness", "k_s", "N/m", "Its static stiffness, free to tilt", 5, STIFF),
     local("this_pivot_stiffness", "k_p", "N/m", "Stiffness of its pivot", 5, STIFF),
     local("this_together", "k", "N/m", "Film and pivot in series", 5, STIFF),
-    local("entering_flow", "Q_le", "m3/s", "Oil over all leading edges", 5, PER_MINUTE),
-    local("trailing_flow", "Q_te", "m3/s", "Oil over all trailing edges", 5, PER_MINUTE),
-    local("carried_share", "λ_c", "1", "Share that is carried over"),
-    local("pad_warming", "ΔT", "K (abs)", "Rise of the oil along a pad", 5),
     local("pedestal_stiffness_x", "k_Px", "N/m", "Stiffness of the pedestal along x", 5, STIFF),
     local("pedestal_stiffness_y", "k_Py", "N/m", "Stiffness of the pedestal along y", 5, STIFF),
     local("mode_decay", "σ", "1/s", "Decay of the free motion that decides", 5),
