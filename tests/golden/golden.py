@@ -41,6 +41,7 @@ VOLATILE |= {
     "advice",
     "conclusion",
     "decides",
+    "left_out",
 }
 """What may differ from run to run, or is a picture, a copy of the input or the layout of a report."""
 

@@ -85,7 +85,7 @@ def bearing_content(chapter: Chapter, given: Collection[str] = ()) -> Data:
         "inputs": [
             {
                 "title": translated(group.title),
-                "rows": [_input(row) | {"left_out": row.is_left_out(view.left_out, given)} for row in group.rows],
+                "rows": [_input(row, left_out=row.is_left_out(view.left_out, given)) for row in group.rows],
             }
             for group in inputs(shown.problem, view, chapter.given)
         ],
@@ -224,12 +224,13 @@ def _line(line: Line, kind: str) -> Data:
     }
 
 
-def _input(row: Row) -> Data:
+def _input(row: Row, *, left_out: bool) -> Data:
     return {
         "symbol": row.symbol,
         "label": translated_if_known(row.label),
         "value": translated_if_known(row.value),
         "unit": unit_sign(row.unit),
+        **({"left_out": True} if left_out else {}),
     }
 
 
