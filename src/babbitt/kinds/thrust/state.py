@@ -189,7 +189,7 @@ def face_runout_response(state: PadState, frequency: float, inertia: TiltInertia
     free = list(state.pad.free_tilts)
     if not free:
         return driven
-    film = state.stiffness + 1j * frequency * state.damping
+    film: ComplexArray = state.stiffness + 1j * frequency * state.damping
     moving = film - frequency**2 * np.diag([0.0, inertia.radial, inertia.along])
     answer = driven.copy()
     answer[np.array(free) - 1] -= _driven(moving[np.ix_(free, free)], film[free, 1:] @ driven)
