@@ -197,6 +197,20 @@ def test_a_number_without_unit_is_scanned(bearing, within):
     assert found.lower.value < 1.6e-3 < found.upper.value
 
 
+def test_a_share_of_all_speeds_is_sized_as_the_speed(bearing):
+    """`*.speed` scans a decade to each side of what the case has; its ends are those of the speed itself."""
+    speed = bearing.speed
+    share = bearing.size("*.speed", within=(0.01, 1.0), limits=["C111"])
+    alone = bearing.size("speed", within=(0.01 * speed, speed), limits=["C111"])
+    assert (share.present, share.unit) == (1.0, "")
+    assert scan_of(bearing, "*.speed").log_range[:2] == ("0.1", "10.0")
+    (one,), (other,) = share.intervals, alone.intervals
+    assert 0.01 < one.lower.value < 1.0
+    assert one.lower.value * speed == pytest.approx(other.lower.value, rel=2.0 * TOLERANCE)
+    with pytest.raises(InputError, match=r"names nothing that is varied everywhere; there are: \*\.speed"):
+        bearing.size("*.width")
+
+
 @pytest.mark.parametrize("clearance", ["H7/d8", {"kind": "fit", "bore": "H7", "journal": "d8"}])
 def test_classes_of_a_fit_are_choices(bearing, clearance):
     fitted = bearing.replace(clearance=clearance)

@@ -14,8 +14,9 @@ from babbitt.case.parts.fields import WholeNumber
 from babbitt.case.suggestions import near_typo
 from babbitt.case.variation import variation_of
 from babbitt.core.notices import InputError
-from babbitt.core.units import QuantityError, SiField, read
+from babbitt.core.units import KINDS, QuantityError, SiField, read
 from babbitt.core.units.kinds import Kind
+from babbitt.study.shares import EVERYWHERE
 
 __all__ = [
     "NUMERIC_FORMS",
@@ -64,6 +65,8 @@ def numbers_of(case: CaseFile, path: str) -> tuple[Callable[[Any], float], Kind]
     InputError
         For a path that leads to no field, or to one that takes no quantity.
     """
+    if path.startswith(EVERYWHERE):
+        return FieldReader(path, "1"), KINDS["1"]
     _, quantity = numeric_field(annotations_of(case, path))
     if quantity is None:
         hint = NUMERIC_FORMS.get(path.rpartition(".")[2], "give a list of its values")
@@ -72,7 +75,9 @@ def numbers_of(case: CaseFile, path: str) -> tuple[Callable[[Any], float], Kind]
 
 
 def present_quantity(case: CaseFile, path: str) -> float | None:
-    """What a case has in a field, in SI; None where it has nothing, or no quantity."""
+    """What a case has in a field, in SI, of a share all of it; None where it has nothing, or no quantity."""
+    if path.startswith(EVERYWHERE):
+        return 1.0
     try:
         _, quantity = numeric_field(annotations_of(case, path))
         given = variation_of(case, path_in(case, path)).present
