@@ -1,0 +1,663 @@
+"""Kernels: the films of several bearings side by side (``_lanes``), as ``_grids``, ``_elimination``, ``_endings`` and
+``_forces`` solve one at a time.
+
+All lanes treat a line alike: in modes where it is full in every lane, as a block where a node is dry in one. Lanes
+that do not need it find zeros there. Grooves and sides are at ambient pressure and the journal does not move, so
+that pressures of grooves, sides and squeezed oil do not occur.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy import bool_
+from numpy.typing import NDArray
+
+from babbitt.reynolds._compiling import inlined, inner
+from babbitt.reynolds._lanes import LANES, any_of, get, maximum, minimum, put, where
+from babbitt.reynolds._structs import Array, Film, Grid
+from babbitt.reynolds.lands._forces import TIE
+from babbitt.reynolds.lands._grids import FAR, NEAR
+
+
+class LaneLines(NamedTuple):
+    """Workspace of a land; in full lines the answers stand in modes, in others on nodes."""
+
+    answer: Array  # right-hand sides after the forward sweep, then u or sigma and both adjoints: (n + 1, 3, m, LANES)
+    pivot: Array  # inverse modal pivots, (n + 1, m, LANES)
+    inverse: Array  # inverse of the block of a line, (n + 1, m, m, LANES)
+    before: Array  # the ends of the film (``_endings``), (n + 1, m, LANES)
+    behind: Array
+    fill: Array
+    turned: Array  # two lines on their way between modes and nodes, (2, 3, m, LANES)
+    some_wet: NDArray[bool_]  # whether any lane has a wet node on the line, (n + 1,)
+
+
+@inner
+def lane_grid(lands, n, m):
+    """Grid of several lands in lanes, not filled yet; wet nodes hold 1, dry ones 0."""
+    node, cell = (lands, n + 1, LANES), (lands, n, LANES)
+    return Grid(
+        np.zeros(node), np.ones(cell), np.ones(cell), np.zeros(cell), np.ones(cell), np.zeros(cell),
+        np.ones(cell), np.ones(cell), np.zeros(node), np.zeros(node), np.ones((lands, n + 1, m, LANES)),
+        np.zeros((lands, n + 1, m, LANES)),
+    )  # fmt: skip
+
+
+@inner
+def lane_film(n):
+    """Film coefficients of n intervals in lanes, not filled yet."""
+    node, cell = (n + 1, LANES), (n, LANES)
+    return Film(
+        np.empty(cell), np.empty(cell), np.empty(cell), np.empty(cell), np.empty(cell), np.empty(cell),
+        np.empty(node), np.empty(node), np.empty(node), np.empty((0, LANES)), np.empty((3, LANES)),
+    )  # fmt: skip
+
+
+@inner
+def lane_lines(n, m):
+    """Workspace of a land with n intervals and m axial unknowns, in lanes."""
+    node = (n + 1, m, LANES)
+    return LaneLines(
+        np.zeros((n + 1, 3, m, LANES)), np.ones(node), np.zeros((n + 1, m, m, LANES)), np.ones(node), np.ones(node),
+        np.full(node, 0.5), np.zeros((2, 3, m, LANES)), np.ones(n + 1, np.bool_),
+    )  # fmt: skip
+
+
+@inlined
+def lane_gap(grid, x, y):
+    """Smallest gap at the Gauss points of all lands."""
+    smallest = get(x, (0,)) * 0.0 + np.inf
+    jx, jy = get(x, (0,)), get(y, (0,))
+    for k in range(grid.step.shape[0]):
+        for i in range(grid.step.shape[1]):
+            place = (k, i)
+            a = get(grid.gap_a, place) - jx * get(grid.cos_a, place) - jy * get(grid.sin_a, place)
+            b = get(grid.gap_b, place) - jx * get(grid.cos_b, place) - jy * get(grid.sin_b, place)
+            smallest = minimum(smallest, minimum(a, b))
+    return smallest
+
+
+@inlined
+def lane_coefficients(grid, k, x, y, film):
+    """Coefficients of the films at the positions of the journals, on land k."""
+    n = grid.step.shape[1]
+    zero = x * 0.0
+    h0, h0_x, h0_y = zero, zero, zero  # what the interval before adds to its second line
+    for i in range(n):
+        place = (k, i)
+        half = 0.5 * get(grid.step, place)
+        ca, sa = get(grid.cos_a, place), get(grid.sin_a, place)
+        cb, sb = get(grid.cos_b, place), get(grid.sin_b, place)
+        ha = get(grid.gap_a, place) - x * ca - y * sa
+        hb = get(grid.gap_b, place) - x * cb - y * sb
+        va, vb = 1.0 / ha, 1.0 / hb
+        a2, b2 = va * va, vb * vb
+        a3, b3 = a2 * va, b2 * vb
+        per_j3 = 1.0 / (a3 + b3)
+        conductance = per_j3 / (12.0 * half)
+        couette = 0.5 * (a2 + b2) * per_j3
+        a4, b4 = a2 * a2 * per_j3, b2 * b2 * per_j3
+        j3_x, j3_y = 3.0 * (ca * a4 + cb * b4), 3.0 * (sa * a4 + sb * b4)
+        put(film.conductance, (i,), conductance)
+        put(film.conductance_x, (i,), -conductance * j3_x)
+        put(film.conductance_y, (i,), -conductance * j3_y)
+        put(film.couette, (i,), couette)
+        put(film.couette_x, (i,), (ca * a3 + cb * b3) * per_j3 - couette * j3_x)
+        put(film.couette_y, (i,), (sa * a3 + sb * b3) * per_j3 - couette * j3_y)
+        ha2, hb2 = half * ha * ha, half * hb * hb
+        ha3, hb3 = ha2 * ha, hb2 * hb
+        xa, xb, ya, yb = -3.0 * ha2 * ca, -3.0 * hb2 * cb, -3.0 * ha2 * sa, -3.0 * hb2 * sb
+        put(film.cubed, (i,), h0 + NEAR * ha3 + FAR * hb3)
+        put(film.cubed_x, (i,), h0_x + NEAR * xa + FAR * xb)
+        put(film.cubed_y, (i,), h0_y + NEAR * ya + FAR * yb)
+        h0 = FAR * ha3 + NEAR * hb3
+        h0_x, h0_y = FAR * xa + NEAR * xb, FAR * ya + NEAR * yb
+    put(film.cubed, (n,), h0)
+    put(film.cubed_x, (n,), h0_x)
+    put(film.cubed_y, (n,), h0_y)
+
+
+@inlined
+def find_broken(conserving, grid, k, lines):
+    """Find the first unknown line that is not full in every lane, or n; notes on which lines any lane is wet."""
+    n, m = grid.step.shape[1], grid.wet.shape[2]
+    broken = n
+    for i in range(n - 1, 0, -1):
+        fewest = most = get(grid.wet, (k, i, 0))
+        for j in range(1, m):
+            here = get(grid.wet, (k, i, j))
+            fewest, most = minimum(fewest, here), maximum(most, here)
+        lines.some_wet[i] = any_of(most > 0.5)
+        if any_of(fewest < 0.5):
+            broken = i
+    return broken
+
+
+@inlined
+def sweep_full(axial, kappa, grid, k, film, lines, full):
+    """Forward elimination of the lines 1..full in modes."""
+    m = len(axial.size)
+    for i in range(1, full + 1):
+        t0, t1 = get(film.conductance, (i - 1,)), get(film.conductance, (i,))
+        stretch = kappa * get(film.cubed, (i,))
+        source = get(film.couette, (i - 1,)) - get(film.couette, (i,))
+        ox, oy = get(grid.weight_x, (k, i)), get(grid.weight_y, (k, i))
+        for e in range(m):
+            q = axial.mode_weights[e]
+            # line 0 holds zeros and pivots of one
+            f = t0 * get(lines.pivot, (i - 1, e)) if i > 1 else t0 * 0.0
+            put(lines.pivot, (i, e), 1.0 / (t0 + t1 + stretch * axial.eigenvalues[e] - t0 * f))
+            put(lines.answer, (i, 0, e), q * source + f * get(lines.answer, (i - 1, 0, e)))
+            put(lines.answer, (i, 1, e), f * get(lines.answer, (i - 1, 1, e)) - q * ox)
+            put(lines.answer, (i, 2, e), f * get(lines.answer, (i - 1, 2, e)) - q * oy)
+
+
+@inlined
+def turn(matrix, vectors, i, r, result, to, m):
+    """Row (to, r) of ``result`` = matrix times row (i, r) of ``vectors``."""
+    for a in range(m):
+        total = matrix[a, 0] * get(vectors, (i, r, 0))
+        for b in range(1, m):
+            total = total + matrix[a, b] * get(vectors, (i, r, b))
+        put(result, (to, r, a), total)
+
+
+@inlined
+def lower_of(conserving, t0, arriving, here, before):
+    """Entry of a node's row for the same node of the line before."""
+    if conserving:
+        return where(before > 0.5, -t0, arriving)
+    return -t0 * here * before
+
+
+@inlined
+def upper_of(conserving, t0, here, before):
+    """Entry, in the row of the line before, for a node of this line."""
+    if conserving:
+        return -t0 * here
+    return -t0 * here * before
+
+
+@inlined
+def sweep_blocks(axial, conserving, kappa, grid, k, film, lines, broken, ends):
+    """Forward elimination on nodes from the first broken line on; ``ends``: as ``apply_ends`` of one bearing."""
+    m = len(axial.size)
+    n = grid.step.shape[1]
+    answer, inverse, turned = lines.answer, lines.inverse, lines.turned
+    for i in range(broken, n):
+        t0, t1 = get(film.conductance, (i - 1,)), get(film.conductance, (i,))
+        arriving, leaving = get(film.couette, (i - 1,)), get(film.couette, (i,))
+        source = arriving - leaving
+        if not lines.some_wet[i]:
+            if conserving:
+                sweep_dry(axial, grid, k, film, lines, i, t0, arriving, leaving)
+            continue
+        stretch = kappa * get(film.cubed, (i,))
+        ox, oy = get(grid.weight_x, (k, i)), get(grid.weight_y, (k, i))
+        for a in range(m):
+            here = get(grid.wet, (k, i, a))
+            q = axial.root_weights[a]
+            right = q * source
+            if conserving:
+                if i == 1:
+                    right = where(here > 0.5, right, q * (get(film.inlet, (0,)) - leaving))
+            else:
+                right = right * here
+            put(turned, (0, 0, a), right)
+            put(turned, (0, 1, a), -q * ox * here)
+            put(turned, (0, 2, a), -q * oy * here)
+            row = stretch if conserving else stretch * here
+            for b in range(m):
+                put(inverse, (i, a, b), row * axial.stiffness[a, b] * get(grid.wet, (k, i, b)))
+            dry = -leaving if conserving else 1.0 + t0 * 0.0
+            put(inverse, (i, a, a), where(here > 0.5, get(inverse, (i, a, a)) + t0 + t1, dry))
+        if ends:
+            lane_ends(axial, conserving, grid, k, lines, i, t0, t1, stretch)
+        if i > 1 and (conserving or lines.some_wet[i - 1] or i == broken):
+            couple(axial, conserving, grid, k, lines, i, t0, arriving, i == broken)
+        for r in range(3):
+            for a in range(m):
+                put(answer, (i, r, a), get(turned, (0, r, a)))
+        lane_invert(inverse, i, m)
+
+
+@inlined
+def couple(axial, conserving, grid, k, lines, i, t0, arriving, from_modes):
+    """Take the line before out of the block and the right-hand sides of line i."""
+    m = len(axial.size)
+    answer, inverse, turned = lines.answer, lines.inverse, lines.turned
+    if from_modes:
+        for a in range(m):
+            for b in range(m):
+                total = t0 * 0.0
+                for e in range(m):
+                    total = total + axial.modes[a, e] * axial.modes[b, e] * get(lines.pivot, (i - 1, e))
+                put(inverse, (i - 1, a, b), total)
+        for r in range(3):
+            turn(axial.modes, answer, i - 1, r, turned, 1, m)
+    for a in range(m):
+        here, before = get(grid.wet, (k, i, a)), get(grid.wet, (k, i - 1, a))
+        lower, upper = lower_of(conserving, t0, arriving, here, before), upper_of(conserving, t0, here, before)
+        r0, r1, r2 = t0 * 0.0, t0 * 0.0, t0 * 0.0
+        for b in range(m):
+            entry, mirrored = get(inverse, (i - 1, a, b)), get(inverse, (i - 1, b, a))
+            other = upper_of(conserving, t0, get(grid.wet, (k, i, b)), get(grid.wet, (k, i - 1, b)))
+            put(inverse, (i, a, b), get(inverse, (i, a, b)) - lower * entry * other)
+            if from_modes:
+                y0, y1, y2 = get(turned, (1, 0, b)), get(turned, (1, 1, b)), get(turned, (1, 2, b))
+            else:
+                y0, y1, y2 = get(answer, (i - 1, 0, b)), get(answer, (i - 1, 1, b)), get(answer, (i - 1, 2, b))
+            r0 = r0 + entry * y0
+            r1 = r1 + mirrored * y1
+            r2 = r2 + mirrored * y2
+        put(turned, (0, 0, a), get(turned, (0, 0, a)) - lower * r0)
+        put(turned, (0, 1, a), get(turned, (0, 1, a)) - upper * r1)
+        put(turned, (0, 2, a), get(turned, (0, 2, a)) - upper * r2)
+
+
+@inlined
+def sweep_dry(axial, grid, k, film, lines, i, t0, arriving, leaving):
+    """Forward elimination of a line without pressure in any lane: every column transports its void."""
+    m = len(axial.size)
+    answer, inverse = lines.answer, lines.inverse
+    source = arriving - leaving if i > 1 else get(film.inlet, (0,)) - leaving
+    pivot = -1.0 / leaving
+    for a in range(m):
+        lower = where(get(grid.wet, (k, i - 1, a)) > 0.5, -t0, arriving)
+        right = axial.root_weights[a] * source
+        if i > 1 and not lines.some_wet[i - 1]:
+            right = right - lower * get(inverse, (i - 1, a, a)) * get(answer, (i - 1, 0, a))
+        elif i > 1:
+            for b in range(m):
+                right = right - lower * get(inverse, (i - 1, a, b)) * get(answer, (i - 1, 0, b))
+        put(answer, (i, 0, a), right)
+        put(answer, (i, 1, a), 0.0)
+        put(answer, (i, 2, a), 0.0)
+        for b in range(m):
+            put(inverse, (i, a, b), 0.0)
+        put(inverse, (i, a, a), pivot)
+
+
+@inlined
+def lane_invert(blocks, i, m):
+    """Invert block i of every lane in place, Gauss-Jordan without pivoting."""
+    for c in range(m):
+        pivot = 1.0 / get(blocks, (i, c, c))
+        put(blocks, (i, c, c), 1.0)
+        for b in range(m):
+            put(blocks, (i, c, b), get(blocks, (i, c, b)) * pivot)
+        for a in range(m):
+            if a != c:
+                factor = get(blocks, (i, a, c))
+                put(blocks, (i, a, c), 0.0)
+                for b in range(m):
+                    put(blocks, (i, a, b), get(blocks, (i, a, b)) - factor * get(blocks, (i, c, b)))
+
+
+@inlined
+def back_blocks(axial, conserving, grid, k, film, lines, broken):
+    """Answers on nodes from the last line back to the first broken one."""
+    m = len(axial.size)
+    n = grid.step.shape[1]
+    answer, inverse, turned = lines.answer, lines.inverse, lines.turned
+    for i in range(n - 1, broken - 1, -1):
+        some_wet = lines.some_wet[i]
+        if not some_wet and not conserving:
+            for r in range(3):
+                for a in range(m):
+                    put(answer, (i, r, a), 0.0)
+            continue
+        t, arriving = get(film.conductance, (i,)), get(film.couette, (i,))
+        for b in range(m):
+            y0, y1, y2 = get(answer, (i, 0, b)), get(answer, (i, 1, b)), get(answer, (i, 2, b))
+            if i < n - 1:
+                here, before = get(grid.wet, (k, i + 1, b)), get(grid.wet, (k, i, b))
+                lower, upper = lower_of(conserving, t, arriving, here, before), upper_of(conserving, t, here, before)
+                y0 = y0 - upper * get(answer, (i + 1, 0, b))
+                y1 = y1 - lower * get(answer, (i + 1, 1, b))
+                y2 = y2 - lower * get(answer, (i + 1, 2, b))
+            if some_wet:
+                put(turned, (0, 0, b), y0)
+                put(turned, (0, 1, b), y1)
+                put(turned, (0, 2, b), y2)
+            else:
+                own = get(inverse, (i, b, b))
+                put(answer, (i, 0, b), own * y0)
+                put(answer, (i, 1, b), own * y1)
+                put(answer, (i, 2, b), own * y2)
+        if some_wet:
+            for a in range(m):
+                r0, r1, r2 = t * 0.0, t * 0.0, t * 0.0
+                for b in range(m):
+                    entry, mirrored = get(inverse, (i, a, b)), get(inverse, (i, b, a))
+                    r0 = r0 + entry * get(turned, (0, 0, b))
+                    r1 = r1 + mirrored * get(turned, (0, 1, b))
+                    r2 = r2 + mirrored * get(turned, (0, 2, b))
+                put(answer, (i, 0, a), r0)
+                put(answer, (i, 1, a), r1)
+                put(answer, (i, 2, a), r2)
+
+
+@inlined
+def back_full(axial, conserving, grid, k, film, lines, full):
+    """Answers in modes from line ``full`` back to the first."""
+    m = len(axial.size)
+    n = grid.step.shape[1]
+    answer, turned, behind = lines.answer, lines.turned, full + 1
+    t, arriving = get(film.conductance, (full,)), get(film.couette, (full,))
+    for a in range(m):
+        if behind < n:
+            here, before = get(grid.wet, (k, behind, a)), get(grid.wet, (k, full, a))
+            lower, upper = lower_of(conserving, t, arriving, here, before), upper_of(conserving, t, here, before)
+            put(turned, (1, 0, a), -upper * get(answer, (behind, 0, a)))
+            put(turned, (1, 1, a), -lower * get(answer, (behind, 1, a)))
+            put(turned, (1, 2, a), -lower * get(answer, (behind, 2, a)))
+        else:
+            for r in range(3):
+                put(turned, (1, r, a), 0.0)
+    for r in range(3):
+        turn(axial.modes_transposed, turned, 1, r, turned, 0, m)
+        for e in range(m):
+            put(answer, (full, r, e), get(lines.pivot, (full, e)) * (get(answer, (full, r, e)) + get(turned, (0, r, e))))
+    for i in range(full - 1, 0, -1):
+        t = get(film.conductance, (i,))
+        for e in range(m):
+            pivot = get(lines.pivot, (i, e))
+            for r in range(3):
+                put(answer, (i, r, e), pivot * (get(answer, (i, r, e)) + t * get(answer, (i + 1, r, e))))
+
+
+@inlined
+def keep_pressure(axial, grid, k, lines, full, smooth):
+    """Write the solution to the grid, or, where the film has settled (``smooth``), take it from there."""
+    m = len(axial.size)
+    n = grid.step.shape[1]
+    answer = lines.answer
+    for i in range(1, n):
+        for a in range(m):
+            if i > full and smooth:
+                put(answer, (i, 0, a), get(grid.value, (k, i, a)))
+            elif i > full:
+                put(grid.value, (k, i, a), get(answer, (i, 0, a)))
+            else:
+                total = get(answer, (i, 0, 0)) * 0.0
+                if smooth:
+                    for b in range(m):
+                        total = total + axial.modes[b, a] * get(grid.value, (k, i, b))
+                    put(answer, (i, 0, a), total)
+                else:
+                    for e in range(m):
+                        total = total + axial.modes[a, e] * get(answer, (i, 0, e))
+                    put(grid.value, (k, i, a), total)
+
+
+@inlined
+def lane_forces(axial, conserving, kappa, grid, k, film, lines, full, result):
+    """Add force, stiffness and damping of land k to ``result``, (10, LANES), as ``add_forces`` of one bearing."""
+    m = len(axial.size)
+    n = grid.step.shape[1]
+    answer, turned, stiffness = lines.answer, lines.turned, axial.stiffness
+    zero = kappa * 0.0
+    fx, fy = zero, zero
+    kxx, kxy, kyx, kyy = zero, zero, zero, zero
+    cxx, cxy, cyx, cyy = zero, zero, zero, zero
+    for i in range(n):
+        wet_here, wet_behind = i <= full or lines.some_wet[i], i + 1 == n or lines.some_wet[i + 1]
+        if not (conserving or wet_here or wet_behind):
+            continue
+        # the flux of the interval behind line i
+        ax, ay, bx, by = zero, zero, zero, zero
+        if i < full:
+            for e in range(m):
+                q = axial.mode_weights[e]
+                rise = get(answer, (i, 0, e)) - get(answer, (i + 1, 0, e))
+                lx = get(answer, (i, 1, e)) - get(answer, (i + 1, 1, e))
+                ly = get(answer, (i, 2, e)) - get(answer, (i + 1, 2, e))
+                ax = ax + q * lx
+                ay = ay + q * ly
+                bx = bx + lx * rise
+                by = by + ly * rise
+        else:
+            for r in range(3):
+                if i == full:
+                    turn(axial.modes, answer, i, r, turned, 0, m)  # line 0 holds zeros
+                else:
+                    for j in range(m):
+                        put(turned, (0, r, j), get(answer, (i, r, j)))
+            inlet_x, inlet_y = zero, zero
+            for j in range(m):
+                q = axial.root_weights[j]
+                here, behind = get(grid.wet, (k, i, j)), get(grid.wet, (k, i + 1, j))
+                up, down = get(turned, (0, 0, j)), get(answer, (i + 1, 0, j)) * behind
+                lx = get(turned, (0, 1, j)) - get(answer, (i + 1, 1, j))
+                ly = get(turned, (0, 2, j)) - get(answer, (i + 1, 2, j))
+                if conserving and i == 0:
+                    inlet_x = inlet_x + q * lx * (1.0 - behind)
+                    inlet_y = inlet_y + q * ly * (1.0 - behind)
+                    lx, ly = lx * behind, ly * behind
+                liquid = q - (1.0 - here) * up  # sqrt(w) times the liquid fraction
+                ax = ax + liquid * lx
+                ay = ay + liquid * ly
+                bx = bx + lx * (up * here - down)
+                by = by + ly * (up * here - down)
+            if conserving and i == 0:
+                kxx = kxx + inlet_x * get(film.inlet, (1,))
+                kxy = kxy + inlet_x * get(film.inlet, (2,))
+                kyx = kyx + inlet_y * get(film.inlet, (1,))
+                kyy = kyy + inlet_y * get(film.inlet, (2,))
+        q_x, q_y = get(film.couette_x, (i,)), get(film.couette_y, (i,))
+        t_x, t_y = get(film.conductance_x, (i,)), get(film.conductance_y, (i,))
+        kxx = kxx + ax * q_x + bx * t_x
+        kxy = kxy + ax * q_y + bx * t_y
+        kyx = kyx + ay * q_x + by * t_x
+        kyy = kyy + ay * q_y + by * t_y
+        if i == 0 or not (conserving or wet_here):
+            continue
+        # the line itself: pressure, axial flow, squeeze
+        mean, ex, ey, sx, sy = zero, zero, zero, zero, zero
+        for j in range(m):
+            u, lx, ly = get(answer, (i, 0, j)), get(answer, (i, 1, j)), get(answer, (i, 2, j))
+            if i <= full:
+                q = axial.mode_weights[j]
+                row = axial.eigenvalues[j] * u
+                mean = mean + q * u
+                sx = sx + q * lx
+                sy = sy + q * ly
+            else:
+                q, here = axial.root_weights[j], get(grid.wet, (k, i, j))
+                row = zero
+                for b in range(m):
+                    row = row + stiffness[j, b] * (get(answer, (i, 0, b)) * get(grid.wet, (k, i, b)))
+                mean = mean + q * (u * here)
+                liquid = q - (1.0 - here) * u
+                sx = sx + liquid * lx
+                sy = sy + liquid * ly
+            ex = ex + lx * row
+            ey = ey + ly * row
+        ox, oy = get(grid.weight_x, (k, i)), get(grid.weight_y, (k, i))
+        cubed_x, cubed_y = kappa * get(film.cubed_x, (i,)), kappa * get(film.cubed_y, (i,))
+        fx = fx - ox * mean
+        fy = fy - oy * mean
+        kxx = kxx + ex * cubed_x
+        kxy = kxy + ex * cubed_y
+        kyx = kyx + ey * cubed_x
+        kyy = kyy + ey * cubed_y
+        cxx = cxx - sx * ox
+        cxy = cxy - sx * oy
+        cyx = cyx - sy * ox
+        cyy = cyy - sy * oy
+    put(result, (0,), get(result, (0,)) + fx)
+    put(result, (1,), get(result, (1,)) + fy)
+    put(result, (2,), get(result, (2,)) + kxx)
+    put(result, (3,), get(result, (3,)) + kxy)
+    put(result, (4,), get(result, (4,)) + kyx)
+    put(result, (5,), get(result, (5,)) + kyy)
+    put(result, (6,), get(result, (6,)) + cxx)
+    put(result, (7,), get(result, (7,)) + cxy)
+    put(result, (8,), get(result, (8,)) + cyx)
+    put(result, (9,), get(result, (9,)) + cyy)
+
+
+@inlined
+def lane_update(axial, conserving, kappa, grid, k, film, lines, full):
+    """One step of the wet sets, as ``update_active_set`` of one bearing: how many nodes changed, in every lane."""
+    m = len(axial.size)
+    wet, value = grid.wet, grid.value
+    changed = kappa * 0.0
+    for i in range(1, grid.step.shape[1]):
+        surplus, stretch = kappa * 0.0, kappa * 0.0
+        t0, t1 = surplus, surplus
+        by_row = i > full and not conserving
+        if by_row:
+            surplus = get(film.couette, (i,)) - get(film.couette, (i - 1,))
+            stretch = kappa * get(film.cubed, (i,))
+            t0, t1 = get(film.conductance, (i - 1,)), get(film.conductance, (i,))
+        for j in range(m):
+            here, test = get(wet, (k, i, j)), get(value, (k, i, j))
+            if by_row:
+                row = axial.root_weights[j] * surplus
+                row = row - t0 * get(value, (k, i - 1, j)) - t1 * get(value, (k, i + 1, j))
+                if lines.some_wet[i]:
+                    for b in range(m):
+                        row = row + stretch * axial.stiffness[j, b] * get(value, (k, i, b))
+                test = where(here > 0.5, test, row)
+            change = where(test < -TIE, 1.0, 0.0)
+            changed = changed + change
+            put(wet, (k, i, j), here + change * (1.0 - 2.0 * here))
+    return changed
+
+
+@inlined
+def lane_reach(pressure, surplus):
+    """Intervals from the last wet node to the end of the film."""
+    return where(surplus > 0.0, 0.5 + minimum(maximum(pressure / surplus, 0.0), 1.0), 1.0)
+
+
+@inlined
+def find_lane_ends(axial, conserving, grid, k, film, lines, broken):
+    """Fill ``before``, ``behind``, ``fill`` of the nodes on lines that matter; returns the first of these, or n."""
+    m = len(axial.size)
+    n = grid.step.shape[1]
+    couette, conductance, value = film.couette, film.conductance, grid.value
+    first = max(broken - 1, 1)
+    if not conserving:
+        surplus = (get(couette, (1,)) - get(couette, (0,))) / get(conductance, (0,))
+        for j in range(m):
+            before = lane_reach(get(value, (k, 1, j)) / axial.root_weights[j], surplus)
+            if any_of((before < 1.0) & (get(grid.wet, (k, 1, j)) > 0.5)):
+                first = 1
+    for i in range(first, n):
+        behind_surplus = (get(couette, (min(i + 1, n - 1),)) - get(couette, (min(i, n - 2),))) / get(conductance, (i,))
+        t0 = get(conductance, (i - 1,))
+        arriving = get(couette, (i - 1,))
+        before_surplus = (get(couette, (max(i - 1, 1),)) - get(couette, (max(i - 2, 0),))) / t0
+        for j in range(m):
+            here = get(grid.wet, (k, i, j)) > 0.5
+            dry_before, dry_behind = get(grid.wet, (k, i - 1, j)) < 0.5, get(grid.wet, (k, i + 1, j)) < 0.5
+            pressure = get(value, (k, i, j)) / axial.root_weights[j]
+            behind = lane_reach(pressure, behind_surplus)
+            behind = where(here & dry_behind, behind, 1.0) if i < n - 1 else where(here, minimum(behind, 1.0), 1.0)
+            put(lines.behind, (i, j), behind)
+            if conserving:
+                filled = t0 * get(value, (k, i, j))
+                whole = filled + arriving * get(value, (k, i - 1, j))
+                fill = where(whole > 0.0, minimum(maximum(filled / whole, 0.0), 1.0), 0.5)
+                put(lines.fill, (i, j), where(here & dry_before, fill, 0.5))
+            else:
+                before = lane_reach(pressure, before_surplus)
+                before = where(here & dry_before, before, 1.0) if i > 1 else where(here, minimum(before, 1.0), 1.0)
+                put(lines.before, (i, j), before)
+    return first
+
+
+@inlined
+def lane_ends(axial, conserving, grid, k, lines, i, t0, t1, stretch):
+    """Put the ends of the film into the block and the adjoint right-hand sides of line i."""
+    m = len(axial.size)
+    inverse, turned = lines.inverse, lines.turned
+    for b in range(m):
+        before, behind, fill = get(lines.before, (i, b)), get(lines.behind, (i, b)), get(lines.fill, (i, b))
+        own = t0 * (1.0 / before - 1.0) + t1 * (1.0 / behind - 1.0)
+        put(inverse, (i, b, b), get(inverse, (i, b, b)) + own)
+        extent = 0.5 * (before + behind) + fill - 0.5
+        put(turned, (0, 1, b), get(turned, (0, 1, b)) * extent)
+        put(turned, (0, 2, b), get(turned, (0, 2, b)) * extent)
+        change = (extent - 1.0) * stretch
+        for a in range(m):
+            entry = change * axial.stiffness[a, b]
+            if not conserving:
+                entry = entry * get(grid.wet, (k, i, a))
+            put(inverse, (i, a, b), get(inverse, (i, a, b)) + entry)
+
+
+@inlined
+def add_lane_ends(axial, grid, k, film, lines, first, result):
+    """Add to K and C what the ends of the film change, as ``add_ends`` of one bearing."""
+    m = len(axial.size)
+    n = grid.step.shape[1]
+    for i in range(first, n):
+        ahead, past = (i + 1 if i < n - 1 else i - 1), (i - 2 if i > 1 else i)
+        # two intervals on either side that tell the slope of Q
+        q_x = (ahead - i) * (get(film.couette_x, (ahead,)) - get(film.couette_x, (i,)))
+        q_y = (ahead - i) * (get(film.couette_y, (ahead,)) - get(film.couette_y, (i,)))
+        p_x = (i - 1 - past) * (get(film.couette_x, (past,)) - get(film.couette_x, (i - 1,)))
+        p_y = (i - 1 - past) * (get(film.couette_y, (past,)) - get(film.couette_y, (i - 1,)))
+        for j in range(m):
+            before, behind, fill = get(lines.before, (i, j)), get(lines.behind, (i, j)), get(lines.fill, (i, j))
+            q, u = axial.root_weights[j], get(grid.value, (k, i, j))
+            along, thin = 0.5 * q * (behind - 1.0), u * (1.0 / behind - 1.0)
+            along_p, thin_p = 0.5 * q * (before - 1.0), u * (1.0 / before - 1.0)
+            flux_x = along * q_x + thin * get(film.conductance_x, (i,))
+            flux_y = along * q_y + thin * get(film.conductance_y, (i,))
+            flux_x = flux_x + thin_p * get(film.conductance_x, (i - 1,)) - along_p * p_x
+            flux_y = flux_y + thin_p * get(film.conductance_y, (i - 1,)) - along_p * p_y
+            volume = q * (0.5 * (before + behind) - 1.0)
+            closes = (fill < 0.5) | (fill > 0.5)
+            volume = volume - where(closes, 0.5 * get(grid.value, (k, i - 1, j)), 0.0)
+            lx, ly = get(lines.answer, (i, 1, j)), get(lines.answer, (i, 2, j))
+            ox, oy = volume * get(grid.weight_x, (k, i)), volume * get(grid.weight_y, (k, i))
+            put(result, (2,), get(result, (2,)) + lx * flux_x)
+            put(result, (3,), get(result, (3,)) + lx * flux_y)
+            put(result, (4,), get(result, (4,)) + ly * flux_x)
+            put(result, (5,), get(result, (5,)) + ly * flux_y)
+            put(result, (6,), get(result, (6,)) - lx * ox)
+            put(result, (7,), get(result, (7,)) - lx * oy)
+            put(result, (8,), get(result, (8,)) - ly * ox)
+            put(result, (9,), get(result, (9,)) - ly * oy)
+
+
+@inner
+def lane_evaluate(axial, conserving, kappa, grid, edges, film, lines, x, y, smooth, result, changed):
+    """Force, stiffness and damping of every lane at its position, as ``evaluate`` of one bearing.
+
+    ``edges`` (lands, 3, LANES): flux into a line ruptured at its start for the journal in the origin, and its
+    derivatives. Fills ``result`` (10, LANES) and ``changed`` (LANES,).
+    """
+    n = grid.step.shape[1]
+    ratio, jx, jy = get(kappa, (0,)), get(x, (0,)), get(y, (0,))
+    total = ratio * 0.0
+    for row in range(result.shape[0]):
+        put(result, (row,), 0.0)
+    for k in range(grid.step.shape[0]):
+        lane_coefficients(grid, k, jx, jy, film)
+        by_x, by_y = get(edges, (k, 1)), get(edges, (k, 2))
+        put(film.inlet, (0,), get(edges, (k, 0)) + by_x * jx + by_y * jy)
+        put(film.inlet, (1,), by_x)
+        put(film.inlet, (2,), by_y)
+        broken = find_broken(conserving, grid, k, lines)
+        if smooth:
+            broken = find_lane_ends(axial, conserving, grid, k, film, lines, broken)
+        sweep_full(axial, ratio, grid, k, film, lines, broken - 1)
+        sweep_blocks(axial, conserving, ratio, grid, k, film, lines, broken, smooth)
+        back_blocks(axial, conserving, grid, k, film, lines, broken)
+        if broken > 1:
+            back_full(axial, conserving, grid, k, film, lines, broken - 1)
+        keep_pressure(axial, grid, k, lines, broken - 1, smooth)
+        lane_forces(axial, conserving, ratio, grid, k, film, lines, broken - 1, result)
+        if smooth:
+            add_lane_ends(axial, grid, k, film, lines, broken, result)
+        else:
+            total = total + lane_update(axial, conserving, ratio, grid, k, film, lines, broken - 1)
+    put(changed, (0,), total)
