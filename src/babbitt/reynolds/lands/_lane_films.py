@@ -14,7 +14,7 @@ import numpy as np
 from numpy import bool_
 from numpy.typing import NDArray
 
-from babbitt.reynolds._compiling import inlined, inner
+from babbitt.reynolds._compiling import inlined, inner, spliced
 from babbitt.reynolds._lanes import LANES, any_of, get, maximum, minimum, put, where
 from babbitt.reynolds._structs import Array, Film, Grid
 from babbitt.reynolds.lands._forces import TIE
@@ -68,13 +68,15 @@ def lane_lines(n, m):
 @inlined
 def lane_gap(grid, x, y):
     """Smallest gap at the Gauss points of all lands."""
+    gap_a, cos_a, sin_a, gap_b, cos_b = grid.gap_a, grid.cos_a, grid.sin_a, grid.gap_b, grid.cos_b
+    sin_b = grid.sin_b
     smallest = get(x, (0,)) * 0.0 + np.inf
     jx, jy = get(x, (0,)), get(y, (0,))
     for k in range(grid.step.shape[0]):
         for i in range(grid.step.shape[1]):
             place = (k, i)
-            a = get(grid.gap_a, place) - jx * get(grid.cos_a, place) - jy * get(grid.sin_a, place)
-            b = get(grid.gap_b, place) - jx * get(grid.cos_b, place) - jy * get(grid.sin_b, place)
+            a = get(gap_a, place) - jx * get(cos_a, place) - jy * get(sin_a, place)
+            b = get(gap_b, place) - jx * get(cos_b, place) - jy * get(sin_b, place)
             smallest = minimum(smallest, minimum(a, b))
     return smallest
 
@@ -82,54 +84,60 @@ def lane_gap(grid, x, y):
 @inlined
 def lane_coefficients(grid, k, x, y, film):
     """Coefficients of the films at the positions of the journals, on land k."""
+    step, cos_a, sin_a, cos_b, sin_b = grid.step, grid.cos_a, grid.sin_a, grid.cos_b, grid.sin_b
+    gap_a, gap_b = grid.gap_a, grid.gap_b
+    conductance, conductance_x, conductance_y, couette, couette_x = film.conductance, film.conductance_x, film.conductance_y, film.couette, film.couette_x
+    couette_y, cubed, cubed_x, cubed_y = film.couette_y, film.cubed, film.cubed_x, film.cubed_y
     n = grid.step.shape[1]
     zero = x * 0.0
     h0, h0_x, h0_y = zero, zero, zero  # what the interval before adds to its second line
     for i in range(n):
         place = (k, i)
-        half = 0.5 * get(grid.step, place)
-        ca, sa = get(grid.cos_a, place), get(grid.sin_a, place)
-        cb, sb = get(grid.cos_b, place), get(grid.sin_b, place)
-        ha = get(grid.gap_a, place) - x * ca - y * sa
-        hb = get(grid.gap_b, place) - x * cb - y * sb
+        half = 0.5 * get(step, place)
+        ca, sa = get(cos_a, place), get(sin_a, place)
+        cb, sb = get(cos_b, place), get(sin_b, place)
+        ha = get(gap_a, place) - x * ca - y * sa
+        hb = get(gap_b, place) - x * cb - y * sb
         va, vb = 1.0 / ha, 1.0 / hb
         a2, b2 = va * va, vb * vb
         a3, b3 = a2 * va, b2 * vb
         per_j3 = 1.0 / (a3 + b3)
-        conductance = per_j3 / (12.0 * half)
-        couette = 0.5 * (a2 + b2) * per_j3
+        t = per_j3 / (12.0 * half)
+        q = 0.5 * (a2 + b2) * per_j3
         a4, b4 = a2 * a2 * per_j3, b2 * b2 * per_j3
         j3_x, j3_y = 3.0 * (ca * a4 + cb * b4), 3.0 * (sa * a4 + sb * b4)
-        put(film.conductance, (i,), conductance)
-        put(film.conductance_x, (i,), -conductance * j3_x)
-        put(film.conductance_y, (i,), -conductance * j3_y)
-        put(film.couette, (i,), couette)
-        put(film.couette_x, (i,), (ca * a3 + cb * b3) * per_j3 - couette * j3_x)
-        put(film.couette_y, (i,), (sa * a3 + sb * b3) * per_j3 - couette * j3_y)
+        put(conductance, (i,), t)
+        put(conductance_x, (i,), -t * j3_x)
+        put(conductance_y, (i,), -t * j3_y)
+        put(couette, (i,), q)
+        put(couette_x, (i,), (ca * a3 + cb * b3) * per_j3 - q * j3_x)
+        put(couette_y, (i,), (sa * a3 + sb * b3) * per_j3 - q * j3_y)
         ha2, hb2 = half * ha * ha, half * hb * hb
         ha3, hb3 = ha2 * ha, hb2 * hb
         xa, xb, ya, yb = -3.0 * ha2 * ca, -3.0 * hb2 * cb, -3.0 * ha2 * sa, -3.0 * hb2 * sb
-        put(film.cubed, (i,), h0 + NEAR * ha3 + FAR * hb3)
-        put(film.cubed_x, (i,), h0_x + NEAR * xa + FAR * xb)
-        put(film.cubed_y, (i,), h0_y + NEAR * ya + FAR * yb)
+        put(cubed, (i,), h0 + NEAR * ha3 + FAR * hb3)
+        put(cubed_x, (i,), h0_x + NEAR * xa + FAR * xb)
+        put(cubed_y, (i,), h0_y + NEAR * ya + FAR * yb)
         h0 = FAR * ha3 + NEAR * hb3
         h0_x, h0_y = FAR * xa + NEAR * xb, FAR * ya + NEAR * yb
-    put(film.cubed, (n,), h0)
-    put(film.cubed_x, (n,), h0_x)
-    put(film.cubed_y, (n,), h0_y)
+    put(cubed, (n,), h0)
+    put(cubed_x, (n,), h0_x)
+    put(cubed_y, (n,), h0_y)
 
 
 @inlined
 def find_broken(conserving, grid, k, lines):
     """Find the first unknown line that is not full in every lane, or n; notes on which lines any lane is wet."""
+    wet = grid.wet
+    some_wet = lines.some_wet
     n, m = grid.step.shape[1], grid.wet.shape[2]
     broken = n
     for i in range(n - 1, 0, -1):
-        fewest = most = get(grid.wet, (k, i, 0))
+        fewest = most = get(wet, (k, i, 0))
         for j in range(1, m):
-            here = get(grid.wet, (k, i, j))
+            here = get(wet, (k, i, j))
             fewest, most = minimum(fewest, here), maximum(most, here)
-        lines.some_wet[i] = any_of(most > 0.5)
+        some_wet[i] = any_of(most > 0.5)
         if any_of(fewest < 0.5):
             broken = i
     return broken
@@ -138,23 +146,27 @@ def find_broken(conserving, grid, k, lines):
 @inlined
 def sweep_full(axial, kappa, grid, k, film, lines, full):
     """Forward elimination of the lines 1..full in modes."""
+    weight_x, weight_y = grid.weight_x, grid.weight_y
+    conductance, cubed, couette = film.conductance, film.cubed, film.couette
+    pivot, answer = lines.pivot, lines.answer
+    mode_weights, eigenvalues = axial.mode_weights, axial.eigenvalues
     m = len(axial.size)
     for i in range(1, full + 1):
-        t0, t1 = get(film.conductance, (i - 1,)), get(film.conductance, (i,))
-        stretch = kappa * get(film.cubed, (i,))
-        source = get(film.couette, (i - 1,)) - get(film.couette, (i,))
-        ox, oy = get(grid.weight_x, (k, i)), get(grid.weight_y, (k, i))
+        t0, t1 = get(conductance, (i - 1,)), get(conductance, (i,))
+        stretch = kappa * get(cubed, (i,))
+        source = get(couette, (i - 1,)) - get(couette, (i,))
+        ox, oy = get(weight_x, (k, i)), get(weight_y, (k, i))
         for e in range(m):
-            q = axial.mode_weights[e]
+            q = mode_weights[e]
             # line 0 holds zeros and pivots of one
-            f = t0 * get(lines.pivot, (i - 1, e)) if i > 1 else t0 * 0.0
-            put(lines.pivot, (i, e), 1.0 / (t0 + t1 + stretch * axial.eigenvalues[e] - t0 * f))
-            put(lines.answer, (i, 0, e), q * source + f * get(lines.answer, (i - 1, 0, e)))
-            put(lines.answer, (i, 1, e), f * get(lines.answer, (i - 1, 1, e)) - q * ox)
-            put(lines.answer, (i, 2, e), f * get(lines.answer, (i - 1, 2, e)) - q * oy)
+            f = t0 * get(pivot, (i - 1, e)) if i > 1 else t0 * 0.0
+            put(pivot, (i, e), 1.0 / (t0 + t1 + stretch * eigenvalues[e] - t0 * f))
+            put(answer, (i, 0, e), q * source + f * get(answer, (i - 1, 0, e)))
+            put(answer, (i, 1, e), f * get(answer, (i - 1, 1, e)) - q * ox)
+            put(answer, (i, 2, e), f * get(answer, (i - 1, 2, e)) - q * oy)
 
 
-@inlined
+@spliced
 def turn(matrix, vectors, i, r, result, to, m):
     """Row (to, r) of ``result`` = matrix times row (i, r) of ``vectors``."""
     for a in range(m):
@@ -164,7 +176,7 @@ def turn(matrix, vectors, i, r, result, to, m):
         put(result, (to, r, a), total)
 
 
-@inlined
+@spliced
 def lower_of(conserving, t0, arriving, here, before):
     """Entry of a node's row for the same node of the line before."""
     if conserving:
@@ -172,7 +184,7 @@ def lower_of(conserving, t0, arriving, here, before):
     return -t0 * here * before
 
 
-@inlined
+@spliced
 def upper_of(conserving, t0, here, before):
     """Entry, in the row of the line before, for a node of this line."""
     if conserving:
@@ -183,26 +195,32 @@ def upper_of(conserving, t0, here, before):
 @inlined
 def sweep_blocks(axial, conserving, kappa, grid, k, film, lines, broken, ends):
     """Forward elimination on nodes from the first broken line on; ``ends``: as ``apply_ends`` of one bearing."""
+    answer, inverse, turned = lines.answer, lines.inverse, lines.turned
+    wet, weight_x, weight_y = grid.wet, grid.weight_x, grid.weight_y
+    conductance, couette, inlet, cubed = film.conductance, film.couette, film.inlet, film.cubed
+    some_wet, before_of, behind_of, fill_of, pivot = lines.some_wet, lines.before, lines.behind, lines.fill, lines.pivot
+    root_weights, stiffness, modes = axial.root_weights, axial.stiffness, axial.modes
     m = len(axial.size)
     n = grid.step.shape[1]
-    answer, inverse, turned = lines.answer, lines.inverse, lines.turned
     for i in range(broken, n):
-        t0, t1 = get(film.conductance, (i - 1,)), get(film.conductance, (i,))
-        arriving, leaving = get(film.couette, (i - 1,)), get(film.couette, (i,))
+        t0, t1 = get(conductance, (i - 1,)), get(conductance, (i,))
+        arriving, leaving = get(couette, (i - 1,)), get(couette, (i,))
         source = arriving - leaving
-        if not lines.some_wet[i]:
+        if not some_wet[i]:
             if conserving:
-                sweep_dry(axial, grid, k, film, lines, i, t0, arriving, leaving)
+                sweep_dry(
+                    root_weights, wet, k, inlet, answer, inverse, some_wet, i, t0, arriving, leaving, m
+                )
             continue
-        stretch = kappa * get(film.cubed, (i,))
-        ox, oy = get(grid.weight_x, (k, i)), get(grid.weight_y, (k, i))
+        stretch = kappa * get(cubed, (i,))
+        ox, oy = get(weight_x, (k, i)), get(weight_y, (k, i))
         for a in range(m):
-            here = get(grid.wet, (k, i, a))
-            q = axial.root_weights[a]
+            here = get(wet, (k, i, a))
+            q = root_weights[a]
             right = q * source
             if conserving:
                 if i == 1:
-                    right = where(here > 0.5, right, q * (get(film.inlet, (0,)) - leaving))
+                    right = where(here > 0.5, right, q * (get(inlet, (0,)) - leaving))
             else:
                 right = right * here
             put(turned, (0, 0, a), right)
@@ -210,40 +228,41 @@ def sweep_blocks(axial, conserving, kappa, grid, k, film, lines, broken, ends):
             put(turned, (0, 2, a), -q * oy * here)
             row = stretch if conserving else stretch * here
             for b in range(m):
-                put(inverse, (i, a, b), row * axial.stiffness[a, b] * get(grid.wet, (k, i, b)))
+                put(inverse, (i, a, b), row * stiffness[a, b] * get(wet, (k, i, b)))
             dry = -leaving if conserving else 1.0 + t0 * 0.0
             put(inverse, (i, a, a), where(here > 0.5, get(inverse, (i, a, a)) + t0 + t1, dry))
         if ends:
-            lane_ends(axial, conserving, grid, k, lines, i, t0, t1, stretch)
-        if i > 1 and (conserving or lines.some_wet[i - 1] or i == broken):
-            couple(axial, conserving, grid, k, lines, i, t0, arriving, i == broken)
+            lane_ends(
+                stiffness, conserving, wet, k, before_of, behind_of, fill_of, inverse, turned, i,
+                t0, t1, stretch, m,
+            )  # fmt: skip
+        if i > 1 and (conserving or some_wet[i - 1] or i == broken):
+            couple(modes, conserving, wet, k, answer, pivot, inverse, turned, i, t0, arriving, i == broken, m)
         for r in range(3):
             for a in range(m):
                 put(answer, (i, r, a), get(turned, (0, r, a)))
         lane_invert(inverse, i, m)
 
 
-@inlined
-def couple(axial, conserving, grid, k, lines, i, t0, arriving, from_modes):
+@spliced
+def couple(modes, conserving, wet, k, answer, pivot, inverse, turned, i, t0, arriving, from_modes, m):
     """Take the line before out of the block and the right-hand sides of line i."""
-    m = len(axial.size)
-    answer, inverse, turned = lines.answer, lines.inverse, lines.turned
     if from_modes:
         for a in range(m):
             for b in range(m):
                 total = t0 * 0.0
                 for e in range(m):
-                    total = total + axial.modes[a, e] * axial.modes[b, e] * get(lines.pivot, (i - 1, e))
+                    total = total + modes[a, e] * modes[b, e] * get(pivot, (i - 1, e))
                 put(inverse, (i - 1, a, b), total)
         for r in range(3):
-            turn(axial.modes, answer, i - 1, r, turned, 1, m)
+            turn(modes, answer, i - 1, r, turned, 1, m)
     for a in range(m):
-        here, before = get(grid.wet, (k, i, a)), get(grid.wet, (k, i - 1, a))
+        here, before = get(wet, (k, i, a)), get(wet, (k, i - 1, a))
         lower, upper = lower_of(conserving, t0, arriving, here, before), upper_of(conserving, t0, here, before)
         r0, r1, r2 = t0 * 0.0, t0 * 0.0, t0 * 0.0
         for b in range(m):
             entry, mirrored = get(inverse, (i - 1, a, b)), get(inverse, (i - 1, b, a))
-            other = upper_of(conserving, t0, get(grid.wet, (k, i, b)), get(grid.wet, (k, i - 1, b)))
+            other = upper_of(conserving, t0, get(wet, (k, i, b)), get(wet, (k, i - 1, b)))
             put(inverse, (i, a, b), get(inverse, (i, a, b)) - lower * entry * other)
             if from_modes:
                 y0, y1, y2 = get(turned, (1, 0, b)), get(turned, (1, 1, b)), get(turned, (1, 2, b))
@@ -257,17 +276,15 @@ def couple(axial, conserving, grid, k, lines, i, t0, arriving, from_modes):
         put(turned, (0, 2, a), get(turned, (0, 2, a)) - upper * r2)
 
 
-@inlined
-def sweep_dry(axial, grid, k, film, lines, i, t0, arriving, leaving):
+@spliced
+def sweep_dry(root_weights, wet, k, inlet, answer, inverse, some_wet, i, t0, arriving, leaving, m):
     """Forward elimination of a line without pressure in any lane: every column transports its void."""
-    m = len(axial.size)
-    answer, inverse = lines.answer, lines.inverse
-    source = arriving - leaving if i > 1 else get(film.inlet, (0,)) - leaving
+    source = arriving - leaving if i > 1 else get(inlet, (0,)) - leaving
     pivot = -1.0 / leaving
     for a in range(m):
-        lower = where(get(grid.wet, (k, i - 1, a)) > 0.5, -t0, arriving)
-        right = axial.root_weights[a] * source
-        if i > 1 and not lines.some_wet[i - 1]:
+        lower = where(get(wet, (k, i - 1, a)) > 0.5, -t0, arriving)
+        right = root_weights[a] * source
+        if i > 1 and not some_wet[i - 1]:
             right = right - lower * get(inverse, (i - 1, a, a)) * get(answer, (i - 1, 0, a))
         elif i > 1:
             for b in range(m):
@@ -280,7 +297,7 @@ def sweep_dry(axial, grid, k, film, lines, i, t0, arriving, leaving):
         put(inverse, (i, a, a), pivot)
 
 
-@inlined
+@spliced
 def lane_invert(blocks, i, m):
     """Invert block i of every lane in place, Gauss-Jordan without pivoting."""
     for c in range(m):
@@ -299,26 +316,29 @@ def lane_invert(blocks, i, m):
 @inlined
 def back_blocks(axial, conserving, grid, k, film, lines, broken):
     """Answers on nodes from the last line back to the first broken one."""
+    answer, inverse, turned = lines.answer, lines.inverse, lines.turned
+    wet = grid.wet
+    conductance, couette = film.conductance, film.couette
+    some_wet = lines.some_wet
     m = len(axial.size)
     n = grid.step.shape[1]
-    answer, inverse, turned = lines.answer, lines.inverse, lines.turned
     for i in range(n - 1, broken - 1, -1):
-        some_wet = lines.some_wet[i]
-        if not some_wet and not conserving:
+        holds = some_wet[i]
+        if not holds and not conserving:
             for r in range(3):
                 for a in range(m):
                     put(answer, (i, r, a), 0.0)
             continue
-        t, arriving = get(film.conductance, (i,)), get(film.couette, (i,))
+        t, arriving = get(conductance, (i,)), get(couette, (i,))
         for b in range(m):
             y0, y1, y2 = get(answer, (i, 0, b)), get(answer, (i, 1, b)), get(answer, (i, 2, b))
             if i < n - 1:
-                here, before = get(grid.wet, (k, i + 1, b)), get(grid.wet, (k, i, b))
+                here, before = get(wet, (k, i + 1, b)), get(wet, (k, i, b))
                 lower, upper = lower_of(conserving, t, arriving, here, before), upper_of(conserving, t, here, before)
                 y0 = y0 - upper * get(answer, (i + 1, 0, b))
                 y1 = y1 - lower * get(answer, (i + 1, 1, b))
                 y2 = y2 - lower * get(answer, (i + 1, 2, b))
-            if some_wet:
+            if holds:
                 put(turned, (0, 0, b), y0)
                 put(turned, (0, 1, b), y1)
                 put(turned, (0, 2, b), y2)
@@ -327,7 +347,7 @@ def back_blocks(axial, conserving, grid, k, film, lines, broken):
                 put(answer, (i, 0, b), own * y0)
                 put(answer, (i, 1, b), own * y1)
                 put(answer, (i, 2, b), own * y2)
-        if some_wet:
+        if holds:
             for a in range(m):
                 r0, r1, r2 = t * 0.0, t * 0.0, t * 0.0
                 for b in range(m):
@@ -343,13 +363,18 @@ def back_blocks(axial, conserving, grid, k, film, lines, broken):
 @inlined
 def back_full(axial, conserving, grid, k, film, lines, full):
     """Answers in modes from line ``full`` back to the first."""
+    answer, turned = lines.answer, lines.turned
+    wet = grid.wet
+    conductance, couette = film.conductance, film.couette
+    pivot = lines.pivot
+    modes_transposed = axial.modes_transposed
     m = len(axial.size)
     n = grid.step.shape[1]
-    answer, turned, behind = lines.answer, lines.turned, full + 1
-    t, arriving = get(film.conductance, (full,)), get(film.couette, (full,))
+    behind = full + 1
+    t, arriving = get(conductance, (full,)), get(couette, (full,))
     for a in range(m):
         if behind < n:
-            here, before = get(grid.wet, (k, behind, a)), get(grid.wet, (k, full, a))
+            here, before = get(wet, (k, behind, a)), get(wet, (k, full, a))
             lower, upper = lower_of(conserving, t, arriving, here, before), upper_of(conserving, t, here, before)
             put(turned, (1, 0, a), -upper * get(answer, (behind, 0, a)))
             put(turned, (1, 1, a), -lower * get(answer, (behind, 1, a)))
@@ -358,60 +383,68 @@ def back_full(axial, conserving, grid, k, film, lines, full):
             for r in range(3):
                 put(turned, (1, r, a), 0.0)
     for r in range(3):
-        turn(axial.modes_transposed, turned, 1, r, turned, 0, m)
+        turn(modes_transposed, turned, 1, r, turned, 0, m)
         for e in range(m):
-            put(answer, (full, r, e), get(lines.pivot, (full, e)) * (get(answer, (full, r, e)) + get(turned, (0, r, e))))
+            put(answer, (full, r, e), get(pivot, (full, e)) * (get(answer, (full, r, e)) + get(turned, (0, r, e))))
     for i in range(full - 1, 0, -1):
-        t = get(film.conductance, (i,))
+        t = get(conductance, (i,))
         for e in range(m):
-            pivot = get(lines.pivot, (i, e))
+            own = get(pivot, (i, e))
             for r in range(3):
-                put(answer, (i, r, e), pivot * (get(answer, (i, r, e)) + t * get(answer, (i + 1, r, e))))
+                put(answer, (i, r, e), own * (get(answer, (i, r, e)) + t * get(answer, (i + 1, r, e))))
 
 
 @inlined
 def keep_pressure(axial, grid, k, lines, full, smooth):
     """Write the solution to the grid, or, where the film has settled (``smooth``), take it from there."""
+    answer = lines.answer
+    value = grid.value
+    modes = axial.modes
     m = len(axial.size)
     n = grid.step.shape[1]
-    answer = lines.answer
     for i in range(1, n):
         for a in range(m):
             if i > full and smooth:
-                put(answer, (i, 0, a), get(grid.value, (k, i, a)))
+                put(answer, (i, 0, a), get(value, (k, i, a)))
             elif i > full:
-                put(grid.value, (k, i, a), get(answer, (i, 0, a)))
+                put(value, (k, i, a), get(answer, (i, 0, a)))
             else:
                 total = get(answer, (i, 0, 0)) * 0.0
                 if smooth:
                     for b in range(m):
-                        total = total + axial.modes[b, a] * get(grid.value, (k, i, b))
+                        total = total + modes[b, a] * get(value, (k, i, b))
                     put(answer, (i, 0, a), total)
                 else:
                     for e in range(m):
-                        total = total + axial.modes[a, e] * get(answer, (i, 0, e))
-                    put(grid.value, (k, i, a), total)
+                        total = total + modes[a, e] * get(answer, (i, 0, e))
+                    put(value, (k, i, a), total)
 
 
 @inlined
 def lane_forces(axial, conserving, kappa, grid, k, film, lines, full, result):
     """Add force, stiffness and damping of land k to ``result``, (10, LANES), as ``add_forces`` of one bearing."""
+    stiffness = axial.stiffness
+    answer, turned = lines.answer, lines.turned
+    wet, weight_x, weight_y = grid.wet, grid.weight_x, grid.weight_y
+    inlet, couette_x, couette_y, conductance_x, conductance_y = film.inlet, film.couette_x, film.couette_y, film.conductance_x, film.conductance_y
+    cubed_x, cubed_y = film.cubed_x, film.cubed_y
+    some_wet = lines.some_wet
+    mode_weights, modes, root_weights, eigenvalues = axial.mode_weights, axial.modes, axial.root_weights, axial.eigenvalues
     m = len(axial.size)
     n = grid.step.shape[1]
-    answer, turned, stiffness = lines.answer, lines.turned, axial.stiffness
     zero = kappa * 0.0
     fx, fy = zero, zero
     kxx, kxy, kyx, kyy = zero, zero, zero, zero
     cxx, cxy, cyx, cyy = zero, zero, zero, zero
     for i in range(n):
-        wet_here, wet_behind = i <= full or lines.some_wet[i], i + 1 == n or lines.some_wet[i + 1]
+        wet_here, wet_behind = i <= full or some_wet[i], i + 1 == n or some_wet[i + 1]
         if not (conserving or wet_here or wet_behind):
             continue
         # the flux of the interval behind line i
         ax, ay, bx, by = zero, zero, zero, zero
         if i < full:
             for e in range(m):
-                q = axial.mode_weights[e]
+                q = mode_weights[e]
                 rise = get(answer, (i, 0, e)) - get(answer, (i + 1, 0, e))
                 lx = get(answer, (i, 1, e)) - get(answer, (i + 1, 1, e))
                 ly = get(answer, (i, 2, e)) - get(answer, (i + 1, 2, e))
@@ -422,14 +455,14 @@ def lane_forces(axial, conserving, kappa, grid, k, film, lines, full, result):
         else:
             for r in range(3):
                 if i == full:
-                    turn(axial.modes, answer, i, r, turned, 0, m)  # line 0 holds zeros
+                    turn(modes, answer, i, r, turned, 0, m)  # line 0 holds zeros
                 else:
                     for j in range(m):
                         put(turned, (0, r, j), get(answer, (i, r, j)))
             inlet_x, inlet_y = zero, zero
             for j in range(m):
-                q = axial.root_weights[j]
-                here, behind = get(grid.wet, (k, i, j)), get(grid.wet, (k, i + 1, j))
+                q = root_weights[j]
+                here, behind = get(wet, (k, i, j)), get(wet, (k, i + 1, j))
                 up, down = get(turned, (0, 0, j)), get(answer, (i + 1, 0, j)) * behind
                 lx = get(turned, (0, 1, j)) - get(answer, (i + 1, 1, j))
                 ly = get(turned, (0, 2, j)) - get(answer, (i + 1, 2, j))
@@ -443,12 +476,12 @@ def lane_forces(axial, conserving, kappa, grid, k, film, lines, full, result):
                 bx = bx + lx * (up * here - down)
                 by = by + ly * (up * here - down)
             if conserving and i == 0:
-                kxx = kxx + inlet_x * get(film.inlet, (1,))
-                kxy = kxy + inlet_x * get(film.inlet, (2,))
-                kyx = kyx + inlet_y * get(film.inlet, (1,))
-                kyy = kyy + inlet_y * get(film.inlet, (2,))
-        q_x, q_y = get(film.couette_x, (i,)), get(film.couette_y, (i,))
-        t_x, t_y = get(film.conductance_x, (i,)), get(film.conductance_y, (i,))
+                kxx = kxx + inlet_x * get(inlet, (1,))
+                kxy = kxy + inlet_x * get(inlet, (2,))
+                kyx = kyx + inlet_y * get(inlet, (1,))
+                kyy = kyy + inlet_y * get(inlet, (2,))
+        q_x, q_y = get(couette_x, (i,)), get(couette_y, (i,))
+        t_x, t_y = get(conductance_x, (i,)), get(conductance_y, (i,))
         kxx = kxx + ax * q_x + bx * t_x
         kxy = kxy + ax * q_y + bx * t_y
         kyx = kyx + ay * q_x + by * t_x
@@ -460,30 +493,30 @@ def lane_forces(axial, conserving, kappa, grid, k, film, lines, full, result):
         for j in range(m):
             u, lx, ly = get(answer, (i, 0, j)), get(answer, (i, 1, j)), get(answer, (i, 2, j))
             if i <= full:
-                q = axial.mode_weights[j]
-                row = axial.eigenvalues[j] * u
+                q = mode_weights[j]
+                row = eigenvalues[j] * u
                 mean = mean + q * u
                 sx = sx + q * lx
                 sy = sy + q * ly
             else:
-                q, here = axial.root_weights[j], get(grid.wet, (k, i, j))
+                q, here = root_weights[j], get(wet, (k, i, j))
                 row = zero
                 for b in range(m):
-                    row = row + stiffness[j, b] * (get(answer, (i, 0, b)) * get(grid.wet, (k, i, b)))
+                    row = row + stiffness[j, b] * (get(answer, (i, 0, b)) * get(wet, (k, i, b)))
                 mean = mean + q * (u * here)
                 liquid = q - (1.0 - here) * u
                 sx = sx + liquid * lx
                 sy = sy + liquid * ly
             ex = ex + lx * row
             ey = ey + ly * row
-        ox, oy = get(grid.weight_x, (k, i)), get(grid.weight_y, (k, i))
-        cubed_x, cubed_y = kappa * get(film.cubed_x, (i,)), kappa * get(film.cubed_y, (i,))
+        ox, oy = get(weight_x, (k, i)), get(weight_y, (k, i))
+        h_x, h_y = kappa * get(cubed_x, (i,)), kappa * get(cubed_y, (i,))
         fx = fx - ox * mean
         fy = fy - oy * mean
-        kxx = kxx + ex * cubed_x
-        kxy = kxy + ex * cubed_y
-        kyx = kyx + ey * cubed_x
-        kyy = kyy + ey * cubed_y
+        kxx = kxx + ex * h_x
+        kxy = kxy + ex * h_y
+        kyx = kyx + ey * h_x
+        kyy = kyy + ey * h_y
         cxx = cxx - sx * ox
         cxy = cxy - sx * oy
         cyx = cyx - sy * ox
@@ -503,25 +536,28 @@ def lane_forces(axial, conserving, kappa, grid, k, film, lines, full, result):
 @inlined
 def lane_update(axial, conserving, kappa, grid, k, film, lines, full):
     """One step of the wet sets, as ``update_active_set`` of one bearing: how many nodes changed, in every lane."""
-    m = len(axial.size)
     wet, value = grid.wet, grid.value
+    couette, cubed, conductance = film.couette, film.cubed, film.conductance
+    some_wet = lines.some_wet
+    root_weights, stiffness = axial.root_weights, axial.stiffness
+    m = len(axial.size)
     changed = kappa * 0.0
     for i in range(1, grid.step.shape[1]):
         surplus, stretch = kappa * 0.0, kappa * 0.0
         t0, t1 = surplus, surplus
         by_row = i > full and not conserving
         if by_row:
-            surplus = get(film.couette, (i,)) - get(film.couette, (i - 1,))
-            stretch = kappa * get(film.cubed, (i,))
-            t0, t1 = get(film.conductance, (i - 1,)), get(film.conductance, (i,))
+            surplus = get(couette, (i,)) - get(couette, (i - 1,))
+            stretch = kappa * get(cubed, (i,))
+            t0, t1 = get(conductance, (i - 1,)), get(conductance, (i,))
         for j in range(m):
             here, test = get(wet, (k, i, j)), get(value, (k, i, j))
             if by_row:
-                row = axial.root_weights[j] * surplus
+                row = root_weights[j] * surplus
                 row = row - t0 * get(value, (k, i - 1, j)) - t1 * get(value, (k, i + 1, j))
-                if lines.some_wet[i]:
+                if some_wet[i]:
                     for b in range(m):
-                        row = row + stretch * axial.stiffness[j, b] * get(value, (k, i, b))
+                        row = row + stretch * stiffness[j, b] * get(value, (k, i, b))
                 test = where(here > 0.5, test, row)
             change = where(test < -TIE, 1.0, 0.0)
             changed = changed + change
@@ -529,7 +565,7 @@ def lane_update(axial, conserving, kappa, grid, k, film, lines, full):
     return changed
 
 
-@inlined
+@spliced
 def lane_reach(pressure, surplus):
     """Intervals from the last wet node to the end of the film."""
     return where(surplus > 0.0, 0.5 + minimum(maximum(pressure / surplus, 0.0), 1.0), 1.0)
@@ -538,15 +574,18 @@ def lane_reach(pressure, surplus):
 @inlined
 def find_lane_ends(axial, conserving, grid, k, film, lines, broken):
     """Fill ``before``, ``behind``, ``fill`` of the nodes on lines that matter; returns the first of these, or n."""
+    couette, conductance, value = film.couette, film.conductance, grid.value
+    wet = grid.wet
+    behind_of, fill_of, before_of = lines.behind, lines.fill, lines.before
+    root_weights = axial.root_weights
     m = len(axial.size)
     n = grid.step.shape[1]
-    couette, conductance, value = film.couette, film.conductance, grid.value
     first = max(broken - 1, 1)
     if not conserving:
         surplus = (get(couette, (1,)) - get(couette, (0,))) / get(conductance, (0,))
         for j in range(m):
-            before = lane_reach(get(value, (k, 1, j)) / axial.root_weights[j], surplus)
-            if any_of((before < 1.0) & (get(grid.wet, (k, 1, j)) > 0.5)):
+            before = lane_reach(get(value, (k, 1, j)) / root_weights[j], surplus)
+            if any_of((before < 1.0) & (get(wet, (k, 1, j)) > 0.5)):
                 first = 1
     for i in range(first, n):
         behind_surplus = (get(couette, (min(i + 1, n - 1),)) - get(couette, (min(i, n - 2),))) / get(conductance, (i,))
@@ -554,31 +593,29 @@ def find_lane_ends(axial, conserving, grid, k, film, lines, broken):
         arriving = get(couette, (i - 1,))
         before_surplus = (get(couette, (max(i - 1, 1),)) - get(couette, (max(i - 2, 0),))) / t0
         for j in range(m):
-            here = get(grid.wet, (k, i, j)) > 0.5
-            dry_before, dry_behind = get(grid.wet, (k, i - 1, j)) < 0.5, get(grid.wet, (k, i + 1, j)) < 0.5
-            pressure = get(value, (k, i, j)) / axial.root_weights[j]
+            here = get(wet, (k, i, j)) > 0.5
+            dry_before, dry_behind = get(wet, (k, i - 1, j)) < 0.5, get(wet, (k, i + 1, j)) < 0.5
+            pressure = get(value, (k, i, j)) / root_weights[j]
             behind = lane_reach(pressure, behind_surplus)
             behind = where(here & dry_behind, behind, 1.0) if i < n - 1 else where(here, minimum(behind, 1.0), 1.0)
-            put(lines.behind, (i, j), behind)
+            put(behind_of, (i, j), behind)
             if conserving:
                 filled = t0 * get(value, (k, i, j))
                 whole = filled + arriving * get(value, (k, i - 1, j))
                 fill = where(whole > 0.0, minimum(maximum(filled / whole, 0.0), 1.0), 0.5)
-                put(lines.fill, (i, j), where(here & dry_before, fill, 0.5))
+                put(fill_of, (i, j), where(here & dry_before, fill, 0.5))
             else:
                 before = lane_reach(pressure, before_surplus)
                 before = where(here & dry_before, before, 1.0) if i > 1 else where(here, minimum(before, 1.0), 1.0)
-                put(lines.before, (i, j), before)
+                put(before_of, (i, j), before)
     return first
 
 
-@inlined
-def lane_ends(axial, conserving, grid, k, lines, i, t0, t1, stretch):
+@spliced
+def lane_ends(stiffness, conserving, wet, k, before_of, behind_of, fill_of, inverse, turned, i, t0, t1, stretch, m):
     """Put the ends of the film into the block and the adjoint right-hand sides of line i."""
-    m = len(axial.size)
-    inverse, turned = lines.inverse, lines.turned
     for b in range(m):
-        before, behind, fill = get(lines.before, (i, b)), get(lines.behind, (i, b)), get(lines.fill, (i, b))
+        before, behind, fill = get(before_of, (i, b)), get(behind_of, (i, b)), get(fill_of, (i, b))
         own = t0 * (1.0 / before - 1.0) + t1 * (1.0 / behind - 1.0)
         put(inverse, (i, b, b), get(inverse, (i, b, b)) + own)
         extent = 0.5 * (before + behind) + fill - 0.5
@@ -586,38 +623,42 @@ def lane_ends(axial, conserving, grid, k, lines, i, t0, t1, stretch):
         put(turned, (0, 2, b), get(turned, (0, 2, b)) * extent)
         change = (extent - 1.0) * stretch
         for a in range(m):
-            entry = change * axial.stiffness[a, b]
+            entry = change * stiffness[a, b]
             if not conserving:
-                entry = entry * get(grid.wet, (k, i, a))
+                entry = entry * get(wet, (k, i, a))
             put(inverse, (i, a, b), get(inverse, (i, a, b)) + entry)
 
 
 @inlined
 def add_lane_ends(axial, grid, k, film, lines, first, result):
     """Add to K and C what the ends of the film change, as ``add_ends`` of one bearing."""
+    value, weight_x, weight_y = grid.value, grid.weight_x, grid.weight_y
+    couette_x, couette_y, conductance_x, conductance_y = film.couette_x, film.couette_y, film.conductance_x, film.conductance_y
+    before_of, behind_of, fill_of, answer = lines.before, lines.behind, lines.fill, lines.answer
+    root_weights = axial.root_weights
     m = len(axial.size)
     n = grid.step.shape[1]
     for i in range(first, n):
         ahead, past = (i + 1 if i < n - 1 else i - 1), (i - 2 if i > 1 else i)
         # two intervals on either side that tell the slope of Q
-        q_x = (ahead - i) * (get(film.couette_x, (ahead,)) - get(film.couette_x, (i,)))
-        q_y = (ahead - i) * (get(film.couette_y, (ahead,)) - get(film.couette_y, (i,)))
-        p_x = (i - 1 - past) * (get(film.couette_x, (past,)) - get(film.couette_x, (i - 1,)))
-        p_y = (i - 1 - past) * (get(film.couette_y, (past,)) - get(film.couette_y, (i - 1,)))
+        q_x = (ahead - i) * (get(couette_x, (ahead,)) - get(couette_x, (i,)))
+        q_y = (ahead - i) * (get(couette_y, (ahead,)) - get(couette_y, (i,)))
+        p_x = (i - 1 - past) * (get(couette_x, (past,)) - get(couette_x, (i - 1,)))
+        p_y = (i - 1 - past) * (get(couette_y, (past,)) - get(couette_y, (i - 1,)))
         for j in range(m):
-            before, behind, fill = get(lines.before, (i, j)), get(lines.behind, (i, j)), get(lines.fill, (i, j))
-            q, u = axial.root_weights[j], get(grid.value, (k, i, j))
+            before, behind, fill = get(before_of, (i, j)), get(behind_of, (i, j)), get(fill_of, (i, j))
+            q, u = root_weights[j], get(value, (k, i, j))
             along, thin = 0.5 * q * (behind - 1.0), u * (1.0 / behind - 1.0)
             along_p, thin_p = 0.5 * q * (before - 1.0), u * (1.0 / before - 1.0)
-            flux_x = along * q_x + thin * get(film.conductance_x, (i,))
-            flux_y = along * q_y + thin * get(film.conductance_y, (i,))
-            flux_x = flux_x + thin_p * get(film.conductance_x, (i - 1,)) - along_p * p_x
-            flux_y = flux_y + thin_p * get(film.conductance_y, (i - 1,)) - along_p * p_y
+            flux_x = along * q_x + thin * get(conductance_x, (i,))
+            flux_y = along * q_y + thin * get(conductance_y, (i,))
+            flux_x = flux_x + thin_p * get(conductance_x, (i - 1,)) - along_p * p_x
+            flux_y = flux_y + thin_p * get(conductance_y, (i - 1,)) - along_p * p_y
             volume = q * (0.5 * (before + behind) - 1.0)
             closes = (fill < 0.5) | (fill > 0.5)
-            volume = volume - where(closes, 0.5 * get(grid.value, (k, i - 1, j)), 0.0)
-            lx, ly = get(lines.answer, (i, 1, j)), get(lines.answer, (i, 2, j))
-            ox, oy = volume * get(grid.weight_x, (k, i)), volume * get(grid.weight_y, (k, i))
+            volume = volume - where(closes, 0.5 * get(value, (k, i - 1, j)), 0.0)
+            lx, ly = get(answer, (i, 1, j)), get(answer, (i, 2, j))
+            ox, oy = volume * get(weight_x, (k, i)), volume * get(weight_y, (k, i))
             put(result, (2,), get(result, (2,)) + lx * flux_x)
             put(result, (3,), get(result, (3,)) + lx * flux_y)
             put(result, (4,), get(result, (4,)) + ly * flux_x)
