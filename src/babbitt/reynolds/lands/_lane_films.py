@@ -20,6 +20,10 @@ from babbitt.reynolds._structs import Array, Film, Grid
 from babbitt.reynolds.lands._forces import TIE
 from babbitt.reynolds.lands._grids import FAR, NEAR
 
+# rows of the numbers of every lane
+KAPPA, LOAD_X, LOAD_Y, X, Y, GAP, MOVE_X, MOVE_Y, NEW_X, NEW_Y, NEW_GAP = range(11)
+SHARE, LAST_GAP, STEP_TIME, LAST_SIZE, CHANGED, NUMBERS = range(11, 17)
+
 
 class LaneLines(NamedTuple):
     """Workspace of a land; in full lines the answers stand in modes, in others on nodes."""
@@ -70,13 +74,12 @@ def lane_gap(grid, x, y):
     """Smallest gap at the Gauss points of all lands."""
     gap_a, cos_a, sin_a, gap_b, cos_b = grid.gap_a, grid.cos_a, grid.sin_a, grid.gap_b, grid.cos_b
     sin_b = grid.sin_b
-    smallest = get(x, (0,)) * 0.0 + np.inf
-    jx, jy = get(x, (0,)), get(y, (0,))
+    smallest = x * 0.0 + np.inf
     for k in range(grid.step.shape[0]):
         for i in range(grid.step.shape[1]):
             place = (k, i)
-            a = get(gap_a, place) - jx * get(cos_a, place) - jy * get(sin_a, place)
-            b = get(gap_b, place) - jx * get(cos_b, place) - jy * get(sin_b, place)
+            a = get(gap_a, place) - x * get(cos_a, place) - y * get(sin_a, place)
+            b = get(gap_b, place) - x * get(cos_b, place) - y * get(sin_b, place)
             smallest = minimum(smallest, minimum(a, b))
     return smallest
 
@@ -670,14 +673,14 @@ def add_lane_ends(axial, grid, k, film, lines, first, result):
 
 
 @inner
-def lane_evaluate(axial, conserving, kappa, grid, edges, film, lines, x, y, smooth, result, changed):
+def lane_evaluate(axial, conserving, grid, edges, film, lines, numbers, smooth, result):
     """Force, stiffness and damping of every lane at its position, as ``evaluate`` of one bearing.
 
     ``edges`` (lands, 3, LANES): flux into a line ruptured at its start for the journal in the origin, and its
-    derivatives. Fills ``result`` (10, LANES) and ``changed`` (LANES,).
+    derivatives. Reads the rows KAPPA, X, Y of ``numbers``; fills ``result`` (10, LANES) and the row CHANGED.
     """
     n = grid.step.shape[1]
-    ratio, jx, jy = get(kappa, (0,)), get(x, (0,)), get(y, (0,))
+    ratio, jx, jy = get(numbers, (KAPPA,)), get(numbers, (X,)), get(numbers, (Y,))
     total = ratio * 0.0
     for row in range(result.shape[0]):
         put(result, (row,), 0.0)
@@ -701,4 +704,4 @@ def lane_evaluate(axial, conserving, kappa, grid, edges, film, lines, x, y, smoo
             add_lane_ends(axial, grid, k, film, lines, broken, result)
         else:
             total = total + lane_update(axial, conserving, ratio, grid, k, film, lines, broken - 1)
-    put(changed, (0,), total)
+    put(numbers, (CHANGED,), total)
