@@ -15,7 +15,7 @@ from numpy import bool_
 from numpy.typing import NDArray
 
 from babbitt.reynolds._compiling import inlined, inner, spliced
-from babbitt.reynolds._lanes import LANES, any_of, get, maximum, minimum, put, where
+from babbitt.reynolds._lanes import LANES, any_of, get, lent, maximum, minimum, put, where
 from babbitt.reynolds._structs import Array, Film, Grid
 from babbitt.reynolds.lands._forces import TIE
 from babbitt.reynolds.lands._grids import FAR, NEAR
@@ -72,8 +72,8 @@ def lane_lines(n, m):
 @inlined
 def lane_gap(grid, x, y):
     """Smallest gap at the Gauss points of all lands."""
-    gap_a, cos_a, sin_a, gap_b, cos_b = grid.gap_a, grid.cos_a, grid.sin_a, grid.gap_b, grid.cos_b
-    sin_b = grid.sin_b
+    gap_a, cos_a, sin_a, gap_b, cos_b = lent(grid.gap_a), lent(grid.cos_a), lent(grid.sin_a), lent(grid.gap_b), lent(grid.cos_b)
+    sin_b = lent(grid.sin_b)
     smallest = x * 0.0 + np.inf
     for k in range(grid.step.shape[0]):
         for i in range(grid.step.shape[1]):
@@ -87,10 +87,10 @@ def lane_gap(grid, x, y):
 @inlined
 def lane_coefficients(grid, k, x, y, film):
     """Coefficients of the films at the positions of the journals, on land k."""
-    step, cos_a, sin_a, cos_b, sin_b = grid.step, grid.cos_a, grid.sin_a, grid.cos_b, grid.sin_b
-    gap_a, gap_b = grid.gap_a, grid.gap_b
-    conductance, conductance_x, conductance_y, couette, couette_x = film.conductance, film.conductance_x, film.conductance_y, film.couette, film.couette_x
-    couette_y, cubed, cubed_x, cubed_y = film.couette_y, film.cubed, film.cubed_x, film.cubed_y
+    step, cos_a, sin_a, cos_b, sin_b = lent(grid.step), lent(grid.cos_a), lent(grid.sin_a), lent(grid.cos_b), lent(grid.sin_b)
+    gap_a, gap_b = lent(grid.gap_a), lent(grid.gap_b)
+    conductance, conductance_x, conductance_y, couette, couette_x = lent(film.conductance), lent(film.conductance_x), lent(film.conductance_y), lent(film.couette), lent(film.couette_x)
+    couette_y, cubed, cubed_x, cubed_y = lent(film.couette_y), lent(film.cubed), lent(film.cubed_x), lent(film.cubed_y)
     n = grid.step.shape[1]
     zero = x * 0.0
     h0, h0_x, h0_y = zero, zero, zero  # what the interval before adds to its second line
@@ -131,7 +131,7 @@ def lane_coefficients(grid, k, x, y, film):
 @inlined
 def find_broken(conserving, grid, k, lines):
     """Find the first unknown line that is not full in every lane, or n; notes on which lines any lane is wet."""
-    wet = grid.wet
+    wet = lent(grid.wet)
     some_wet = lines.some_wet
     n, m = grid.step.shape[1], grid.wet.shape[2]
     broken = n
@@ -149,9 +149,9 @@ def find_broken(conserving, grid, k, lines):
 @inlined
 def sweep_full(axial, kappa, grid, k, film, lines, full):
     """Forward elimination of the lines 1..full in modes."""
-    weight_x, weight_y = grid.weight_x, grid.weight_y
-    conductance, cubed, couette = film.conductance, film.cubed, film.couette
-    pivot, answer = lines.pivot, lines.answer
+    weight_x, weight_y = lent(grid.weight_x), lent(grid.weight_y)
+    conductance, cubed, couette = lent(film.conductance), lent(film.cubed), lent(film.couette)
+    pivot, answer = lent(lines.pivot), lent(lines.answer)
     mode_weights, eigenvalues = axial.mode_weights, axial.eigenvalues
     m = len(axial.size)
     for i in range(1, full + 1):
@@ -198,10 +198,10 @@ def upper_of(conserving, t0, here, before):
 @inlined
 def sweep_blocks(axial, conserving, kappa, grid, k, film, lines, broken, ends):
     """Forward elimination on nodes from the first broken line on; ``ends``: as ``apply_ends`` of one bearing."""
-    answer, inverse, turned = lines.answer, lines.inverse, lines.turned
-    wet, weight_x, weight_y = grid.wet, grid.weight_x, grid.weight_y
-    conductance, couette, inlet, cubed = film.conductance, film.couette, film.inlet, film.cubed
-    some_wet, before_of, behind_of, fill_of, pivot = lines.some_wet, lines.before, lines.behind, lines.fill, lines.pivot
+    answer, inverse, turned = lent(lines.answer), lent(lines.inverse), lent(lines.turned)
+    wet, weight_x, weight_y = lent(grid.wet), lent(grid.weight_x), lent(grid.weight_y)
+    conductance, couette, inlet, cubed = lent(film.conductance), lent(film.couette), lent(film.inlet), lent(film.cubed)
+    some_wet, before_of, behind_of, fill_of, pivot = lines.some_wet, lent(lines.before), lent(lines.behind), lent(lines.fill), lent(lines.pivot)
     root_weights, stiffness, modes = axial.root_weights, axial.stiffness, axial.modes
     m = len(axial.size)
     n = grid.step.shape[1]
@@ -319,9 +319,9 @@ def lane_invert(blocks, i, m):
 @inlined
 def back_blocks(axial, conserving, grid, k, film, lines, broken):
     """Answers on nodes from the last line back to the first broken one."""
-    answer, inverse, turned = lines.answer, lines.inverse, lines.turned
-    wet = grid.wet
-    conductance, couette = film.conductance, film.couette
+    answer, inverse, turned = lent(lines.answer), lent(lines.inverse), lent(lines.turned)
+    wet = lent(grid.wet)
+    conductance, couette = lent(film.conductance), lent(film.couette)
     some_wet = lines.some_wet
     m = len(axial.size)
     n = grid.step.shape[1]
@@ -366,10 +366,10 @@ def back_blocks(axial, conserving, grid, k, film, lines, broken):
 @inlined
 def back_full(axial, conserving, grid, k, film, lines, full):
     """Answers in modes from line ``full`` back to the first."""
-    answer, turned = lines.answer, lines.turned
-    wet = grid.wet
-    conductance, couette = film.conductance, film.couette
-    pivot = lines.pivot
+    answer, turned = lent(lines.answer), lent(lines.turned)
+    wet = lent(grid.wet)
+    conductance, couette = lent(film.conductance), lent(film.couette)
+    pivot = lent(lines.pivot)
     modes_transposed = axial.modes_transposed
     m = len(axial.size)
     n = grid.step.shape[1]
@@ -400,8 +400,8 @@ def back_full(axial, conserving, grid, k, film, lines, full):
 @inlined
 def keep_pressure(axial, grid, k, lines, full, smooth):
     """Write the solution to the grid, or, where the film has settled (``smooth``), take it from there."""
-    answer = lines.answer
-    value = grid.value
+    answer = lent(lines.answer)
+    value = lent(grid.value)
     modes = axial.modes
     m = len(axial.size)
     n = grid.step.shape[1]
@@ -427,10 +427,10 @@ def keep_pressure(axial, grid, k, lines, full, smooth):
 def lane_forces(axial, conserving, kappa, grid, k, film, lines, full, result):
     """Add force, stiffness and damping of land k to ``result``, (10, LANES), as ``add_forces`` of one bearing."""
     stiffness = axial.stiffness
-    answer, turned = lines.answer, lines.turned
-    wet, weight_x, weight_y = grid.wet, grid.weight_x, grid.weight_y
-    inlet, couette_x, couette_y, conductance_x, conductance_y = film.inlet, film.couette_x, film.couette_y, film.conductance_x, film.conductance_y
-    cubed_x, cubed_y = film.cubed_x, film.cubed_y
+    answer, turned = lent(lines.answer), lent(lines.turned)
+    wet, weight_x, weight_y = lent(grid.wet), lent(grid.weight_x), lent(grid.weight_y)
+    inlet, couette_x, couette_y, conductance_x, conductance_y = lent(film.inlet), lent(film.couette_x), lent(film.couette_y), lent(film.conductance_x), lent(film.conductance_y)
+    cubed_x, cubed_y = lent(film.cubed_x), lent(film.cubed_y)
     some_wet = lines.some_wet
     mode_weights, modes, root_weights, eigenvalues = axial.mode_weights, axial.modes, axial.root_weights, axial.eigenvalues
     m = len(axial.size)
@@ -539,8 +539,8 @@ def lane_forces(axial, conserving, kappa, grid, k, film, lines, full, result):
 @inlined
 def lane_update(axial, conserving, kappa, grid, k, film, lines, full):
     """One step of the wet sets, as ``update_active_set`` of one bearing: how many nodes changed, in every lane."""
-    wet, value = grid.wet, grid.value
-    couette, cubed, conductance = film.couette, film.cubed, film.conductance
+    wet, value = lent(grid.wet), lent(grid.value)
+    couette, cubed, conductance = lent(film.couette), lent(film.cubed), lent(film.conductance)
     some_wet = lines.some_wet
     root_weights, stiffness = axial.root_weights, axial.stiffness
     m = len(axial.size)
@@ -577,9 +577,9 @@ def lane_reach(pressure, surplus):
 @inlined
 def find_lane_ends(axial, conserving, grid, k, film, lines, broken):
     """Fill ``before``, ``behind``, ``fill`` of the nodes on lines that matter; returns the first of these, or n."""
-    couette, conductance, value = film.couette, film.conductance, grid.value
-    wet = grid.wet
-    behind_of, fill_of, before_of = lines.behind, lines.fill, lines.before
+    couette, conductance, value = lent(film.couette), lent(film.conductance), lent(grid.value)
+    wet = lent(grid.wet)
+    behind_of, fill_of, before_of = lent(lines.behind), lent(lines.fill), lent(lines.before)
     root_weights = axial.root_weights
     m = len(axial.size)
     n = grid.step.shape[1]
@@ -635,9 +635,9 @@ def lane_ends(stiffness, conserving, wet, k, before_of, behind_of, fill_of, inve
 @inlined
 def add_lane_ends(axial, grid, k, film, lines, first, result):
     """Add to K and C what the ends of the film change, as ``add_ends`` of one bearing."""
-    value, weight_x, weight_y = grid.value, grid.weight_x, grid.weight_y
-    couette_x, couette_y, conductance_x, conductance_y = film.couette_x, film.couette_y, film.conductance_x, film.conductance_y
-    before_of, behind_of, fill_of, answer = lines.before, lines.behind, lines.fill, lines.answer
+    value, weight_x, weight_y = lent(grid.value), lent(grid.weight_x), lent(grid.weight_y)
+    couette_x, couette_y, conductance_x, conductance_y = lent(film.couette_x), lent(film.couette_y), lent(film.conductance_x), lent(film.conductance_y)
+    before_of, behind_of, fill_of, answer = lent(lines.before), lent(lines.behind), lent(lines.fill), lent(lines.answer)
     root_weights = axial.root_weights
     m = len(axial.size)
     n = grid.step.shape[1]
