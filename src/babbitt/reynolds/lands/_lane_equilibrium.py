@@ -1,7 +1,7 @@
 """Kernels: the equilibria of many bearings, several side by side (``_lanes``).
 
-Every lane goes through the fast attempt of ``find_equilibrium`` at its own pace: one evaluation moves all lanes of a
-pool on by a step, and a lane that has settled hands over to the next pool and takes the next bearing. A pool for
+Every lane goes through the fast attempt of ``find_equilibrium`` at its own pace: one evaluation moves all lanes of
+a pool on by a step, and a lane that has settled hands over to the next pool and takes the next bearing. A pool for
 coarse grids, one for fine grids, one for the last look at settled films. What the fast attempt does not solve is
 solved alone.
 """
@@ -73,8 +73,8 @@ HEAD = 6  # x, y, status, steps, smallest gap, highest pressure; the result vect
 RUNNING, EMPTY = -1, -2  # further states of a lane
 
 
-# rows of the counts of every lane: bearing, state, steps on this grid and on those before, looks at the film of this step, steps
-# since the load is carried, whether the journal waits for the wet set
+# rows of the counts of every lane: bearing, state, steps on this grid and on those before, looks at the film of
+# this step, steps since the load is carried, whether the journal waits for the wet set
 BEARING, STATE, STEPS, TOTAL, LOOKS, CALM, HELD, COUNTS = range(8)
 
 
@@ -210,9 +210,7 @@ def advance(axial, conserving, pool, tolerance, max_steps, scratch):
     """Evaluate the films of a pool once and move its journals on."""
     grid, numbers, counts, result = pool.grid, pool.numbers, pool.counts, pool.result
     nodes, most_looks = grid.wet.size // LANES, 1 if conserving else grid.wet.shape[1]
-    lane_evaluate(
-        axial, conserving, grid, pool.edges, pool.film, pool.lines, numbers, bool(0), result
-    )
+    lane_evaluate(axial, conserving, grid, pool.edges, pool.film, pool.lines, numbers, bool(0), result)
     moves = 0
     for lane in range(LANES):
         numbers[MOVE_X, lane], numbers[MOVE_Y, lane] = 0.0, 0.0
@@ -288,7 +286,6 @@ def find_equilibria(
     axial,
     lands,
     kappa,
-    side_pressure,
     conserving,
     n_coarse,
     n_fine,
@@ -300,18 +297,21 @@ def find_equilibria(
     found,
     totals,
 ):
-    """Equilibria of bearings first..last - 1; lands (bearings, lands, columns), found (bearings, HEAD + 10).
+    """Equilibria of bearings first..last - 1, which share ``lands``, (lands, columns); found (bearings, HEAD + 10).
 
     Pressures, flows and torques (``totals``, (bearings, lands, TOTALS)) of those that settle only.
     """
-    m, count = len(axial.size), lands.shape[1]
+    m, count = len(axial.size), lands.shape[0]
     profiles = np.zeros((count, 0))
     scratch = np.zeros(RESULT_SIZE)
-    model = Bearing(lands[first], profiles, kappa[first], 1.0, 0.0, conserving, True, 1.0)
+    model = Bearing(lands, profiles, kappa[first], 1.0, 0.0, conserving, True, 1.0)
     nc, nf = intervals_of(model, n_coarse), intervals_of(model, n_fine)
     search, settling, last_look = new_pool(count, nc, m), new_pool(count, nf, m), new_pool(count, nf, m)
     coarse, other, fine = new_grid(count, nc, m), new_grid(count, nc, m), new_grid(count, nf, m)
     film_c, film_f = new_film(nc), new_film(nf)
+    start = new_grid(count, nc, m)
+    uniform_lines(model, start)
+    start_gap = smallest_gap(start, 0.0, 0.0)
     pressure = np.zeros((count, nf + 1, m + 1))
     void = np.zeros_like(pressure)
     following = first
@@ -326,7 +326,7 @@ def find_equilibria(
                 settling.counts[STATE, lane] = EMPTY
                 continue
             free = lane_with(last_look.counts, EMPTY)
-            bearing = Bearing(lands[b], profiles, kappa[b], 1.0, 0.0, conserving, True, 1.0)
+            bearing = Bearing(lands, profiles, kappa[b], 1.0, 0.0, conserving, True, 1.0)
             extract(settling.grid, lane, fine)
             insert(bearing, fine, film_f, last_look.grid, last_look.edges, free)
             assign(last_look.numbers, last_look.counts, free, b, kappa[b], load[b, 0], load[b, 1], 1.0, np.inf, 0)
@@ -344,7 +344,7 @@ def find_equilibria(
             free = lane_with(settling.counts, EMPTY)
             if free < 0:
                 break
-            bearing = Bearing(lands[b], profiles, kappa[b], 1.0, 0.0, conserving, True, 1.0)
+            bearing = Bearing(lands, profiles, kappa[b], 1.0, 0.0, conserving, True, 1.0)
             if draw_anew(
                 bearing, search.grid, search.edges, search.numbers, search.counts, lane, coarse, other, film_c
             ):
@@ -365,25 +365,24 @@ def find_equilibria(
             if search.counts[STATE, lane] == EMPTY and following < last:
                 b = following
                 following += 1
-                bearing = Bearing(lands[b], profiles, kappa[b], 1.0, 0.0, conserving, True, 1.0)
-                coarse.wet[:] = True
-                uniform_lines(bearing, coarse)
-                insert(bearing, coarse, film_c, search.grid, search.edges, lane)
+                insert(model, start, film_c, search.grid, search.edges, lane)
                 share = min(1.0, MODERATE_LOAD / max(math.hypot(load[b, 0], load[b, 1]), 1e-300))
                 assign(search.numbers, search.counts, lane, b, kappa[b], load[b, 0], load[b, 1], share, np.inf, 0)
-                begin(search.numbers, search.counts, lane, 0.0, 0.0, smallest_gap(coarse, 0.0, 0.0))
+                begin(search.numbers, search.counts, lane, 0.0, 0.0, start_gap)
         searching, full = lane_with(search.counts, RUNNING) >= 0, lane_with(settling.counts, EMPTY) < 0
         if lane_with(settling.counts, RUNNING) >= 0 and (full or not searching):
             advance(axial, conserving, settling, tolerance, max_steps, scratch)
         elif searching:
             advance(axial, conserving, search, COARSE, max_steps, scratch)
-        elif following == last and lane_with(search.counts, NO_FILM) < 0 and lane_with(settling.counts, NO_FILM) < 0:
+        elif (
+            following == last and lane_with(search.counts, NO_FILM) < 0 and lane_with(settling.counts, NO_FILM) < 0
+        ):
             break
     look(axial, lands, profiles, conserving, last_look, fine, film_f, pressure, void, found, totals)
     for b in range(first, last):
         if found[b, 2] != RUNNING:
             continue
-        bearing = Bearing(lands[b], profiles, kappa[b], 1.0, 0.0, conserving, True, 1.0)
+        bearing = Bearing(lands, profiles, kappa[b], 1.0, 0.0, conserving, True, 1.0)
         x, y, status, steps, gap, grid = find_equilibrium(
             axial, bearing, n_coarse, n_fine, load[b, 0], load[b, 1], 0.0, 0.0, tolerance, max_steps, scratch
         )
@@ -406,7 +405,7 @@ def look(axial, lands, profiles, conserving, pool, fine, film, pressure, void, f
         found[b, 0], found[b, 1], found[b, 2], found[b, 4] = x, y, CONVERGED, numbers[GAP, lane]
         for row in range(RESULT_SIZE):
             found[b, HEAD + row] = result[row, lane]
-        bearing = Bearing(lands[b], profiles, numbers[KAPPA, lane], 1.0, 0.0, conserving, True, 1.0)
+        bearing = Bearing(lands, profiles, numbers[KAPPA, lane], 1.0, 0.0, conserving, True, 1.0)
         extract(pool.grid, lane, fine)
         integrate(axial, bearing, fine, film, x, y, 0.0, 0.0, pressure, void, totals[b])
         found[b, 5] = pressure.max()

@@ -1,5 +1,5 @@
-"""Kernels: the films of several bearings side by side (``_lanes``), as ``_grids``, ``_elimination``, ``_endings`` and
-``_forces`` solve one at a time.
+"""Kernels: the films of several bearings side by side (``_lanes``), as ``_grids``, ``_elimination``, ``_endings``
+and ``_forces`` solve one at a time.
 
 All lanes treat a line alike: in modes where it is full in every lane, as a block where a node is dry in one. Lanes
 that do not need it find zeros there. Grooves and sides are at ambient pressure and the journal does not move, so
@@ -28,7 +28,9 @@ SHARE, LAST_GAP, STEP_TIME, LAST_SIZE, CHANGED, NUMBERS = range(11, 17)
 class LaneLines(NamedTuple):
     """Workspace of a land; in full lines the answers stand in modes, in others on nodes."""
 
-    answer: Array  # right-hand sides after the forward sweep, then u or sigma and both adjoints: (n + 1, 3, m, LANES)
+    answer: (
+        Array  # right-hand sides after the forward sweep, then u or sigma and both adjoints: (n + 1, 3, m, LANES)
+    )
     pivot: Array  # inverse modal pivots, (n + 1, m, LANES)
     inverse: Array  # inverse of the block of a line, (n + 1, m, m, LANES)
     before: Array  # the ends of the film (``_endings``), (n + 1, m, LANES)
@@ -64,15 +66,21 @@ def lane_lines(n, m):
     """Workspace of a land with n intervals and m axial unknowns, in lanes."""
     node = (n + 1, m, LANES)
     return LaneLines(
-        np.zeros((n + 1, 3, m, LANES)), np.ones(node), np.zeros((n + 1, m, m, LANES)), np.ones(node), np.ones(node),
-        np.full(node, 0.5), np.zeros((2, 3, m, LANES)), np.ones(n + 1, np.bool_),
+        np.zeros((n + 1, 3, m, LANES)), np.ones(node), np.zeros((n + 1, m, m, LANES)), np.ones(node),
+        np.ones(node), np.full(node, 0.5), np.zeros((2, 3, m, LANES)), np.ones(n + 1, np.bool_),
     )  # fmt: skip
 
 
 @inlined
 def lane_gap(grid, x, y):
     """Smallest gap at the Gauss points of all lands."""
-    gap_a, cos_a, sin_a, gap_b, cos_b = lent(grid.gap_a), lent(grid.cos_a), lent(grid.sin_a), lent(grid.gap_b), lent(grid.cos_b)
+    gap_a, cos_a, sin_a, gap_b, cos_b = (
+        lent(grid.gap_a),
+        lent(grid.cos_a),
+        lent(grid.sin_a),
+        lent(grid.gap_b),
+        lent(grid.cos_b),
+    )
     sin_b = lent(grid.sin_b)
     smallest = x * 0.0 + np.inf
     for k in range(grid.step.shape[0]):
@@ -87,10 +95,27 @@ def lane_gap(grid, x, y):
 @inlined
 def lane_coefficients(grid, k, x, y, film):
     """Coefficients of the films at the positions of the journals, on land k."""
-    step, cos_a, sin_a, cos_b, sin_b = lent(grid.step), lent(grid.cos_a), lent(grid.sin_a), lent(grid.cos_b), lent(grid.sin_b)
+    step, cos_a, sin_a, cos_b, sin_b = (
+        lent(grid.step),
+        lent(grid.cos_a),
+        lent(grid.sin_a),
+        lent(grid.cos_b),
+        lent(grid.sin_b),
+    )
     gap_a, gap_b = lent(grid.gap_a), lent(grid.gap_b)
-    conductance, conductance_x, conductance_y, couette, couette_x = lent(film.conductance), lent(film.conductance_x), lent(film.conductance_y), lent(film.couette), lent(film.couette_x)
-    couette_y, cubed, cubed_x, cubed_y = lent(film.couette_y), lent(film.cubed), lent(film.cubed_x), lent(film.cubed_y)
+    conductance, conductance_x, conductance_y, couette, couette_x = (
+        lent(film.conductance),
+        lent(film.conductance_x),
+        lent(film.conductance_y),
+        lent(film.couette),
+        lent(film.couette_x),
+    )
+    couette_y, cubed, cubed_x, cubed_y = (
+        lent(film.couette_y),
+        lent(film.cubed),
+        lent(film.cubed_x),
+        lent(film.cubed_y),
+    )
     n = grid.step.shape[1]
     zero = x * 0.0
     h0, h0_x, h0_y = zero, zero, zero  # what the interval before adds to its second line
@@ -101,11 +126,12 @@ def lane_coefficients(grid, k, x, y, film):
         cb, sb = get(cos_b, place), get(sin_b, place)
         ha = get(gap_a, place) - x * ca - y * sa
         hb = get(gap_b, place) - x * cb - y * sb
-        va, vb = 1.0 / ha, 1.0 / hb
+        per_both = 1.0 / (ha * hb)  # one division in place of two
+        va, vb = hb * per_both, ha * per_both
         a2, b2 = va * va, vb * vb
         a3, b3 = a2 * va, b2 * vb
-        per_j3 = 1.0 / (a3 + b3)
-        t = per_j3 / (12.0 * half)
+        t = 1.0 / (12.0 * half * (a3 + b3))
+        per_j3 = 12.0 * half * t
         q = 0.5 * (a2 + b2) * per_j3
         a4, b4 = a2 * a2 * per_j3, b2 * b2 * per_j3
         j3_x, j3_y = 3.0 * (ca * a4 + cb * b4), 3.0 * (sa * a4 + sb * b4)
@@ -200,8 +226,19 @@ def sweep_blocks(axial, conserving, kappa, grid, k, film, lines, broken, ends):
     """Forward elimination on nodes from the first broken line on; ``ends``: as ``apply_ends`` of one bearing."""
     answer, inverse, turned = lent(lines.answer), lent(lines.inverse), lent(lines.turned)
     wet, weight_x, weight_y = lent(grid.wet), lent(grid.weight_x), lent(grid.weight_y)
-    conductance, couette, inlet, cubed = lent(film.conductance), lent(film.couette), lent(film.inlet), lent(film.cubed)
-    some_wet, before_of, behind_of, fill_of, pivot = lines.some_wet, lent(lines.before), lent(lines.behind), lent(lines.fill), lent(lines.pivot)
+    conductance, couette, inlet, cubed = (
+        lent(film.conductance),
+        lent(film.couette),
+        lent(film.inlet),
+        lent(film.cubed),
+    )
+    some_wet, before_of, behind_of, fill_of, pivot = (
+        lines.some_wet,
+        lent(lines.before),
+        lent(lines.behind),
+        lent(lines.fill),
+        lent(lines.pivot),
+    )
     root_weights, stiffness, modes = axial.root_weights, axial.stiffness, axial.modes
     m = len(axial.size)
     n = grid.step.shape[1]
@@ -211,9 +248,7 @@ def sweep_blocks(axial, conserving, kappa, grid, k, film, lines, broken, ends):
         source = arriving - leaving
         if not some_wet[i]:
             if conserving:
-                sweep_dry(
-                    root_weights, wet, k, inlet, answer, inverse, some_wet, i, t0, arriving, leaving, m
-                )
+                sweep_dry(root_weights, wet, k, inlet, answer, inverse, some_wet, i, t0, arriving, leaving, m)
             continue
         stretch = kappa * get(cubed, (i,))
         ox, oy = get(weight_x, (k, i)), get(weight_y, (k, i))
@@ -337,7 +372,10 @@ def back_blocks(axial, conserving, grid, k, film, lines, broken):
             y0, y1, y2 = get(answer, (i, 0, b)), get(answer, (i, 1, b)), get(answer, (i, 2, b))
             if i < n - 1:
                 here, before = get(wet, (k, i + 1, b)), get(wet, (k, i, b))
-                lower, upper = lower_of(conserving, t, arriving, here, before), upper_of(conserving, t, here, before)
+                lower, upper = (
+                    lower_of(conserving, t, arriving, here, before),
+                    upper_of(conserving, t, here, before),
+                )
                 y0 = y0 - upper * get(answer, (i + 1, 0, b))
                 y1 = y1 - lower * get(answer, (i + 1, 1, b))
                 y2 = y2 - lower * get(answer, (i + 1, 2, b))
@@ -429,10 +467,21 @@ def lane_forces(axial, conserving, kappa, grid, k, film, lines, full, result):
     stiffness = axial.stiffness
     answer, turned = lent(lines.answer), lent(lines.turned)
     wet, weight_x, weight_y = lent(grid.wet), lent(grid.weight_x), lent(grid.weight_y)
-    inlet, couette_x, couette_y, conductance_x, conductance_y = lent(film.inlet), lent(film.couette_x), lent(film.couette_y), lent(film.conductance_x), lent(film.conductance_y)
+    inlet, couette_x, couette_y, conductance_x, conductance_y = (
+        lent(film.inlet),
+        lent(film.couette_x),
+        lent(film.couette_y),
+        lent(film.conductance_x),
+        lent(film.conductance_y),
+    )
     cubed_x, cubed_y = lent(film.cubed_x), lent(film.cubed_y)
     some_wet = lines.some_wet
-    mode_weights, modes, root_weights, eigenvalues = axial.mode_weights, axial.modes, axial.root_weights, axial.eigenvalues
+    mode_weights, modes, root_weights, eigenvalues = (
+        axial.mode_weights,
+        axial.modes,
+        axial.root_weights,
+        axial.eigenvalues,
+    )
     m = len(axial.size)
     n = grid.step.shape[1]
     zero = kappa * 0.0
@@ -576,7 +625,7 @@ def lane_reach(pressure, surplus):
 
 @inlined
 def find_lane_ends(axial, conserving, grid, k, film, lines, broken):
-    """Fill ``before``, ``behind``, ``fill`` of the nodes on lines that matter; returns the first of these, or n."""
+    """Fill ``before``, ``behind``, ``fill`` of the nodes on lines that matter; returns the first such line."""
     couette, conductance, value = lent(film.couette), lent(film.conductance), lent(grid.value)
     wet = lent(grid.wet)
     behind_of, fill_of, before_of = lent(lines.behind), lent(lines.fill), lent(lines.before)
@@ -591,7 +640,9 @@ def find_lane_ends(axial, conserving, grid, k, film, lines, broken):
             if any_of((before < 1.0) & (get(wet, (k, 1, j)) > 0.5)):
                 first = 1
     for i in range(first, n):
-        behind_surplus = (get(couette, (min(i + 1, n - 1),)) - get(couette, (min(i, n - 2),))) / get(conductance, (i,))
+        behind_surplus = (get(couette, (min(i + 1, n - 1),)) - get(couette, (min(i, n - 2),))) / get(
+            conductance, (i,)
+        )
         t0 = get(conductance, (i - 1,))
         arriving = get(couette, (i - 1,))
         before_surplus = (get(couette, (max(i - 1, 1),)) - get(couette, (max(i - 2, 0),))) / t0
@@ -615,7 +666,9 @@ def find_lane_ends(axial, conserving, grid, k, film, lines, broken):
 
 
 @spliced
-def lane_ends(stiffness, conserving, wet, k, before_of, behind_of, fill_of, inverse, turned, i, t0, t1, stretch, m):
+def lane_ends(
+    stiffness, conserving, wet, k, before_of, behind_of, fill_of, inverse, turned, i, t0, t1, stretch, m
+):
     """Put the ends of the film into the block and the adjoint right-hand sides of line i."""
     for b in range(m):
         before, behind, fill = get(before_of, (i, b)), get(behind_of, (i, b)), get(fill_of, (i, b))
@@ -636,8 +689,18 @@ def lane_ends(stiffness, conserving, wet, k, before_of, behind_of, fill_of, inve
 def add_lane_ends(axial, grid, k, film, lines, first, result):
     """Add to K and C what the ends of the film change, as ``add_ends`` of one bearing."""
     value, weight_x, weight_y = lent(grid.value), lent(grid.weight_x), lent(grid.weight_y)
-    couette_x, couette_y, conductance_x, conductance_y = lent(film.couette_x), lent(film.couette_y), lent(film.conductance_x), lent(film.conductance_y)
-    before_of, behind_of, fill_of, answer = lent(lines.before), lent(lines.behind), lent(lines.fill), lent(lines.answer)
+    couette_x, couette_y, conductance_x, conductance_y = (
+        lent(film.couette_x),
+        lent(film.couette_y),
+        lent(film.conductance_x),
+        lent(film.conductance_y),
+    )
+    before_of, behind_of, fill_of, answer = (
+        lent(lines.before),
+        lent(lines.behind),
+        lent(lines.fill),
+        lent(lines.answer),
+    )
     root_weights = axial.root_weights
     m = len(axial.size)
     n = grid.step.shape[1]
@@ -679,7 +742,6 @@ def lane_evaluate(axial, conserving, grid, edges, film, lines, numbers, smooth, 
     ``edges`` (lands, 3, LANES): flux into a line ruptured at its start for the journal in the origin, and its
     derivatives. Reads the rows KAPPA, X, Y of ``numbers``; fills ``result`` (10, LANES) and the row CHANGED.
     """
-    n = grid.step.shape[1]
     ratio, jx, jy = get(numbers, (KAPPA,)), get(numbers, (X,)), get(numbers, (Y,))
     total = ratio * 0.0
     for row in range(result.shape[0]):
