@@ -12,10 +12,15 @@ import operator
 from typing import Any
 
 from llvmlite import ir
-from numba import types
-from numba.extending import intrinsic, models, overload, register_model
+from numba import extending, types
+from numba.extending import models
 
 __all__ = ["LANES", "any_of", "get", "lent", "maximum", "minimum", "put", "where"]
+
+# their published types know only what Python calls
+intrinsic: Any = extending.intrinsic
+overload: Any = extending.overload
+register_model: Any = extending.register_model
 
 LANES = 4
 """Bearings side by side."""

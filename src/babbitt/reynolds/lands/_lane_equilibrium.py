@@ -297,7 +297,7 @@ def find_equilibria(
     found,
     totals,
 ):
-    """Equilibria of bearings first..last - 1, which share ``lands``, (lands, columns); found (bearings, HEAD + 10).
+    """Equilibria of bearings first..last - 1 that share ``lands``, (lands, columns); found (bearings, HEAD + 10).
 
     Pressures, flows and torques (``totals``, (bearings, lands, TOTALS)) of those that settle only.
     """
