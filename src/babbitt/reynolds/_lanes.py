@@ -9,6 +9,7 @@ were not: it cannot tell that the arrays are distinct.)
 from __future__ import annotations
 
 import operator
+from collections.abc import Callable
 from typing import Any
 
 from llvmlite import ir
@@ -18,9 +19,9 @@ from numba.extending import models
 __all__ = ["LANES", "any_of", "get", "lent", "maximum", "minimum", "put", "where"]
 
 # their published types know only what Python calls
-intrinsic: Any = extending.intrinsic
-overload: Any = extending.overload
-register_model: Any = extending.register_model
+intrinsic: Callable[[Callable[..., Any]], Any] = extending.intrinsic
+overload: Callable[[Any], Callable[[Callable[..., Any]], Any]] = extending.overload
+register_model: Callable[[Any], Callable[[type], type]] = extending.register_model
 
 LANES = 4
 """Bearings side by side."""

@@ -8,7 +8,7 @@ that pressures of grooves, sides and squeezed oil do not occur.
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy import bool_
@@ -44,10 +44,10 @@ class LaneLines(NamedTuple):
 def lane_grid(lands, n, m):
     """Grid of several lands in lanes, not filled yet; wet nodes hold 1, dry ones 0."""
     node, cell = (lands, n + 1, LANES), (lands, n, LANES)
+    wet: Any = np.ones((lands, n + 1, m, LANES))  # masks of numbers, where a grid of one bearing has truths
     return Grid(
         np.zeros(node), np.ones(cell), np.ones(cell), np.zeros(cell), np.ones(cell), np.zeros(cell),
-        np.ones(cell), np.ones(cell), np.zeros(node), np.zeros(node), np.ones((lands, n + 1, m, LANES)),
-        np.zeros((lands, n + 1, m, LANES)),
+        np.ones(cell), np.ones(cell), np.zeros(node), np.zeros(node), wet, np.zeros((lands, n + 1, m, LANES)),
     )  # fmt: skip
 
 
