@@ -13,7 +13,7 @@ from numba import typeof
 
 import babbitt
 from babbitt.reynolds import _compiling
-from babbitt.reynolds.lands._batch import find_equilibria
+from babbitt.reynolds.lands._lane_equilibrium import find_equilibria
 from babbitt.reynolds.lands.operators import kernel_operator
 
 PACKAGE = Path(babbitt.__file__).parent

@@ -12,9 +12,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from babbitt.core.notices import InputError
-from babbitt.reynolds._structs import LAND_COLUMNS
+from babbitt.reynolds._structs import CLEARANCE, END, LAND_COLUMNS, START
 from babbitt.reynolds.bore import check_lands
-from babbitt.reynolds.lands._batch import HEAD, find_equilibria
 from babbitt.reynolds.lands._equilibrium import CONVERGED
 from babbitt.reynolds.lands._forces import RESULT_SIZE
 from babbitt.reynolds.lands._integrals import (
@@ -26,6 +25,7 @@ from babbitt.reynolds.lands._integrals import (
     SIDE_INFLOW,
     TOTALS,
 )
+from babbitt.reynolds.lands._lane_equilibrium import HEAD, find_equilibria
 from babbitt.reynolds.lands.operators import kernel_operator
 from babbitt.reynolds.model import ENGINEERING, Cavitation, Land, Resolution
 
@@ -126,7 +126,8 @@ def solve_batch(
     resolution : Resolution
     max_steps : int
     workers : int, optional
-        Threads; by default as many as there are cores. The answer does not depend on it.
+        Threads; by default as many as there are cores. The answer does not depend on it; in the last digits it
+        depends on the neighbours, with which a bearing is solved side by side.
     progress : callable, optional
         Called with how many bearings are done, and how many there are.
 
@@ -164,21 +165,20 @@ def solve_batch(
         )
     pressure = eta * omega * (0.5 * d / c) ** 2
     unit = pressure * 0.5 * d * b
-    table = np.zeros((count, len(lands), LAND_COLUMNS))
-    for k, land in enumerate(lands):
-        table[:, k, 0], table[:, k, 1], table[:, k, 2] = land.start_angle, land.end_angle, 1.0
-        table[:, k, 5], table[:, k, 6] = land.start_pressure / pressure, land.end_pressure / pressure
+    table = np.zeros((len(lands), LAND_COLUMNS))
+    for row, land in zip(table, lands, strict=True):
+        row[START], row[END], row[CLEARANCE] = land.start_angle, land.end_angle, 1.0
     wanted = np.broadcast_to(force, (count, 2)) / unit[:, None]
     found = np.empty((count, HEAD + RESULT_SIZE))
     totals = np.full((count, len(lands), TOTALS), np.nan)
     found[:, HEAD - 1] = np.nan
-    wanted, kappa, side = np.ascontiguousarray(wanted), (d / b) ** 2 / 12.0, np.zeros(count)
+    wanted, kappa = np.ascontiguousarray(wanted), (d / b) ** 2 / 12.0
     axial = kernel_operator(resolution.axial_unknowns)
-    chunk = max(1, min(64, count // (4 * (os.cpu_count() or 1))))
+    chunk = max(8, min(64, count // 16))  # of the count alone: neighbours tell in the last digits
 
     def settle(first: int) -> None:
         find_equilibria(
-            axial, table, kappa, side,
+            axial, table, kappa,
             cavitation is Cavitation.MASS_CONSERVING, resolution.coarse_intervals, resolution.intervals, wanted,
             resolution.tolerance, max_steps, first, min(first + chunk, count), found, totals,
         )  # fmt: skip
