@@ -3,8 +3,9 @@
     python tests/compile_kernels.py
 
 Workers that begin with an empty cache would each compile the same kernels. The halves take about the same time and
-have few kernels in common: bearings with temperatures or misalignment, whose films differ across the width;
-tilting pads, and then films of grooved bores, which find some of what they need compiled by the first half.
+have few kernels in common: bearings with temperatures or misalignment, whose films differ across the width, and
+batches; tilting pads, and then films of grooved bores, which find some of what they need compiled by the first
+half.
 """
 
 from __future__ import annotations
@@ -69,6 +70,15 @@ def compile_pads() -> None:
     find_thermal_tilting_pads(bearing, (0.0, -5e3), heat, Resolution(4, 24))
 
 
+def compile_batch() -> None:
+    """Solve a batch on the usual grid."""
+    from babbitt.reynolds.lands.batch import solve_batch
+    from babbitt.reynolds.model import Resolution, grooved_bore
+
+    lands = grooved_bore((0.0, 3.0), 0.35)
+    solve_batch(0.2, 0.12, [140e-6, 150e-6], 0.02, 300.0, (0.0, -3e4), lands, resolution=Resolution(4, 48))
+
+
 def compile_half(half: int) -> None:
     """Solve bearings whose films need the kernels of one half."""
     from babbitt.case import case_from_dict
@@ -80,6 +90,8 @@ def compile_half(half: int) -> None:
     for changes in HALVES[half]:
         fields = {name: value for name, value in (BEARING | changes).items() if value is not None}
         solve(case_from_dict(fields))
+    if half == 0:
+        compile_batch()
 
 
 def main() -> int:
