@@ -53,7 +53,7 @@ LEFT_OUT = {
     "angular_span": ("span", "supply_element", "pockets"),
     "expansion_bearing": ("materials.bearing",),
     "expansion_journal": ("materials.journal",),
-    "Form of the bore": ("bore",),
+    "Form of the bore": ("bore", "displacement"),
     "Direction of the load from +x": ("load_angle",),
     "Character of the load": ("materials.load_character",),
     "Clearance case": ("clearance_cases",),
