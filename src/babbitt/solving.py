@@ -36,6 +36,8 @@ class MachineResult:
         The case file as it was read; empty where there was none.
     source, notes : str
         What the case says of itself.
+    assumptions : tuple of str
+        What the case itself assumes, in its words.
     title_block : TitleBlock or None
         Of the report.
     given : Mapping
@@ -49,6 +51,7 @@ class MachineResult:
     case_text: str = ""
     source: str = ""
     notes: str = ""
+    assumptions: tuple[str, ...] = ()
     title_block: TitleBlock | None = None
     given: Mapping[str, frozenset[str]] = field(default_factory=dict)
 
@@ -106,6 +109,7 @@ def solve(case: CaseFile, progress: ProgressCallback = no_progress) -> MachineRe
         case_text=case.text,
         source=getattr(case, "source", ""),
         notes=getattr(case, "notes", ""),
+        assumptions=tuple(getattr(case, "assumptions", ())),
         title_block=case.title_block,
         given=given_fields(case, (one.problem for one in solutions)),
     )

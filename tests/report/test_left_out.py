@@ -152,3 +152,13 @@ def test_fields_in_remedies_are_set_as_code():
     title = title_content(None, datetime.date(2026, 1, 1))
     page = typeset(made | {"title": title}, "report.typ", "html").decode()
     assert "Try <code>method: film</code> once." in page
+
+
+def test_the_bore_of_a_fit_is_not_the_form_of_the_bore():
+    """`clearance.bore` was taken for the `bore` of the bearing."""
+    fit = SAID.replace("{kind: relative, mean: 1.5 permille}", "{kind: fit, bore: H7, journal: d8}")
+    form = "method: film\ngrooves: [{angle: 90 deg, extent: 20 deg}]\n"
+    fit = fit.replace("span: 180 deg\n", form).replace(
+        "supply_element: {kind: pocket, width: 40 mm, place: both_sides}\n", "effective_temperature: 60 degC\n"
+    )
+    assert "Form of the bore" in marked(parse_case(fit))

@@ -241,6 +241,26 @@ def test_texts_have_their_values_in_both_systems():
         assert in_us_units(table)["rows"] == [["1", "1"]]
 
 
+@pytest.mark.parametrize(("said", "turned"), [
+    ("expands by 12e-6 1/K", "expands by 0.000006667 1/°F"),
+    ("0.01 L/(min MPa)", "0.00001821 gpm/psi"),
+    ("1.2 × 10^−5 m", "0.00003937 ft"),
+    ("warms by 10 °C", "warms by 18 °F"),
+    ("±5 °C", "±9 °F"),
+])  # fmt: skip
+def test_small_numbers_and_differences_are_turned_as_such(said, turned):
+    """12e-6 1/K was said to be 0 1/°F, and mantissa and power of ten were turned apart."""
+    with displayed_in("us"):
+        assert in_us_units(said) == turned
+
+
+def test_assumptions_of_the_case_stay_in_its_words():
+    own = "Drawing 4711-2, 30 mm; oil rises by 10 °C"
+    machine = solve(parse_case(template("journal") + f'\nassumptions: ["{own}"]\n'))
+    with displayed_in("us"):
+        assert own in content(machine)["bearings"][0]["assumptions"]
+
+
 def test_texts_in_other_languages_keep_their_decimal_comma():
     from babbitt.core.language import written_in
 

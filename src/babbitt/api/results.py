@@ -343,6 +343,7 @@ class BearingResult:
             (solved,),
             self.case_hash,
             case_text=self.case_text,
+            assumptions=() if case is None else tuple(getattr(case, "assumptions", ())),
             title_block=None if case is None else case.title_block,
             given={} if case is None else given_fields(case, [solved.problem]),
         )

@@ -97,7 +97,7 @@ def content(machine: MachineResult, level: Level = Level.FULL) -> Data:
         "checker": checker_content(parts, worst) if level is not Level.SUMMARY else None,
         "case_text": plain_lines(machine.case_text).strip("\n") if level is Level.FULL else "",
     }
-    return dict(in_us_units(said))
+    return dict(in_us_units(said, own_words={plain_text(one) for one in machine.assumptions}))
 
 
 def _governing(results: Sequence[Result]) -> Data | None:

@@ -76,10 +76,14 @@ class Row:
         given : collection of str
             Paths of the fields that the case has written; empty where that is not known.
         """
-        fields = {**left_out, **OIL}.get(self.name or self.label.partition(", pad ")[0])
-        return bool(fields and given) and not any(
-            path == one or path.endswith(f".{one}") for one in fields or () for path in given
-        )
+        fields = {**left_out, **OIL}.get(self.name or self.label.partition(", pad ")[0], ())
+        return bool(fields and given) and not any(_is_field(path, one) for one in fields for path in given)
+
+
+def _is_field(path: str, field: str) -> bool:
+    """Whether a path ends at a field; one that is named alone stands in a case, bearing or operating point."""
+    within = path.removeprefix("bearings.").removeprefix("operating_points.")
+    return within == field or ("." in field and path.endswith(f".{field}"))
 
 
 @dataclass(frozen=True)

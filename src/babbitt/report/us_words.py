@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from typing import Any
 
 from babbitt.core.language import decimal, translated
@@ -74,7 +74,7 @@ def _partners() -> dict[str, tuple[str, float, float]]:
 
 PARTNERS = _partners()
 
-_SIGN, _NUMBER = r"[+±−-]?", r"\d+(?:[.{comma}]\d+)?(?:e[+−-]?\d+)?"
+_SIGN, _NUMBER = r"[+±−-]?", r"\d+(?:[.{comma}]\d+)?(?:(?:e| × 10\^)[+−-]?\d+)?"
 _UNIT = "|".join(re.escape(unit) for unit in sorted(PARTNERS, key=len, reverse=True))
 _NAMED = re.compile(rf"(?<= in )(?:{_UNIT})(?=$|[ ),.;:])")
 _BETWEEN = r"(?:, | to | and | × | bis | und | и | до |…| – )"
@@ -83,7 +83,7 @@ _BETWEEN = r"(?:, | to | and | × | bis | und | и | до |…| – )"
 def _patterns(comma: str) -> tuple[re.Pattern[str], re.Pattern[str]]:
     number = _SIGN + _NUMBER.format(comma=comma)
     before, behind = r"(?<![\w.,/^*°])(?<!pad )(?<!recess )", r"(?![\w/²³°(^])"
-    run = rf"{before}({number}(?:{_BETWEEN}{number})*)[ \u00a0\u2009]({_UNIT}){behind}"
+    run = rf"{before}(by )?({number}(?:{_BETWEEN}{number})*)[ \u00a0\u2009]({_UNIT}){behind}"
     return re.compile(number), re.compile(run)
 
 
@@ -106,7 +106,7 @@ OF_THE_CASE = ("Name", "Notes", "Source", "Source of the numbers", "Operating po
 """Rows of inputs whose values are words of the case."""
 
 
-def in_us_units(data: Any, digits: int = DIGITS) -> Any:
+def in_us_units(data: Any, digits: int = DIGITS, own_words: Collection[str] = ()) -> Any:
     """What a report says, in the units that are spoken: in the SI as it is.
 
     Parameters
@@ -116,6 +116,8 @@ def in_us_units(data: Any, digits: int = DIGITS) -> Any:
         ``columns`` with units and ``rows``, have their numbers and units apart.
     digits : int
         Significant digits of a number at least.
+    own_words : collection of str
+        Texts of the case that stay as they are.
 
     Examples
     --------
@@ -124,7 +126,7 @@ def in_us_units(data: Any, digits: int = DIGITS) -> Any:
     ...     in_us_units("pocket 40 mm wide, 100 to 115 °C, 2 pads"), in_us_units({"value": "20", "unit": "kN"})
     ('pocket 1.575 in wide, 212 to 239 °F, 2 pads', {'value': '4496', 'unit': 'lbf'})
     """
-    return _converted(data, digits) if is_spoken("us") else data
+    return _converted(data, digits, own_words) if is_spoken("us") else data
 
 
 def numbers_in_us_units(said: str, unit: str) -> str:
@@ -142,17 +144,17 @@ def units_named_in_us_units(said: str) -> str:
     return _NAMED.sub(lambda found: PARTNERS[found[0]][0], said)
 
 
-def _converted(data: Any, digits: int) -> Any:
+def _converted(data: Any, digits: int, own_words: Collection[str]) -> Any:
     if isinstance(data, str):
-        return _text(data, digits)
+        return data if data in own_words else _text(data, digits)
     if isinstance(data, list | tuple):
-        return type(data)(_converted(one, digits) for one in data)
+        return type(data)(_converted(one, digits, own_words) for one in data)
     if not isinstance(data, Mapping):
         return data
     if data.get("label") in [translated(one) for one in OF_THE_CASE]:
         return data
     made = {
-        key: one if _stays(key, one) else _converted(one, OF_RESULTS if key in RESULTS else digits)
+        key: one if _stays(key, one) else _converted(one, OF_RESULTS if key in RESULTS else digits, own_words)
         for key, one in data.items()
     }
     if isinstance(made.get("caption"), str):
@@ -200,8 +202,9 @@ def _text(said: str, digits: int) -> str:
     number, run = _pattern()
 
     def turned(found: re.Match[str]) -> str:
-        unit = found[2]
-        return f"{number.sub(lambda one: _number(one[0], unit, digits), found[1])} {PARTNERS[unit][0]}"
+        by, numbers, unit = found[1] or "", found[2], found[3]
+        turned = number.sub(lambda one: _number(one[0], unit, digits, is_difference=bool(by)), numbers)
+        return f"{by}{turned} {PARTNERS[unit][0]}"
 
     return run.sub(turned, said)
 
@@ -210,16 +213,18 @@ def _pattern() -> tuple[re.Pattern[str], re.Pattern[str]]:
     return WITH_COMMA if decimal("0.5") != "0.5" else ENGLISH
 
 
-def _number(said: str, unit: str, least: int = DIGITS) -> str:
+def _number(said: str, unit: str, least: int = DIGITS, *, is_difference: bool = False) -> str:
     """A number in the partner of its unit, as finely as it was written, to some digits at least.
 
     >>> _number("120.035", "mm"), _number("5", "um"), _number("0", "µm"), _number("20", "°C"), _number("500", "kN")
     ('4.72579', '0.1969', '0', '68', '112400')
+    >>> _number("1.2 × 10^−5", "m"), _number("12e-6", "m"), _number("±5", "°C")
+    ('0.00003937', '0.00003937', '±9')
     """
-    plain = said.replace(",", ".").replace("−", "-").lstrip("±")
+    plain = said.replace(" × 10^", "e").replace(",", ".").replace("−", "-").lstrip("±")
     sign = "±" if said.startswith("±") else "+" if said.startswith("+") else ""
     _, factor, offset = PARTNERS[unit]
-    value = float(plain) * factor + offset
+    value = float(plain) * factor + (0.0 if is_difference or sign == "±" else offset)
     mantissa, _, power = plain.partition("e")
     step = abs(factor) * 10.0 ** (int(power or 0) - len(mantissa.partition(".")[2]))
     if value == 0.0:
@@ -227,6 +232,6 @@ def _number(said: str, unit: str, least: int = DIGITS) -> str:
     size = math.floor(math.log10(abs(value)))
     digits = max(least, 1 + size - math.floor(math.log10(step)))
     shown = f"{value:.{digits}g}"
-    if "e" in shown and size < LONGEST:
-        shown = f"{float(shown):.0f}"
+    if "e" in shown and -LONGEST < size < LONGEST:
+        shown = f"{float(shown):.{max(digits - 1 - size, 0) if size < 0 else 0}f}"
     return sign + decimal(shown).replace("-", "−" if "−" in said else "-")

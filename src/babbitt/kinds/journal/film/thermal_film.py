@@ -143,6 +143,7 @@ def _settled_clearance(case: FilmCase, reached: _Reached, sought: ThermalSearch)
         state = reached.state = _thermal_state(case, psi, at, sought)
         if sought.growth is not None:
             psi, at, sought.growth = state.relative_clearance, sought.growth.now.temperature, None
+            reached.relative_clearance, reached.temperature = psi, at
         sought.climbs = False
         grown = _grown_clearance(case, state)
         here = (psi, grown - psi)
