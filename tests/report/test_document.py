@@ -46,6 +46,7 @@ class Solved:
     case_text: str = ""
     source: str = ""
     notes: str = ""
+    assumptions: tuple[str, ...] = ()
     title_block: None = None
     given: Mapping[str, frozenset[str]] = field(default_factory=dict)
 
