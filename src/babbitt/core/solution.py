@@ -105,7 +105,7 @@ class Method(ABC):
         return found
 
     def only(self, problem: Any, quantities: Collection[str]) -> Any:
-        """The problem without searches that tell none of some quantities, no limit and no doubt; here the same."""
+        """The problem without searches that tell none of some quantities and no limit; here the same."""
         return problem
 
     def refuse(self, problem: Any) -> None:  # noqa: B027 - most methods refuse nothing

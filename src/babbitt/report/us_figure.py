@@ -18,7 +18,14 @@ from matplotlib.projections.polar import RadialLocator
 from matplotlib.text import Text
 from matplotlib.ticker import FixedLocator, FuncFormatter, Locator, LogFormatter, NullFormatter, NullLocator
 
-from babbitt.report.us_words import OF_RESULTS, PARTNERS, in_us_units, numbers_in_us_units, units_named_in_us_units
+from babbitt.report.us_words import (
+    OF_RESULTS,
+    PARTNERS,
+    UNITS,
+    in_us_units,
+    numbers_in_us_units,
+    units_named_in_us_units,
+)
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -33,8 +40,7 @@ COLOURBAR = "<colorbar>"
 LONG = 1e5
 """Number from which the label of an axis takes a power of ten."""
 
-_UNIT = "|".join(re.escape(unit) for unit in sorted(PARTNERS, key=len, reverse=True))
-_NAMED = re.compile(rf" in ({_UNIT})(?=$|[ ),])")
+_NAMED = re.compile(rf" in ({UNITS})(?=$|[ ),])")
 
 
 def turn_figure(figure: Figure) -> None:

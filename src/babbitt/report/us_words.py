@@ -15,7 +15,7 @@ from typing import Any
 from babbitt.core.language import decimal, translated
 from babbitt.core.quantities.display import SI, US, DisplayUnit, is_spoken
 
-__all__ = ["OF_RESULTS", "PARTNERS", "in_us_units", "numbers_in_us_units", "units_named_in_us_units"]
+__all__ = ["OF_RESULTS", "PARTNERS", "UNITS", "in_us_units", "numbers_in_us_units", "units_named_in_us_units"]
 
 DIGITS, OF_RESULTS = 4, 3
 """Significant digits at least: of inputs, which may be exact with one digit, and of results, which are not."""
@@ -75,15 +75,15 @@ def _partners() -> dict[str, tuple[str, float, float]]:
 PARTNERS = _partners()
 
 _SIGN, _NUMBER = r"[+±−-]?", r"\d+(?:[.{comma}]\d+)?(?:(?:e| × 10\^)[+−-]?\d+)?"
-_UNIT = "|".join(re.escape(unit) for unit in sorted(PARTNERS, key=len, reverse=True))
-_NAMED = re.compile(rf"(?<= in )(?:{_UNIT})(?=$|[ ),.;:])")
+UNITS = "|".join(re.escape(unit) for unit in sorted(PARTNERS, key=len, reverse=True))
+_NAMED = re.compile(rf"(?<= in )(?:{UNITS})(?=$|[ ),.;:])")
 _BETWEEN = r"(?:, | to | and | × | bis | und | и | до |…| – )"
 
 
 def _patterns(comma: str) -> tuple[re.Pattern[str], re.Pattern[str]]:
     number = _SIGN + _NUMBER.format(comma=comma)
     before, behind = r"(?<![\w.,/^*°])(?<!pad )(?<!recess )", r"(?![\w/²³°(^])"
-    run = rf"{before}(by )?({number}(?:{_BETWEEN}{number})*)[ \u00a0\u2009]({_UNIT}){behind}"
+    run = rf"{before}(by )?({number}(?:{_BETWEEN}{number})*)[ \u00a0\u2009]({UNITS}){behind}"
     return re.compile(number), re.compile(run)
 
 
