@@ -31,3 +31,15 @@ def test_random_bearings(name: str) -> None:
         if outcome.faults:
             faults[index] = outcome.faults
     assert not faults
+
+
+DEPENDED = {
+    "film, grooved": "1127001 film, grooved 1361",  # the threshold speed on the axes
+    "film, pockets": "1127001 film, pockets 1202",  # the flow without supply pressure on the axes
+    "film, thermal": "1127001 film, thermal 53",  # two sets of wet nodes on the units of a wall
+}
+
+
+@pytest.mark.parametrize("name", DEPENDED)
+def test_what_once_depended_on_axes_or_units(name: str) -> None:
+    assert not FAMILIES[name](DEPENDED[name]).faults

@@ -40,6 +40,8 @@ from journal_frames import mirrored, turned
 from pumped_trial import MAKERS, faults
 from thrust_cases import on_other_pads, thrust_case, thrust_line_case
 
+from babbitt.core.result import Outcome as Ending
+
 __all__ = ["FAMILIES"]
 
 WRITTEN = {"order": reordered, "units": in_other_units}
@@ -75,9 +77,14 @@ FAMILIES: dict[str, Trial] = {
 """Trial of a seed for every family; every kind of bearing adds its own."""
 
 ON_OTHER_PADS = {"turned": on_other_pads, **WRITTEN}
+NOT_CARRIED = frozenset({Ending.OVERLOADED, Ending.NOT_CONVERGED})
+"""Of too large a thrust: whether the pad that is lost first touches the collar or falls over may turn on last digits
+(1 of 94)."""
 FAMILIES |= {
-    "thrust": partial(faults_of, Family(thrust_case, ON_OTHER_PADS, SAME_WARM, {"collar_moment": SHARED})),
-    "shaft line": partial(faults_of, Family(thrust_line_case, ON_OTHER_PADS, SAME_WARM)),
+    "thrust": partial(
+        faults_of, Family(thrust_case, ON_OTHER_PADS, SAME_WARM, {"collar_moment": SHARED}, NOT_CARRIED)
+    ),
+    "shaft line": partial(faults_of, Family(thrust_line_case, ON_OTHER_PADS, SAME_WARM, {}, NOT_CARRIED)),
 }
 
 

@@ -22,6 +22,7 @@ import numpy as np
 from babbitt.case import CaseFile, case_from_dict
 from babbitt.case.problems import CaseError
 from babbitt.core.notices import InputError
+from babbitt.core.result import Outcome as Ending
 from babbitt.core.result import Result
 from babbitt.solving import solve
 
@@ -91,12 +92,15 @@ class Family:
         Bound on the relative change of every value but angles; units have their own.
     wider : mapping
         Bounds of single values, in place of that where they are wider.
+    alike : frozenset of Outcome
+        Ends without a solution that count as one.
     """
 
     draw: Callable[[random.Random], Case]
     rewritings: Mapping[str, Rewriting] = field(default_factory=dict)
     same: float = SAME
     wider: Mapping[str, float] = field(default_factory=dict)
+    alike: frozenset[Ending] = frozenset()
 
 
 @dataclass(frozen=True)
@@ -126,7 +130,7 @@ def faults_of(family: Family, seed: int | str) -> Outcome:
                 bound = max(SAME_UNITS, family.same) if name == "units" else family.same
                 other = read(rewrite(case, rng))
                 if other != given:  # what is read as the same case is not solved again
-                    faults += [f"{name}: {one}" for one in changes(found, answers(other), bound, family.wider)]
+                    faults += [f"{name}: {one}" for one in changes(found, answers(other), bound, family)]
     except Exception as error:  # any traceback is a fault
         return Outcome((f"{type(error).__name__}: {error}",), "traceback", time.process_time() - start)
     return Outcome(tuple(faults), status_of(found), seconds)
@@ -189,16 +193,16 @@ def imbalances(result: Result, case: Case) -> Iterator[str]:
 
 
 def changes(
-    one: tuple[Result, ...] | str, other: tuple[Result, ...] | str, bound: float, wider: Mapping[str, float]
+    one: tuple[Result, ...] | str, other: tuple[Result, ...] | str, bound: float, family: Family
 ) -> Iterator[str]:
-    """What differs between two answers by more than a bound."""
+    """What differs between two answers of a family by more than a bound."""
     if isinstance(one, str) or isinstance(other, str):
         if one != other:
             told = [f"refused for {part}" if isinstance(part, str) else status_of(part) for part in (one, other)]
             yield " became ".join(told)
         return
     for first, second in zip(one, other, strict=True):
-        if first.outcome is not second.outcome:
+        if first.outcome is not second.outcome and not {first.outcome, second.outcome} <= family.alike:
             yield f"{first.outcome.name} became {second.outcome.name}"
             continue
         if not first.outcome.solved or unsettled(first) or unsettled(second):
@@ -210,7 +214,7 @@ def changes(
             elif not close(
                 numbers[name],
                 others[name],
-                max(bound * (AMPLIFICATION if name in AMPLIFIED else 1.0), {**SEARCHED, **wider}.get(name, 0.0)),
+                max(bound * (AMPLIFICATION if name in AMPLIFIED else 1.0), {**SEARCHED, **family.wider}.get(name, 0.0)),
                 scale_of(name, numbers),
             ):
                 yield f"{name} {numbers[name]:.12g} became {others[name]:.12g}"

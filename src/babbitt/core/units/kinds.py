@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from decimal import Decimal
 
 ZERO_CELSIUS = 273.15
 """K."""
@@ -74,12 +75,15 @@ class Kind:
         return self.name or self.unit
 
     def to_si(self, number: float, unit: str) -> float:
-        """Convert from an everyday unit.
+        """Convert from an everyday unit, in decimals: what is written in two units is one number to the last digit.
 
-        >>> round(KINDS["K"].to_si(50.0, "degC"), 2)
-        323.15
+        >>> KINDS["K"].to_si(50.0, "degC"), KINDS["m"].to_si(268.36, "mm")
+        (323.15, 0.26836)
         """
-        return number * self.everyday[unit] + self.offsets.get(unit, 0.0)
+        factor, offset = self.everyday[unit], self.offsets.get(unit, 0.0)
+        if not math.isfinite(number):
+            return number * factor + offset
+        return float(Decimal(repr(float(number))) * Decimal(repr(factor)) + Decimal(repr(offset)))
 
     def from_si(self, value: float, unit: str) -> float:
         """Convert to an everyday unit.

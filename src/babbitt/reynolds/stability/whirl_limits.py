@@ -30,6 +30,8 @@ FASTEST = 10.0
 
 SPEED_TOLERANCE = 1e-4
 """Relative, of a speed sought: a tenth of what the grid leaves open."""
+EXCESS_DECIMALS = 9
+"""Of the excess while its change of sign is sought."""
 SEARCH_STEP = 1.25
 """Ratio of the speeds at which the search looks."""
 
@@ -79,11 +81,12 @@ def crossing(excess: Callable[[float], float], speed: float, blur: float = 0.0) 
     """Speed at which a function turns from positive to negative: above a stable speed, below an unstable one.
 
     None where there is none in sight, or the function has no value on the way. Values up to ``blur`` count as
-    zero.
+    zero. All are rounded far below what a grid leaves open: where they jump, round-off would decide which of the
+    neighbouring crossings is found.
     """
 
     def seen(at: float) -> float:
-        value = excess(at)
+        value = round(excess(at), EXCESS_DECIMALS)
         return 0.0 if abs(value) <= blur else value
 
     here = seen(speed)

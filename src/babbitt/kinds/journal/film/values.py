@@ -26,6 +26,7 @@ from babbitt.kinds.journal.film.model import FilmCase
 from babbitt.kinds.journal.film.thermal_results import flow_without_pressure, thermal_values
 from babbitt.kinds.journal.film.unloaded import NEEDS_A_LOAD, NOTHING_CARRIED, is_unloaded
 from babbitt.reynolds.equilibrium.starved import FedFilm
+from babbitt.reynolds.frame import LoadFrame
 from babbitt.reynolds.model import FilmStart, JournalFilm
 
 if TYPE_CHECKING:
@@ -167,9 +168,10 @@ def _flows_of_causes(case: FilmCase, state: FilmState, flow: float, film: Journa
         return {"side_flow": flow, "supply_flow": 0.0, "total_flow": flow}
     from babbitt.reynolds.equilibrium.position import film_at_position
 
-    x, y = state.solution.position
     if state.thermal is None:
-        found = film_at_position(calm, (x, y), resolution=case.accuracy.resolution)
+        (x, y), (along, up) = state.solution.position, state.solution.force
+        frame = LoadFrame.of(calm, (-float(along), -float(up)))
+        found = film_at_position(frame.film, frame.start((x, y)), resolution=case.accuracy.resolution)
         alone = found.leaving_flow if found.outcome.solved else math.nan
     else:
         alone = flow_without_pressure(case, state, calm)
