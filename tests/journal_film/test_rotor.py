@@ -181,6 +181,16 @@ def test_a_threshold_is_sought_as_finely_as_its_function_is_known():
     assert len(asked) <= 7
 
 
+@pytest.mark.parametrize("last_digits", [1e-15, -3e-15])
+def test_round_off_does_not_choose_between_neighbouring_crossings(last_digits):
+    """A reserve that jumps between two values in turns, as two sets of wet nodes give it."""
+
+    def excess(speed, off=0.0):
+        return math.log(115.0 / speed) + off + 3e-3 * math.copysign(1.0, math.sin(1e13 * speed))
+
+    assert crossing(lambda speed: excess(speed, last_digits), 100.0) == crossing(excess, 100.0)
+
+
 @given(any_films(), st.floats(0.01, 100.0))
 def test_a_rotor_is_stable_within_the_stable_masses_and_nowhere_else(film, mass):
     stable = stable_masses(*film)
