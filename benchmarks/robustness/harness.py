@@ -201,6 +201,7 @@ def changes(
             told = [f"refused for {part}" if isinstance(part, str) else status_of(part) for part in (one, other)]
             yield " became ".join(told)
         return
+    wider = {**SEARCHED, **family.wider}
     for first, second in zip(one, other, strict=True):
         if first.outcome is not second.outcome and not {first.outcome, second.outcome} <= family.alike:
             yield f"{first.outcome.name} became {second.outcome.name}"
@@ -214,7 +215,7 @@ def changes(
             elif not close(
                 numbers[name],
                 others[name],
-                max(bound * (AMPLIFICATION if name in AMPLIFIED else 1.0), {**SEARCHED, **family.wider}.get(name, 0.0)),
+                max(bound * (AMPLIFICATION if name in AMPLIFIED else 1.0), wider.get(name, 0.0)),
                 scale_of(name, numbers),
             ):
                 yield f"{name} {numbers[name]:.12g} became {others[name]:.12g}"

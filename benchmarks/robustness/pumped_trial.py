@@ -58,8 +58,8 @@ SLOPES = {
 """By differences of values or of stiffnesses, whose round-off is larger."""
 AXES = re.compile(r"^(stiffness|damping)_")
 OF_THE_PLACE = {"total_flow", "pumping_power", "pump_power"}
-"""Of jacking pockets, with the place to which the shaft rolls: where the sideward force hardly changes, its round-off
-of 1e-11 of the whole force moves that by more than round-off (1.5e-9 of the flow in 1 of 94)."""
+"""Of jacking pockets, with the place to which the shaft rolls: where the sideward force hardly changes, its
+round-off of 1e-11 of the whole force moves that by more than round-off (1.5e-9 of the flow in 1 of 94)."""
 ROLLED = 1e-8
 SMALL = {
     "grid_error": 1e-9,

@@ -75,7 +75,7 @@ class Kind:
         return self.name or self.unit
 
     def to_si(self, number: float, unit: str) -> float:
-        """Convert from an everyday unit, in decimals: what is written in two units is one number to the last digit.
+        """Convert from an everyday unit, in decimals: what is written in two units is one number.
 
         >>> KINDS["K"].to_si(50.0, "degC"), KINDS["m"].to_si(268.36, "mm")
         (323.15, 0.26836)
