@@ -173,7 +173,12 @@ async def measured(address: str, server: int, sessions: int, seconds: float) -> 
     print(
         f"{sessions} visitors, {waited.size} answers: median {p50:.0f} ms, 95 % within {p95:.0f} ms; lost {lost}"
     )
-    spent = [1e3 * (processor_time(one) - before) / waited.size for one, before in zip(family, used, strict=True)]
+    there = processes_of(server)  # without the process that compiled ahead, which ends by itself
+    spent = [
+        1e3 * (processor_time(one) - before) / waited.size
+        for one, before in zip(family, used, strict=True)
+        if one in there
+    ]
     print(
         f"processor time per answer: server {spent[0]:.0f} ms, workers {sum(spent[1:]):.0f} ms; "
         f"load of the machine {os.getloadavg()[0]:.1f}"

@@ -10,8 +10,8 @@ import pytest
 from babbitt.app.answer import Answer
 from babbitt.app.coefficients import Speeds, first_speeds
 from babbitt.app.document import CaseDocument
+from babbitt.app.form import quantities
 from babbitt.app.service import Service
-from babbitt.app.slider import quantities
 from babbitt.app.solver import Ended
 from babbitt.app.studies import axes_of
 from babbitt.app.studies_view import StudiesView

@@ -10,9 +10,8 @@ import numpy as np
 
 from babbitt.app.answer import NAME, Fault, faults_of, read
 from babbitt.app.document import CaseDocument
-from babbitt.app.form import as_text
+from babbitt.app.form import as_text, quantities
 from babbitt.app.progress import followed
-from babbitt.app.slider import quantities
 from babbitt.app.units import split
 from babbitt.case import CaseError, located
 from babbitt.core.notices import InputError

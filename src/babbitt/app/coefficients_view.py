@@ -42,8 +42,9 @@ class CoefficientsView:
     def draw(self) -> None:
         """Draw the speeds anew: another case. What was typed stays where the case has the same speed."""
         first = first_speeds(self._document)
-        if first != self._first:
-            self._first = self._speeds = first
+        if first == self._first:
+            return
+        self._first = self._speeds = first
         self._box.clear()
         with self._box:
             for part, says in (("first", "from"), ("last", "to")):

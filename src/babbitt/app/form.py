@@ -12,10 +12,11 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
+from babbitt.app.units import split
 from babbitt.case.schema import shipped_schema
 from babbitt.core.units import KINDS
 
-__all__ = ["Choice", "Entry", "Group", "Item", "Path", "Rows", "as_text", "form_of", "sections_of"]
+__all__ = ["Choice", "Entry", "Group", "Item", "Path", "Rows", "as_text", "form_of", "quantities", "sections_of"]
 
 Path = tuple[str | int, ...]
 Schema = Mapping[str, Any]
@@ -131,6 +132,20 @@ def as_text(value: Any) -> str:
     if value is None or isinstance(value, Mapping | list):
         return ""
     return str(value)
+
+
+def quantities(items: tuple[Item, ...]) -> Iterator[Entry]:
+    """The fields with a number and a unit, as the form has them."""
+    for item in items:
+        if isinstance(item, Entry):
+            text = as_text(item.value)
+            if item.units and text and split(text, item.units)[1]:
+                yield item
+        elif isinstance(item, Rows):
+            for row in item.rows:
+                yield from quantities(row)
+        else:
+            yield from quantities(item.items)
 
 
 def _items(part: Schema, given: Any, path: Path, hidden: tuple[str, ...] = ("kind",)) -> Iterator[Item]:

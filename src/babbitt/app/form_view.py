@@ -10,7 +10,7 @@ from nicegui import ui
 
 from babbitt.app.answer import Fault
 from babbitt.app.document import CaseDocument
-from babbitt.app.form import NONE, TEXT, Choice, Entry, Group, Item, Path, Rows, as_text, sections_of
+from babbitt.app.form import NONE, TEXT, Choice, Entry, Group, Item, Path, Rows, as_text, quantities, sections_of
 from babbitt.app.units import SYSTEMS, in_unit, is_number, shown_in, split
 from babbitt.app.words import sections, word
 from babbitt.study.size_choices import standard_choices
@@ -33,6 +33,7 @@ class FormView:
     def __init__(self, document: CaseDocument, changed: Callable[[], None]) -> None:
         self.document, self._changed = document, changed
         self._inputs: dict[Path, Any] = {}
+        self._shows: dict[Path, Callable[[Entry], None]] = {}
         self._open = set(list(sections())[:1])
         self._system = SYSTEMS[0]
         self._box = ui.column().classes("form")
@@ -41,6 +42,7 @@ class FormView:
     def draw(self) -> None:
         """Draw all controls anew: another case, or another way to give a part."""
         self._inputs.clear()
+        self._shows.clear()
         self._box.clear()
         items = self.document.items
         with self._box:
@@ -50,6 +52,16 @@ class FormView:
                 section = ui.expansion(heading, value=is_open, on_value_change=self._keep(heading))
                 with section.classes("section"):
                     self._list(under)
+
+    def show(self, paths: Iterable[Path]) -> None:
+        """Show quantities that moved elsewhere; a form that has no control for one is drawn anew."""
+        moved = set(paths)
+        entries = {one.path: one for one in quantities(self.document.items) if one.path in moved}
+        if moved <= self._shows.keys() & entries.keys():
+            for path, entry in entries.items():
+                self._shows[path](entry)
+        else:
+            self.draw()
 
     def _units(self) -> None:
         """Whether values show in units of SI or of inches; the case keeps those in which it was written."""
@@ -119,15 +131,23 @@ class FormView:
         self._known(entry, found)
 
     def _quantity(self, entry: Entry) -> None:
-        number, unit = split(as_text(entry.value), entry.units)
-        number, chosen = shown_in(self._system, number, unit or entry.units[0], entry.units)
+        shown = number, chosen = self._number_and_unit(entry)
         with ui.row().classes("quantity"):
             field = ui.input(entry.label, value=number, placeholder=entry.example).classes("grow")
             select = ui.select(list(entry.units), value=chosen).classes("unit").props("dense borderless")
             select.props(f'aria-label="{word("unit")}: {entry.label}"')
 
+        def show(moved: Entry) -> None:
+            nonlocal shown, chosen
+            shown = number, chosen = self._number_and_unit(moved)
+            field.value, select.value = number, chosen
+
         def taken() -> None:
-            text = (field.value or "").strip()
+            nonlocal shown
+            before, shown = shown, (field.value or "", select.value)
+            if shown == before:  # the case says it already, perhaps in a unit of its own
+                return
+            text = shown[0].strip()
             self._take(entry.path, f"{text} {select.value}" if is_number(text) else text or None)
 
         def converted(event: Any) -> None:
@@ -139,7 +159,13 @@ class FormView:
 
         field.on_value_change(lambda _: taken())
         select.on_value_change(converted)
+        self._shows[entry.path] = show
         self._known(entry, field)
+
+    def _number_and_unit(self, entry: Entry) -> tuple[str, str]:
+        """As they stand in the form, in the system of units that was chosen."""
+        number, unit = split(as_text(entry.value), entry.units)
+        return shown_in(self._system, number, unit or entry.units[0], entry.units)
 
     def _known(self, entry: Entry, control: Any) -> None:
         control.props("dense" + (f" debounce={PAUSE}" if isinstance(control, ui.input) else ""))

@@ -4,17 +4,17 @@ from __future__ import annotations
 
 import asyncio
 import math
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable
 from typing import Any
 
 from nicegui import context, ui
 
 from babbitt.app.document import CaseDocument
-from babbitt.app.form import Entry, Item, Path, Rows, as_text
+from babbitt.app.form import Entry, Path, as_text, quantities
 from babbitt.app.units import split
 from babbitt.app.words import word
 
-__all__ = ["Slider", "quantities"]
+__all__ = ["Slider"]
 
 USUAL: tuple[Path, ...] = (("load",), ("speed",), ("clearance", "mean"), ("supply", "temperature"))
 """Ends of the paths of fields that a designer moves first."""
@@ -35,12 +35,15 @@ class Slider:
     ----------
     document : CaseDocument
     moving, stopped : callable
-        Called while a value moves, and when it stopped.
+        Called while a value moves, and with the paths of those that moved when they stopped.
     """
 
-    def __init__(self, document: CaseDocument, moving: Callable[[], None], stopped: Callable[[], None]) -> None:
+    def __init__(
+        self, document: CaseDocument, moving: Callable[[], None], stopped: Callable[[set[Path]], None]
+    ) -> None:
         self.document, self._moving, self._stopped = document, moving, stopped
         self._picked: list[Path] = []
+        self._moved: set[Path] = set()
         self._pause: asyncio.TimerHandle | None = None
         context.client.on_delete(self._leave)
         self._box = ui.column().classes("w-full")
@@ -78,6 +81,7 @@ class Slider:
 
         def moved(event: Any) -> None:
             shown.text = f"{event.args:.6g} {unit}"
+            self._moved.add(entry.path)
             self.document.slide(entry.path, f"{event.args:.6g} {unit}".strip())
             self._moving()
             self._await_stop()
@@ -91,7 +95,8 @@ class Slider:
 
     def _stood_still(self) -> None:
         self.document.keep()
-        self._stopped()
+        moved, self._moved = self._moved, set()
+        self._stopped(moved)
 
     def _leave(self) -> None:
         if self._pause is not None:
@@ -107,20 +112,6 @@ def first_picked(paths: Iterable[Path]) -> list[Path]:
     known = list(paths)
     usual = [path for names in USUAL for path in known if path[-len(names) :] == names]
     return (usual or known)[:MOST_PICKED]
-
-
-def quantities(items: tuple[Item, ...]) -> Iterator[Entry]:
-    """The fields with a number and a unit, as the form has them."""
-    for item in items:
-        if isinstance(item, Entry):
-            text = as_text(item.value)
-            if item.units and text and split(text, item.units)[1]:
-                yield item
-        elif isinstance(item, Rows):
-            for row in item.rows:
-                yield from quantities(row)
-        else:
-            yield from quantities(item.items)
 
 
 def _step(span: float) -> float:

@@ -8,9 +8,8 @@ from typing import Any
 
 from babbitt.app.answer import NAME, Fault, Figure, Table, faults_of, read
 from babbitt.app.document import CaseDocument, path_in, with_changed
-from babbitt.app.form import Item, as_text
+from babbitt.app.form import Item, as_text, quantities
 from babbitt.app.progress import FileWatch
-from babbitt.app.slider import quantities
 from babbitt.app.units import from_si, split
 from babbitt.case import CaseError, located
 from babbitt.case.with_units import case_text

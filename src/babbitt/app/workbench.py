@@ -17,6 +17,7 @@ from babbitt.app.coefficients_view import CoefficientsView
 from babbitt.app.designs_view import DesignsView
 from babbitt.app.document import CaseDocument, path_in, with_changed
 from babbitt.app.figures import all_figures
+from babbitt.app.form import Path
 from babbitt.app.form_view import FormView
 from babbitt.app.head import Head
 from babbitt.app.link import case_of
@@ -199,9 +200,9 @@ class Workbench:
         self._slider.draw()
         self._follow()
 
-    def _stopped(self) -> None:
+    def _stopped(self, moved: set[Path]) -> None:
         """A slider came to a stop."""
-        self._form.draw()
+        self._form.show(moved)
         self._follow()
 
     def _slid(self) -> None:
@@ -215,7 +216,9 @@ class Workbench:
         if len(path) > 1 and not self.document.has(path[:-1]):
             return
         self.document.change(path, f"{angle:.1f} deg")
-        self._all_anew()
+        self._form.show([path])
+        self._slider.draw()
+        self._follow()
 
     def _ask(self, quick: bool) -> None:
         """Answer in a task of its own: the control that asked may be gone by then."""
