@@ -29,6 +29,7 @@ CASES: dict[str, dict[str, Any]] = {
     "moving": {"dynamic_load": FAN},
     "elastic": {"compliance": [{"kind": "column", "displacement_per_pressure": "0.5 um/MPa"}]},
     "starved": {"grooves": GROOVES, "supply": {"temperature": "45 degC", "flow": "3 L/min"}},
+    "closed pocket": {"pockets": [{"angle": "-90 deg", "extent": "30 deg", "width": "30 mm", "flow": "0 L/min"}]},
     "overloaded": {"load": "90 MN"},
     "iso7902": ISO7902,
 }

@@ -241,3 +241,10 @@ def test_a_place_where_the_film_does_not_settle_is_not_a_number(monkeypatch: pyt
     found = film.force([0.0, 0.0], [-5e-5, -5e-5])
     assert np.isnan(found[0]).all()
     assert found[1] == pytest.approx(here)
+
+
+def test_the_force_of_closed_pockets_is_refused() -> None:
+    """Their pressures follow the journal; held, the slope of the force is half the stiffness or less."""
+    film = result_of("closed pocket").film
+    with pytest.raises(InputError, match="closed pockets"):
+        film.force(0.0, -1e-5)

@@ -39,3 +39,17 @@ def test_a_clockwise_journal_has_a_negative_speed_and_the_mirrored_gap():
     assert back.attitude_angle == pytest.approx(there.attitude_angle, abs=1e-6)
     assert there.narrowest_gap_angle == pytest.approx(there.load_angle + there.attitude_angle, abs=1e-4)
     assert back.narrowest_gap_angle == pytest.approx(back.load_angle - back.attitude_angle, abs=1e-4)
+
+
+@pytest.mark.parametrize("speed", ["3000 rpm", "-3000 rpm"])
+def test_a_groove_of_given_flow_may_break_the_film_at_any_pressure(speed):
+    """-10 psi has more digits than the frame keeps in which a film is solved."""
+    grooves = [
+        {"angle": f"{angle} deg", "extent": "20 deg", "flow": flow}
+        for angle, flow in ((0, "8 L/min"), (180, "0.5 L/min"))
+    ]
+    result = answer(
+        grooves=grooves, cavitation_pressure="-10 psi", load="10 kN", speed=speed, accuracy="draft",
+        diameter="100 mm", width="80 mm",
+    )  # fmt: skip
+    assert result.minimum_film_thickness > 10e-6

@@ -43,3 +43,10 @@ def test_transition_is_judged_by_the_film_thickness_as_by_the_speed():
         assert by_speed.quantity == "hydrodynamic_speed"
         assert by_film.quantity == "minimum_film_thickness"
         assert by_speed.ok is by_film.ok
+
+
+def test_a_threshold_beyond_the_search_is_told():
+    light = film_bearings.answer(rotor_mass="1 kg", load="60 kN", speed="1000 rpm")
+    assert "threshold_speed" not in light.values
+    assert "ten times" in light.missing["threshold_speed"]
+    assert "threshold_speed" not in film_bearings.answer(speed="9000 rpm", load="10 kN").missing

@@ -344,3 +344,18 @@ def test_a_film_force_that_the_grid_blurs_is_told(ratio, told):
     assert ("W133" in warnings) is told
     if told:
         assert warnings["W133"].values == {"orbit_load_error": result.orbit_load_error}
+
+
+@pytest.mark.parametrize(("magnitude", "character", "told"), [
+    ("250 kN", None, True), ("250 kN", "calm", True), ("250 kN", "shock", False), ("180 kN", None, False),
+])  # fmt: skip
+def test_a_changing_load_between_the_limits_for_calm_and_for_shocks_is_told(magnitude, character, told):
+    """B83 carries 15 MPa calmly and 10 MPa in shocks; 280 and 210 kN on 200 x 120 mm are 11.7 and 8.8 MPa."""
+    materials = {"bearing": "C10", "journal": "C45", "bearing_metal": "B83"}
+    result = answer(
+        materials=materials if character is None else materials | {"load_character": character},
+        dynamic_load={"kind": "rotating", "magnitude": magnitude, "speed_ratio": 1.0},
+        method={"kind": "film", "thermal": "isothermal"}, cavitation="reynolds",
+        accuracy="draft", effective_temperature="60 degC",
+    )  # fmt: skip
+    assert ("W200" in [one.code for one in result.warnings]) is told

@@ -15,6 +15,7 @@ from babbitt.core.notices import InputError
 from babbitt.core.solution import Solution
 from babbitt.kinds.journal.film.field import FilmField, field_of, journal_gap
 from babbitt.kinds.journal.film.isothermal import FilmState, resolution_of, under_found_load
+from babbitt.kinds.journal.film.layout import closed_pockets
 from babbitt.report.view import find_view
 from babbitt.reynolds.model import Cavitation
 from babbitt.reynolds.surface.unwrapped_mesh import GROOVE_GAP, bore_gap
@@ -147,12 +148,19 @@ class SolvedFilm:
         Raises
         ------
         InputError
-            E101 for what is not finite; E003 for a place outside the clearance, without `contact`.
+            E101 for what is not finite; E003 for a place outside the clearance, without `contact`; E004 for a
+            bearing with closed pockets, whose pressures follow the journal.
 
         Notes
         -----
         Films fed from grooves without pressure run through a compiled loop, other films are solved one by one.
         """
+        if closed_pockets(self._case):
+            raise InputError(
+                "E004", f"{self._case.name}: the pressures of closed pockets follow the journal, and the force at "
+                "another place does not know it; use stiffness and damping of the result, or give the pockets a "
+                "pressure"
+            )  # fmt: skip
         rows, shape = _rows(x, y, vx, vy)
         found = self._positions.forces(rows)
         self._check_outcomes(found, rows, contact is not None)
@@ -180,7 +188,8 @@ class SolvedFilm:
         Raises
         ------
         InputError
-            As `force`; E004 for half-Sommerfeld films, which have no coefficients.
+            As `force`, but of closed pockets: they begin to follow from the pressures of the operating point.
+            E004 for half-Sommerfeld films, which have no coefficients.
         """
         rows, shape = _rows(x, y, vx, vy)
         found = self._positions.coefficients(rows)

@@ -80,6 +80,8 @@ class LoadFrame:
             steps=tuple(
                 _with(one, centre_angle=turned_angle(one.centre_angle, angle, down)) for one in film.steps
             ),
+            cavitation_pressure=rounded(film.cavitation_pressure),
+            side_pressures=(rounded(film.side_pressures[0]), rounded(film.side_pressures[1])),
             misalignment=turned_vector(film.misalignment, angle, down),
             viscosity_field=rounded_field(film.viscosity_field, 1.0, first),
             displacement=rounded_field(film.displacement, decimal_unit(film.clearance), first),

@@ -20,6 +20,8 @@ STRIDE, MOST_STRIDES = 1.3, 60
 """Ratio of two loads that are tried one after the other, and how many: nearly seven orders of magnitude."""
 TOLERANCE = 1e-5
 """Of the load, relative."""
+NEXT = 1.01
+"""Ratio of the loads on both sides of a draft's capacity between which that of a finer grid is sought first."""
 CONTACT = -1.0
 """Margin of a load that no film carries: less than any film's."""
 
@@ -28,7 +30,7 @@ def capacity(case: HydrostaticCase, found: Answer) -> float | None:
     """Load whose equilibrium has the least gap, or where pumps of the recesses come to their pressure.
 
     Its direction is that of the case's load, and moments stand as they are; of a prescribed position those of the
-    force that was found there. Journals and rings are sought on the draft's grid.
+    force that was found there. Journals and rings are sought on the draft's grid, and found on that of the case.
 
     Parameters
     ----------
@@ -42,8 +44,18 @@ def capacity(case: HydrostaticCase, found: Answer) -> float | None:
         N; None where no load was found that keeps the least gap.
     """
     if isinstance(case.shape, RecessedJournal | ThrustRing):
-        return loaded_capacity(replace(case, accuracy="draft", duty=carried(case, found)))
+        asked = replace(case, duty=carried(case, found))
+        rough = loaded_capacity(replace(asked, accuracy="draft"))
+        return rough if rough is None or case.accuracy == "draft" else refined(asked, rough)
     return level_capacity(case)
+
+
+def refined(case: HydrostaticCase, rough: float) -> float | None:
+    """Capacity on the grid of the case, N, next to that of the draft."""
+    kept, lost = rough / NEXT, rough * NEXT
+    if margin(case, kept) >= 0.0 > margin(case, lost):
+        return between(case, kept, lost)
+    return loaded_capacity(replace(case, duty=replace(case.duty, load=rough)))
 
 
 def level_capacity(case: HydrostaticCase) -> float | None:

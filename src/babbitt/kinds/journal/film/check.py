@@ -99,6 +99,11 @@ LIMITING_SPEEDS = {
 SPEED_NOT_ASKED = "not looked for, as limiting_speeds: false asks"
 """Why such a speed is missing."""
 
+NO_THRESHOLD = (
+    "at no speed from a tenth to ten times that of the case does the rotor begin to whirl, as far as looked"
+)
+"""Why it is missing where it was looked for."""
+
 NO_CALM_FILM = "no film was found at this position without the supply pressure; only their sum is known"
 """Why the flows by film pressure and by supply pressure are missing."""
 
@@ -286,9 +291,10 @@ def _running_values(case: FilmCase, state: FilmState, whirl: Whirl | None) -> di
 
 
 def _missing_speeds(case: FilmCase, values: Mapping[str, float]) -> dict[str, str]:
-    """The speeds that were not looked for, each with the reason."""
+    """The speeds that were not looked for or not found, each with the reason."""
     if case.limiting_speeds:
-        return {}
+        sought = ("threshold_speed", "threshold_speed_elastic") if case.whirl_speed else ()
+        return {one: NO_THRESHOLD for one in sought if LIMITING_SPEEDS[one] in values and one not in values}
     return {name: SPEED_NOT_ASKED for name, known_by in LIMITING_SPEEDS.items() if known_by in values}
 
 

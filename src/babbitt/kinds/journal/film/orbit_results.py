@@ -18,6 +18,7 @@ from babbitt.kinds.journal.film.changing_load import TabulatedLoad
 from babbitt.kinds.journal.film.isothermal import FilmState, is_expensive
 from babbitt.kinds.journal.film.layout import load_vector
 from babbitt.kinds.journal.film.model import FilmCase
+from babbitt.properties.materials import LoadCharacter
 from babbitt.reynolds.model import DRAFT, Cavitation
 
 if TYPE_CHECKING:
@@ -101,10 +102,23 @@ def orbit_warnings(case: FilmCase, orbit: Orbit) -> Iterator[Notice]:
     """Where the orbit leaves the ground on which it stands."""
     if orbit.load_error > GRID_REPORTED_FROM:
         yield Notice("W133", values={"orbit_load_error": orbit.load_error})
+    yield from _about_shocks(case, orbit_values(case, orbit)["orbit_specific_load"])
     yield from warnings_about_pressure(float(orbit.maximum_pressure.max()), "orbit")
     depth = 1.0 - float(orbit.film_thickness.min()) / orbit.clearance
     if depth > RIGID_FILM_UP_TO:
         yield Notice("W116", "orbit", {"depth": depth, "limit": RIGID_FILM_UP_TO})
+
+
+def _about_shocks(case: FilmCase, largest: float) -> Iterator[Notice]:
+    """A largest specific load, Pa, that the metal carries calmly and not in shocks."""
+    metal = case.bearing.metal
+    if metal is None or case.bearing.load_character is LoadCharacter.SHOCK:
+        return
+    shock, calm = (metal.limits(one).specific_load for one in (LoadCharacter.SHOCK, LoadCharacter.CALM))
+    if shock is not None and largest > shock.value and (calm is None or largest <= calm.value):
+        yield Notice("W200", values={
+            "orbit_specific_load": largest, "metal": metal.name, "limit": shock.value,
+        })  # fmt: skip
 
 
 def orbit_assumptions(case: FilmCase) -> Iterator[str]:
