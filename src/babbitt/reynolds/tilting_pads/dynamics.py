@@ -127,30 +127,28 @@ def full_coefficients(solution: TiltingPadSolution) -> PadCoefficients:
         raise InputError("E101", "the bearing was not solved; coefficients need a position that is an answer.")
     bearing = solution.bearing
     chosen = [
-        (number, pad, state)
+        (number, pad, state, own_motions(pad, state))
         for number, (pad, state) in enumerate(zip(bearing.pads, solution.pads, strict=True), 1)
         if state.status is PadStatus.LOADED
     ]
-    motions = [own_motions(pad, state) for _, pad, state in chosen]
-    size = 2 + sum(len(own) for own in motions)
-    mass, stiffness, damping = np.zeros((3, size, size))
-    labels, levers, first = list(JOURNAL), np.ones(size), 2
-    for (number, pad, state), own in zip(chosen, motions, strict=True):
-        last = first + len(own)
-        rows = film_motions(pad, own, size, first)
-        answer = state if state.bend is None else state.bend
-        stiffness += rows.T @ answer.stiffness @ rows
-        damping += rows.T @ answer.damping @ rows
-        block = slice(first, last)
-        m, c, k = pad_matrices(bearing, pad, state, own)
-        mass[block, block] += m
-        damping[block, block] += c
-        stiffness[block, block] += k
+    size = 2 + sum(len(own) for *_, own in chosen)
+    mass, damping, stiffness = (np.zeros((size, size)) for _ in range(3))
+    felt, answers = np.zeros((3 * len(chosen), size)), np.zeros((2, 3 * len(chosen), 3 * len(chosen)))
+    labels, levers = list(JOURNAL), [1.0] * size
+    for row, (number, pad, state, own) in zip(range(0, len(felt), 3), chosen, strict=True):
+        first = len(labels)
+        block = slice(first, first + len(own))
+        fill_film_motions(felt[row : row + 3], pad, own, first)
+        answer, end = (state, row + 2) if state.bend is None else (state.bend, row + 3)
+        answers[0, row:end, row:end], answers[1, row:end, row:end] = answer.stiffness, answer.damping
+        add_pad(bearing, pad, state, own, mass[block, block], damping[block, block], stiffness[block, block])
         levers[first] = bearing.lever(pad)
         labels += [f"pad {number} {name}" for name in own]
-        first = last
+    film_stiffness, film_damping = felt.T @ answers @ felt
+    stiffness += film_stiffness
+    damping += film_damping
     return PadCoefficients(
-        tuple(labels), mass, stiffness, damping, levers, abs(bearing.angular_speed), bearing.sense
+        tuple(labels), mass, stiffness, damping, np.array(levers), abs(bearing.angular_speed), bearing.sense
     )
 
 
@@ -166,20 +164,25 @@ def own_motions(pad: TiltingPad, state: PadState) -> tuple[str, ...]:
     return tuple(names)
 
 
-def film_motions(pad: TiltingPad, own: Sequence[str], size: int, first: int) -> Array:
-    """Matrix B of a pad, shape (2, size): xi = n q - u, eta = tau q - v + s; with a third row for its bending."""
-    rows = np.zeros((3 if "bending" in own else 2, size))
-    rows[0, :2], rows[1, :2] = pad.normal(), pad.tangent()
+def fill_film_motions(rows: Array, pad: TiltingPad, own: Sequence[str], first: int) -> None:
+    """Matrix B of a pad, shape (3, size): xi = n q - u, eta = tau q - v + s, and its bending where it bends."""
+    cosine, sine = math.cos(pad.pivot_angle), math.sin(pad.pivot_angle)
+    rows[0, 0] = rows[1, 1] = cosine
+    rows[0, 1], rows[1, 0] = sine, -sine
     for column, name in enumerate(own, first):
-        row, sign = {"tilt": (1, 1.0), "pivot": (0, -1.0), "tangential": (1, -1.0), "bending": (2, 1.0)}[name]
+        row, sign = FELT[name]
         rows[row, column] = sign
-    return rows
 
 
-def pad_matrices(
-    bearing: TiltingPadBearing, pad: TiltingPad, state: PadState, own: Sequence[str]
-) -> tuple[Array, Array, Array]:
-    """Mass, damping and stiffness of a pad and its pivot in its own motions, those of the film left out.
+FELT = {"tilt": (1, 1.0), "pivot": (0, -1.0), "tangential": (1, -1.0), "bending": (2, 1.0)}
+"""In which part of (xi, eta, bending) a film feels a motion of its pad, and with which sign."""
+
+
+def add_pad(
+    bearing: TiltingPadBearing, pad: TiltingPad, state: PadState, own: Sequence[str], mass: Array, damping: Array,
+    stiffness: Array,
+) -> None:  # fmt: skip
+    """Add a pad and its pivot, without the film, to mass, damping and stiffness in its own motions.
 
     With b_g and a_g the distances of the centre of gravity from the pivot along tau and towards the centre of the
     bearing, a tilt moves it outward by -b_g delta and along tau by -a_g delta:
@@ -187,35 +190,33 @@ def pad_matrices(
     which is not coupled with the others.
     """
     lever = bearing.lever(pad)
-    size = len(own)
-    mass, damping, stiffness = np.zeros((3, size, size))
-    mass[0, 0] = pad.inertia / lever**2
-    damping[0, 0] = pad.rotational_damping / lever**2
-    stiffness[0, 0] = pad.rotational_stiffness / lever**2
+    mass[0, 0] += pad.inertia / lever**2
+    damping[0, 0] += pad.rotational_damping / lever**2
+    stiffness[0, 0] += pad.rotational_stiffness / lever**2
     for place, name in enumerate(own[1:], 1):
         if name == "bending":
-            mass[place, place] = pad.mass * BendingMode.of(pad).mean_square
-            stiffness[place, place] = pad.bending_stiffness
+            mass[place, place] += pad.mass * BendingMode.of(pad).mean_square
+            stiffness[place, place] += pad.bending_stiffness
             continue
-        mass[place, place] = pad.mass
+        mass[place, place] += pad.mass
         if name == "pivot":
             mass[0, place] = mass[place, 0] = -bearing.sense * pad.mass * pad.mass_offset / lever
-            damping[place, place], stiffness[place, place] = pad.pivot_damping, state.pivot_stiffness
+            damping[place, place] += pad.pivot_damping
+            stiffness[place, place] += state.pivot_stiffness
         else:
             mass[0, place] = mass[place, 0] = -pad.mass * pad.mass_inset / lever
-            damping[place, place], stiffness[place, place] = pad.tangential_damping, pad.tangential_stiffness
-    return mass, damping, stiffness
+            damping[place, place] += pad.tangential_damping
+            stiffness[place, place] += pad.tangential_stiffness
 
 
 def impedance(coefficients: PadCoefficients, frequency: float) -> Complex:
     """Complex stiffness Z = K + j w C - w^2 M that the journal sees at w in rad/s, shape (2, 2)."""
-    z = (coefficients.stiffness + 1j * frequency * coefficients.damping - frequency**2 * coefficients.mass).astype(
-        complex
-    )
-    pads = slice(2, None)
-    if z.shape[0] == 2:
+    z = np.empty(coefficients.stiffness.shape, dtype=complex)
+    z.real = coefficients.stiffness - frequency**2 * coefficients.mass
+    z.imag = frequency * coefficients.damping
+    if len(z) == 2:
         return z
-    return np.asarray(z[:2, :2] - z[:2, pads] @ np.linalg.solve(z[pads, pads], z[pads, :2]))
+    return z[:2, :2] - z[:2, 2:] @ np.linalg.solve(z[2:, 2:], z[2:, :2])
 
 
 def condensed_at(coefficients: PadCoefficients, whirl_ratio: float) -> CondensedCoefficients:
