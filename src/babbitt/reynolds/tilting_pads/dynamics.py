@@ -141,7 +141,7 @@ def full_coefficients(solution: TiltingPadSolution) -> PadCoefficients:
         fill_film_motions(felt[row : row + 3], pad, own, first)
         answer, end = (state, row + 2) if state.bend is None else (state.bend, row + 3)
         answers[0, row:end, row:end], answers[1, row:end, row:end] = answer.stiffness, answer.damping
-        add_pad(bearing, pad, state, own, mass[block, block], damping[block, block], stiffness[block, block])
+        fill_pad(bearing, pad, state, own, mass[block, block], damping[block, block], stiffness[block, block])
         levers[first] = bearing.lever(pad)
         labels += [f"pad {number} {name}" for name in own]
     film_stiffness, film_damping = felt.T @ answers @ felt
@@ -178,11 +178,11 @@ FELT = {"tilt": (1, 1.0), "pivot": (0, -1.0), "tangential": (1, -1.0), "bending"
 """In which part of (xi, eta, bending) a film feels a motion of its pad, and with which sign."""
 
 
-def add_pad(
+def fill_pad(
     bearing: TiltingPadBearing, pad: TiltingPad, state: PadState, own: Sequence[str], mass: Array, damping: Array,
     stiffness: Array,
 ) -> None:  # fmt: skip
-    """Add a pad and its pivot, without the film, to mass, damping and stiffness in its own motions.
+    """Fill mass, damping and stiffness of a pad and its pivot in its own motions, those of the film left out.
 
     With b_g and a_g the distances of the centre of gravity from the pivot along tau and towards the centre of the
     bearing, a tilt moves it outward by -b_g delta and along tau by -a_g delta:
@@ -190,23 +190,21 @@ def add_pad(
     which is not coupled with the others.
     """
     lever = bearing.lever(pad)
-    mass[0, 0] += pad.inertia / lever**2
-    damping[0, 0] += pad.rotational_damping / lever**2
-    stiffness[0, 0] += pad.rotational_stiffness / lever**2
+    mass[0, 0] = pad.inertia / lever**2
+    damping[0, 0] = pad.rotational_damping / lever**2
+    stiffness[0, 0] = pad.rotational_stiffness / lever**2
     for place, name in enumerate(own[1:], 1):
         if name == "bending":
-            mass[place, place] += pad.mass * BendingMode.of(pad).mean_square
-            stiffness[place, place] += pad.bending_stiffness
+            mass[place, place] = pad.mass * BendingMode.of(pad).mean_square
+            stiffness[place, place] = pad.bending_stiffness
             continue
-        mass[place, place] += pad.mass
+        mass[place, place] = pad.mass
         if name == "pivot":
             mass[0, place] = mass[place, 0] = -bearing.sense * pad.mass * pad.mass_offset / lever
-            damping[place, place] += pad.pivot_damping
-            stiffness[place, place] += state.pivot_stiffness
+            damping[place, place], stiffness[place, place] = pad.pivot_damping, state.pivot_stiffness
         else:
             mass[0, place] = mass[place, 0] = -pad.mass * pad.mass_inset / lever
-            damping[place, place] += pad.tangential_damping
-            stiffness[place, place] += pad.tangential_stiffness
+            damping[place, place], stiffness[place, place] = pad.tangential_damping, pad.tangential_stiffness
 
 
 def impedance(coefficients: PadCoefficients, frequency: float) -> Complex:

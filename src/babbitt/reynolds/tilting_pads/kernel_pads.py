@@ -29,6 +29,8 @@ class PadScales:
         rad/s.
     sense : ndarray, shape (2,)
         What mirrors a vector into the counter-clockwise world and back.
+    answers : ndarray, shape (10,)
+        Of force, stiffness and damping of a film in (xi, eta), each mirrored back.
     """
 
     def __init__(self, bearing: TiltingPadBearing) -> None:
@@ -40,6 +42,12 @@ class PadScales:
         self.torque = bearing.viscosity * self.rate * radius**3 * width / self.length
         self.flow = self.rate * radius * self.length * width
         self.sense = np.array([1.0, bearing.sense])
+        sense, stiff = bearing.sense, self.force / self.length
+        damp = stiff / self.rate
+        self.answers = np.array((
+            self.force, sense * self.force, stiff, sense * stiff, sense * stiff, stiff,
+            damp, sense * damp, sense * damp, damp,
+        ))  # fmt: skip
 
 
 def kernel_pads(bearing: TiltingPadBearing, scales: PadScales) -> Pads:

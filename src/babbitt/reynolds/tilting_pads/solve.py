@@ -270,7 +270,7 @@ def pad_states(
     widths, weights = [bearing.width_of(pad) for pad in bearing.pads], pads.weight.tolist()
     units = (scales.pressure * weight * bearing.width / width for weight, width in zip(weights, widths, strict=True))
     lines = FilmLines(bearing, grid.theta, pressure, void, tuple(units))
-    answers = places.answers * answer_units(scales)
+    answers = places.answers * scales.answers
     push, turn = answers[:, 0].tolist(), answers[:, 1].tolist()
     radial, along, rigid, offset, gap = (
         part.tolist() for part in (places.radial, places.along, places.rigid, pads.offset, narrowest)
@@ -308,16 +308,6 @@ def pad_states(
             lines=lines,
         ))  # fmt: skip
     return tuple(states)
-
-
-def answer_units(scales: PadScales) -> Array:
-    """Force, stiffness and damping of a film in SI and in the fixed frame, over those of the kernels."""
-    sense, stiff = scales.sense[1], scales.force / scales.length
-    damp = stiff / scales.rate
-    return np.array((
-        scales.force, sense * scales.force, stiff, sense * stiff, sense * stiff, stiff,
-        damp, sense * damp, sense * damp, damp,
-    ))  # fmt: skip
 
 
 def groove_force(bearing: TiltingPadBearing) -> Array:
