@@ -268,7 +268,9 @@ def pad_states(
     totals, narrowest = np.zeros((count, TOTALS)), np.zeros(count)
     finish_pads(axial, pads, grid, places, pressure, void, totals, narrowest)
     widths, weights = [bearing.width_of(pad) for pad in bearing.pads], pads.weight.tolist()
-    units = (scales.pressure * weight * bearing.width / width for weight, width in zip(weights, widths, strict=True))
+    units = (
+        scales.pressure * weight * bearing.width / width for weight, width in zip(weights, widths, strict=True)
+    )
     lines = FilmLines(bearing, grid.theta, pressure, void, tuple(units))
     answers = places.answers * scales.answers
     push, turn = answers[:, 0].tolist(), answers[:, 1].tolist()
