@@ -25,8 +25,8 @@ REGISTRY.define("cSt_ = 1e-6 m**2/s")
 IN_PINT = {
     "mil": "thou", "lbf ft": "lbf*ft", "hp": "hp", "gpm": "gallon/min", "cSt": "cSt_", "in³/s": "in**3/s",
     "lb/ft³": "lb/ft**3", "Btu/(ft³ °F)": "Btu_it/ft**3/delta_degF", "1e-6/°F": "1e-6/delta_degF",
-    "lbf s/in": "lbf*s/in", "klbf s/in": "klbf*s/in", "psi ft/s": "psi*ft/s", "lbf ft/rad": "lbf*ft", "lbf ft/mrad": "1e3*lbf*ft",
-    "lbf ft s/rad": "lbf*ft*s", "in²": "in**2", "mil/in": "1e-3", "Mpsi": "1e6*psi",
+    "lbf s/in": "lbf*s/in", "klbf s/in": "klbf*s/in", "psi ft/s": "psi*ft/s", "lbf ft/rad": "lbf*ft",
+    "lbf ft/mrad": "1e3*lbf*ft", "lbf ft s/rad": "lbf*ft*s", "in²": "in**2", "mil/in": "1e-3", "Mpsi": "1e6*psi",
     "in": "inch", "°F": "delta_degF", "Btu/(lb °F)": "Btu_it/lb/delta_degF",
 }  # fmt: skip
 COHERENT = {

@@ -30,7 +30,7 @@ from babbitt.reynolds.tilting_pads._place import new_places, pads_at
 from babbitt.reynolds.tilting_pads._structs import PadPlaces, Pads
 from babbitt.reynolds.tilting_pads._tilt import AT_LIMIT, LOADED, find_fold
 from babbitt.reynolds.tilting_pads.flexible_pads import with_bending
-from babbitt.reynolds.tilting_pads.kernel_pads import PadScales, kernel_pads
+from babbitt.reynolds.tilting_pads.kernel_pads import PadScales
 from babbitt.reynolds.tilting_pads.load_path import journal_among_pads
 from babbitt.reynolds.tilting_pads.model import TiltingPadBearing
 from babbitt.reynolds.tilting_pads.pivots import stiffness_of
@@ -268,10 +268,9 @@ def pad_states(
     totals, narrowest = np.zeros((count, TOTALS)), np.zeros(count)
     finish_pads(axial, pads, grid, places, pressure, void, totals, narrowest)
     widths, weights = [bearing.width_of(pad) for pad in bearing.pads], pads.weight.tolist()
-    units = (
-        scales.pressure * weight * bearing.width / width for weight, width in zip(weights, widths, strict=True)
-    )
-    lines = FilmLines(bearing, grid.theta, pressure, void, tuple(units))
+    shares = zip(weights, widths, strict=True)
+    units = tuple(scales.pressure * weight * bearing.width / width for weight, width in shares)
+    lines = FilmLines(bearing, grid.theta, pressure, void, units)
     answers = places.answers * scales.answers
     push, turn = answers[:, 0].tolist(), answers[:, 1].tolist()
     radial, along, rigid, offset, gap = (
