@@ -30,6 +30,7 @@ __all__ = [
     "KCMFit",
     "PadCoefficients",
     "condensed_at",
+    "condensed_over",
     "fit_virtual_mass",
     "full_coefficients",
     "impedance",
@@ -207,14 +208,38 @@ def fill_pad(
             damping[place, place], stiffness[place, place] = pad.tangential_damping, pad.tangential_stiffness
 
 
-def impedance(coefficients: PadCoefficients, frequency: float) -> Complex:
-    """Complex stiffness Z = K + j w C - w^2 M that the journal sees at w in rad/s, shape (2, 2)."""
-    z = np.empty(coefficients.stiffness.shape, dtype=complex)
-    z.real = coefficients.stiffness - frequency**2 * coefficients.mass
-    z.imag = frequency * coefficients.damping
-    if len(z) == 2:
+def impedance(coefficients: PadCoefficients, frequency: ArrayLike) -> Complex:
+    """Complex stiffness Z = K + j w C - w^2 M that the journal sees at w in rad/s.
+
+    Returns
+    -------
+    ndarray, shape (2, 2)
+        Of several frequencies one behind the other, shape (n, 2, 2).
+    """
+    w = np.asarray(frequency, dtype=np.float64)[..., None, None]
+    z = np.empty((*w.shape[:-2], *coefficients.stiffness.shape), dtype=complex)
+    z.real = coefficients.stiffness - w**2 * coefficients.mass
+    z.imag = w * coefficients.damping
+    if z.shape[-1] == 2:
         return z
-    return z[:2, :2] - z[:2, 2:] @ np.linalg.solve(z[2:, 2:], z[2:, :2])
+    return z[..., :2, :2] - z[..., :2, 2:] @ np.linalg.solve(z[..., 2:, 2:], z[..., 2:, :2])
+
+
+def condensed_over(
+    coefficients: PadCoefficients, whirl_ratios: Sequence[float]
+) -> tuple[CondensedCoefficients, ...]:
+    """`condensed_at` for each of several whirl ratios."""
+    moving = [ratio for ratio in whirl_ratios if ratio > 0.0]
+    seen = iter(impedance(coefficients, np.array(moving) * coefficients.speed))
+    return tuple(
+        in_motion(coefficients, ratio, next(seen)) if ratio > 0.0 else condensed_at(coefficients, ratio)
+        for ratio in whirl_ratios
+    )
+
+
+def in_motion(coefficients: PadCoefficients, whirl_ratio: float, z: Complex) -> CondensedCoefficients:
+    """Stiffness and damping of the impedance at a whirl ratio above zero."""
+    return CondensedCoefficients(whirl_ratio, z.real, z.imag / (whirl_ratio * coefficients.speed))
 
 
 def condensed_at(coefficients: PadCoefficients, whirl_ratio: float) -> CondensedCoefficients:
@@ -228,9 +253,7 @@ def condensed_at(coefficients: PadCoefficients, whirl_ratio: float) -> Condensed
     if not whirl_ratio >= 0.0:
         raise InputError("E101", f"whirl_ratio is {whirl_ratio}; it must be zero or more.")
     if whirl_ratio > 0.0:
-        frequency = whirl_ratio * coefficients.speed
-        z = impedance(coefficients, frequency)
-        return CondensedCoefficients(whirl_ratio, z.real, z.imag / frequency)
+        return in_motion(coefficients, whirl_ratio, impedance(coefficients, whirl_ratio * coefficients.speed))
     k, c, pads = coefficients.stiffness, coefficients.damping, slice(2, None)
     if k.shape[0] == 2:
         return CondensedCoefficients(0.0, k, c)
@@ -272,7 +295,7 @@ def fit_virtual_mass(coefficients: PadCoefficients, whirl_ratios: ArrayLike) -> 
             "E101", "a fit of stiffness, damping and mass needs three whirl ratios or more, above zero."
         )
     w = ratios * coefficients.speed
-    z = np.array([impedance(coefficients, one) for one in w])
+    z = impedance(coefficients, w)
     basis = np.stack([np.ones_like(ratios), -(ratios**2)], axis=1)
     (k, m), *_ = np.linalg.lstsq(basis, z.real.reshape(ratios.size, 4), rcond=None)
     c = (w[:, None] * z.imag.reshape(-1, 4)).sum(axis=0) / (w**2).sum()
