@@ -217,7 +217,7 @@ def impedance(coefficients: PadCoefficients, frequency: ArrayLike) -> Complex:
         Of several frequencies one behind the other, shape (n, 2, 2).
     """
     w = np.asarray(frequency, dtype=np.float64)[..., None, None]
-    z = np.empty((*w.shape[:-2], *coefficients.stiffness.shape), dtype=complex)
+    z: Complex = np.empty((*w.shape[:-2], *coefficients.stiffness.shape), dtype=np.complex128)
     z.real = coefficients.stiffness - w**2 * coefficients.mass
     z.imag = w * coefficients.damping
     if z.shape[-1] == 2:

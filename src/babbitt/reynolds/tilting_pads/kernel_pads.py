@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,8 +11,10 @@ from numpy.typing import NDArray
 from babbitt.reynolds._structs import Bearing
 from babbitt.reynolds.lands.profiles import common_profiles
 from babbitt.reynolds.tilting_pads._structs import Pads
-from babbitt.reynolds.tilting_pads.model import TiltingPad, TiltingPadBearing
 from babbitt.reynolds.tilting_pads.pivots import Curve
+
+if TYPE_CHECKING:
+    from babbitt.reynolds.tilting_pads.model import TiltingPad, TiltingPadBearing
 
 __all__ = ["PadScales", "kernel_pads", "pad_widths", "turbulence_rows"]
 

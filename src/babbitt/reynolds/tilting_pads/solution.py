@@ -150,18 +150,18 @@ class PadState:
     def angles(self) -> Array:
         """Lines of the film, rad, in the sense of rotation, shape (n + 1,)."""
         bearing = self.lines.bearing
-        return bearing.sense * self.lines.angles[self.number] + bearing.pads[self.number].pivot_angle
+        return np.asarray(bearing.sense * self.lines.angles[self.number] + bearing.pads[self.number].pivot_angle)
 
     @property
     def axial_positions(self) -> Array:
         """Nodes of a line from the mid-plane to the side edge, m, shape (m + 1,)."""
         bearing, unknowns = self.lines.bearing, self.void.shape[1] - 1
-        return even_axial_operator(unknowns).nodes * (0.5 * bearing.width_of(bearing.pads[self.number]))
+        return 0.5 * bearing.width_of(bearing.pads[self.number]) * even_axial_operator(unknowns).nodes
 
     @property
     def pressure(self) -> Array:
         """Gauge, Pa, shape (n + 1, m + 1)."""
-        return self.lines.pressure[self.number] * self.lines.units[self.number]
+        return np.asarray(self.lines.pressure[self.number] * self.lines.units[self.number])
 
     @property
     def maximum_pressure(self) -> float:
@@ -171,7 +171,7 @@ class PadState:
     @property
     def void(self) -> Array:
         """1 - liquid fraction, shape (n + 1, m + 1)."""
-        return self.lines.void[self.number]
+        return np.asarray(self.lines.void[self.number])
 
 
 @dataclass(frozen=True)
