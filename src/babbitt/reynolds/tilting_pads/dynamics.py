@@ -134,20 +134,20 @@ def full_coefficients(solution: TiltingPadSolution) -> PadCoefficients:
     ]
     size = 2 + sum(len(own) for *_, own in chosen)
     mass, damping, stiffness = (np.zeros((size, size)) for _ in range(3))
-    felt, answers = np.zeros((3 * len(chosen), size)), np.zeros((2, 3 * len(chosen), 3 * len(chosen)))
+    parts = 3 * len(chosen)
+    felt, springs, dampers = np.zeros((parts, size)), np.zeros((parts, parts)), np.zeros((parts, parts))
     labels, levers = list(JOURNAL), [1.0] * size
     for row, (number, pad, state, own) in zip(range(0, len(felt), 3), chosen, strict=True):
         first = len(labels)
         block = slice(first, first + len(own))
         fill_film_motions(felt[row : row + 3], pad, own, first)
         answer, end = (state, row + 2) if state.bend is None else (state.bend, row + 3)
-        answers[0, row:end, row:end], answers[1, row:end, row:end] = answer.stiffness, answer.damping
+        springs[row:end, row:end], dampers[row:end, row:end] = answer.stiffness, answer.damping
         fill_pad(bearing, pad, state, own, mass[block, block], damping[block, block], stiffness[block, block])
         levers[first] = bearing.lever(pad)
         labels += [f"pad {number} {name}" for name in own]
-    film_stiffness, film_damping = felt.T @ answers @ felt
-    stiffness += film_stiffness
-    damping += film_damping
+    stiffness += felt.T @ springs @ felt
+    damping += felt.T @ dampers @ felt
     return PadCoefficients(
         tuple(labels), mass, stiffness, damping, np.array(levers), abs(bearing.angular_speed), bearing.sense
     )
@@ -208,19 +208,14 @@ def fill_pad(
             damping[place, place], stiffness[place, place] = pad.tangential_damping, pad.tangential_stiffness
 
 
-def impedance(coefficients: PadCoefficients, frequency: ArrayLike) -> Complex:
-    """Complex stiffness Z = K + j w C - w^2 M that the journal sees at w in rad/s.
+def impedance(coefficients: PadCoefficients, frequency: float | Array) -> Complex:
+    """Complex stiffness Z = K + j w C - w^2 M that the journal sees at w in rad/s, shape (2, 2).
 
-    Returns
-    -------
-    ndarray, shape (2, 2)
-        Of several frequencies one behind the other, shape (n, 2, 2).
+    Of frequencies of shape (n, 1, 1) it is of shape (n, 2, 2).
     """
-    w = np.asarray(frequency, dtype=np.float64)[..., None, None]
-    z: Complex = np.empty((*w.shape[:-2], *coefficients.stiffness.shape), dtype=np.complex128)
-    z.real = coefficients.stiffness - w**2 * coefficients.mass
-    z.imag = w * coefficients.damping
-    if z.shape[-1] == 2:
+    k, c, m = coefficients.stiffness, coefficients.damping, coefficients.mass
+    z: Complex = k - frequency**2 * m + 1j * frequency * c
+    if len(k) == 2:
         return z
     return z[..., :2, :2] - z[..., :2, 2:] @ np.linalg.solve(z[..., 2:, 2:], z[..., 2:, :2])
 
@@ -230,7 +225,7 @@ def condensed_over(
 ) -> tuple[CondensedCoefficients, ...]:
     """`condensed_at` for each of several whirl ratios."""
     moving = [ratio for ratio in whirl_ratios if ratio > 0.0]
-    seen = iter(impedance(coefficients, np.array(moving) * coefficients.speed))
+    seen = iter(impedance(coefficients, np.array(moving)[:, None, None] * coefficients.speed))
     return tuple(
         in_motion(coefficients, ratio, next(seen)) if ratio > 0.0 else condensed_at(coefficients, ratio)
         for ratio in whirl_ratios
@@ -295,7 +290,7 @@ def fit_virtual_mass(coefficients: PadCoefficients, whirl_ratios: ArrayLike) -> 
             "E101", "a fit of stiffness, damping and mass needs three whirl ratios or more, above zero."
         )
     w = ratios * coefficients.speed
-    z = impedance(coefficients, w)
+    z = impedance(coefficients, w[:, None, None])
     basis = np.stack([np.ones_like(ratios), -(ratios**2)], axis=1)
     (k, m), *_ = np.linalg.lstsq(basis, z.real.reshape(ratios.size, 4), rcond=None)
     c = (w[:, None] * z.imag.reshape(-1, 4)).sum(axis=0) / (w**2).sum()
