@@ -12,9 +12,9 @@ Errors: the larger of both deviations on the diagonal of K, and of C, from the l
 of Babbitt's 6 x 192 and 6 x 384. An independent program of the same equations has 332.9 and 2646 MN/m, 5.421 and
 19.47 MN s/m on 6 x 192 points; the limit must lie within 0.05 % of these.
 
-Exit status 1 when Babbitt on 4 x 48 misses its marks: 1 ms in the kernel, 0.3 % of K and C and less than the
-errors of ROSS on any of its meshes, and with all that is reported a two-thousandth of its time (where it is
-installed).
+Exit status 1 when Babbitt on 4 x 48 misses its marks: 1 ms in the kernel, half as much again with all that is
+reported, 0.3 % of K and C and less than the errors of ROSS on any of its meshes, and with all that is reported a
+two-thousandth of its time (where it is installed).
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ sys.path.insert(0, str(Path(__file__).parent / "two_lands"))
 
 from sides import record_of  # noqa: E402
 
-MARKED, KERNEL, ACCURATE, RATIO = "4 x 48", 1e-3, 3e-3, 2000.0
+MARKED, KERNEL, WHOLE, ACCURATE, RATIO = "4 x 48", 1e-3, 1.5, 3e-3, 2000.0
 INDEPENDENT = {"kxx": 332.9e6, "kyy": 2646e6, "cxx": 5.421e6, "cyy": 19.47e6}
 SAME = 5e-4
 
@@ -49,6 +49,8 @@ def missed(rows: list[dict[str, Any]], limit: dict[str, float]) -> list[str]:
     misses = []
     if kernel["fastest"] > KERNEL:
         misses.append(f"kernel {1e3 * kernel['fastest']:.2f} ms, mark {1e3 * KERNEL:g} ms")
+    if whole["fastest"] > WHOLE * kernel["fastest"]:
+        misses.append(f"all that is reported {whole['fastest'] / kernel['fastest']:.2f} kernels, mark {WHOLE:g}")
     if max(kernel["errors"]) > ACCURATE:
         misses.append(f"errors {max(kernel['errors']):.1e}, mark {ACCURATE:g}")
     for name, value in INDEPENDENT.items():

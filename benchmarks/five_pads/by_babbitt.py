@@ -29,8 +29,9 @@ from babbitt.reynolds.model import Resolution
 from babbitt.reynolds.tilting_pads._pads import find_pads
 from babbitt.reynolds.tilting_pads._place import new_places
 from babbitt.reynolds.tilting_pads.dynamics import CondensedCoefficients, condensed_at, full_coefficients
+from babbitt.reynolds.tilting_pads.kernel_pads import PadScales, kernel_pads
 from babbitt.reynolds.tilting_pads.model import TiltingPad, TiltingPadBearing
-from babbitt.reynolds.tilting_pads.solve import PadScales, kernel_pads, no_total, solve_tilting_pads
+from babbitt.reynolds.tilting_pads.solve import no_total, solve_tilting_pads
 
 GRIDS = {"4 x 24": Resolution(4, 24), "4 x 48": Resolution(4, 48), "4 x 96": Resolution(4, 96)}
 COARSE, FINE = Resolution(6, 192, tolerance=1e-9), Resolution(6, 384, tolerance=1e-9)

@@ -25,8 +25,8 @@ REGISTRY.define("cSt_ = 1e-6 m**2/s")
 IN_PINT = {
     "mil": "thou", "lbf ft": "lbf*ft", "hp": "hp", "gpm": "gallon/min", "cSt": "cSt_", "in³/s": "in**3/s",
     "lb/ft³": "lb/ft**3", "Btu/(ft³ °F)": "Btu_it/ft**3/delta_degF", "1e-6/°F": "1e-6/delta_degF",
-    "lbf s/in": "lbf*s/in", "psi ft/s": "psi*ft/s", "lbf ft/rad": "lbf*ft", "lbf ft/mrad": "1e3*lbf*ft",
-    "lbf ft s/rad": "lbf*ft*s", "in²": "in**2", "mil/in": "1e-3", "Mpsi": "1e6*psi",
+    "lbf s/in": "lbf*s/in", "klbf s/in": "klbf*s/in", "psi ft/s": "psi*ft/s", "lbf ft/rad": "lbf*ft",
+    "lbf ft/mrad": "1e3*lbf*ft", "lbf ft s/rad": "lbf*ft*s", "in²": "in**2", "mil/in": "1e-3", "Mpsi": "1e6*psi",
     "in": "inch", "°F": "delta_degF", "Btu/(lb °F)": "Btu_it/lb/delta_degF",
 }  # fmt: skip
 COHERENT = {
@@ -72,6 +72,21 @@ def test_what_is_written_is_the_same_value(name):
     )
     assert float(text) == pytest.approx(value * shown.scale + shown.offset, abs=1.001 * digit)
     assert math.isfinite(value)
+
+
+@pytest.mark.parametrize(
+    ("name", "si", "shown"),
+    [
+        ("stiffness", 507.8e6, "2900 klbf/in"),  # not 2899612 lbf/in
+        ("stiffness", 2.647e9, "15.11 Mlbf/in"),
+        ("stiffness", 1e4, "57.1 lbf/in"),
+        ("damping", 19.47e6, "111.2 klbf s/in"),
+        ("damping", 3e5, "1713 lbf s/in"),
+    ],
+)
+def test_large_and_small_coefficients_have_a_unit_of_their_size(name, si, shown):
+    with displayed_in("us"):
+        assert QUANTITIES[name].suited(si).with_unit(si) == shown
 
 
 def test_the_system_ends_with_its_block_even_by_an_error():
@@ -229,7 +244,7 @@ def test_texts_have_their_values_in_both_systems():
     assert in_us_units(["5 mm", "20 °C"]) == ["5 mm", "20 °C"]
     with displayed_in("us"):
         assert in_us_units("capillary 0.6 mm × 60 mm at 20 to 60 °C, pad 2, 5 MN/m, a rise of 10 K") == (
-            "capillary 0.02362 in × 2.362 in at 68 to 140 °F, pad 2, 28550 lbf/in, a rise of 18 °F"
+            "capillary 0.02362 in × 2.362 in at 68 to 140 °F, pad 2, 28.55 klbf/in, a rise of 18 °F"
         )
         row = {"label": "Whole", "value": "-45, 135", "unit": "kN", "note": "5 W of SAE 10W-30, 3 mm2"}
         assert in_us_units(row) == {

@@ -55,11 +55,18 @@ def case_text(given: Mapping[str, Any]) -> str:
     """
     import yaml
 
+    dumper = getattr(yaml, "CSafeDumper", yaml.SafeDumper)
+
     def field(name: str, value: Any) -> str:
         inside = None if isinstance(value, dict | list) else False
         return str(
-            yaml.safe_dump(
-                {name: value}, sort_keys=False, allow_unicode=True, width=110, default_flow_style=inside
+            yaml.dump(
+                {name: value},
+                Dumper=dumper,
+                sort_keys=False,
+                allow_unicode=True,
+                width=110,
+                default_flow_style=inside,
             )
         )
 

@@ -12,13 +12,12 @@ from babbitt.reynolds.model import Resolution
 from babbitt.reynolds.tilting_pads._pads import WORK, find_pads, journal_step
 from babbitt.reynolds.tilting_pads._place import new_places
 from babbitt.reynolds.tilting_pads._tilt import AT_LIMIT, MOST_FILMS, NOT_FOUND
+from babbitt.reynolds.tilting_pads.kernel_pads import PadScales, kernel_pads
 from babbitt.reynolds.tilting_pads.model import TiltingPad, TiltingPadBearing
 from babbitt.reynolds.tilting_pads.pivots import LineContact, PointContact, RigidPivot, SpringPivot, stiffness_of
 from babbitt.reynolds.tilting_pads.solution import PadStatus
 from babbitt.reynolds.tilting_pads.solve import (
-    PadScales,
     fold_of,
-    kernel_pads,
     no_total,
     solve_tilting_pads,
     tilting_pads_at,

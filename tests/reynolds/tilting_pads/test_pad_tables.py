@@ -12,7 +12,12 @@ import pytest
 from scaled_pads import FIVE_LOAD, FOUR_LOAD, LEVER, bearing, five_pads, four_pads, one_pad, pad
 
 from babbitt.reynolds.model import Resolution
-from babbitt.reynolds.tilting_pads.dynamics import condensed_at, fit_virtual_mass, full_coefficients
+from babbitt.reynolds.tilting_pads.dynamics import (
+    condensed_at,
+    condensed_over,
+    fit_virtual_mass,
+    full_coefficients,
+)
 from babbitt.reynolds.tilting_pads.pivots import SpringPivot
 from babbitt.reynolds.tilting_pads.solution import PadStatus
 from babbitt.reynolds.tilting_pads.solve import fold_of, solve_tilting_pads, tilting_pads_at
@@ -41,6 +46,18 @@ def diagonals(coefficients, *ratios):
     """K and C of the diagonal at whirl ratios, in a row."""
     found = [condensed_at(coefficients, ratio) for ratio in ratios]
     return np.concatenate([np.concatenate([np.diag(one.stiffness), np.diag(one.damping)]) for one in found])
+
+
+@pytest.mark.parametrize("pivot", [{}, {"law": SpringPivot(5.0), "mass": 0.1}])
+def test_many_whirl_ratios_are_condensed_as_one_by_one(pivot):
+    coefficients = full_coefficients(solve_tilting_pads(four_pads(**pivot), FOUR_LOAD, COARSE))
+    for ratios in ((0.0, 0.4, 1.0, 0.0, 2.0), (0.0,), ()):
+        found = condensed_over(coefficients, ratios)
+        assert [one.whirl_ratio for one in found] == list(ratios)
+        for one in found:
+            alone = condensed_at(coefficients, one.whirl_ratio)
+            assert one.stiffness == pytest.approx(alone.stiffness, rel=1e-12, abs=1e-12)
+            assert one.damping == pytest.approx(alone.damping, rel=1e-12, abs=1e-12)
 
 
 @pytest.mark.parametrize("xi", list(CENTRED))

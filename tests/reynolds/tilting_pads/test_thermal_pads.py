@@ -47,6 +47,20 @@ def test_bore_temperatures_of_an_independent_calculation(model):
         assert hottest_bore(found) == pytest.approx(expected, abs=0.3)
 
 
+def test_films_of_one_temperature_do_not_feel_heated_ones_of_the_same_bearing():
+    """Pads are made ready for the kernels once; what growth and bending change are others."""
+    bearing = fillon_bearing()
+    before = solve_tilting_pads(bearing, LOAD)
+    assert bearing.prepared is bearing.prepared
+    assert find_thermal_tilting_pads(bearing, LOAD, fillon_heat("E")).outcome is Outcome.CONVERGED
+    after = solve_tilting_pads(bearing, LOAD)
+    assert np.array_equal(after.position, before.position)
+    assert all(
+        np.array_equal(one.pressure, two.pressure) for one, two in zip(after.pads, before.pads, strict=True)
+    )
+    assert replace(bearing, viscosity=2.0 * bearing.viscosity).prepared is not bearing.prepared
+
+
 @pytest.mark.parametrize("model", COEFFICIENTS)
 def test_gap_and_coefficients_of_an_independent_calculation(model):
     found = find_thermal_tilting_pads(fillon_bearing(), LOAD, fillon_heat(model))

@@ -125,7 +125,7 @@ _POUNDS_PER_CUBIC_FOOT = _per("kg", "lb") / _per("m", "ft") ** 3
 _FAHRENHEIT = _per("K", "degF")
 _PSI, _FEET, _INCHES = _per("Pa", "psi"), _per("m", "ft"), _per("m", "in")
 _FORCE = _per("N", "lbf")
-_STIFFNESS = DisplayUnit("lbf/in", _per("N/m", "lbf/in"), decimals=0, digits=4)
+_STIFFNESS = DisplayUnit("klbf/in", _per("N/m", "klbf/in"))
 _DAMPING = DisplayUnit("lbf s/in", _per("N s/m", "lbf s/in"), decimals=1)
 _FLOW = _per("m3/s", "gpm")
 _MOMENT = _per("N m", "lbf ft")
@@ -164,10 +164,10 @@ US = {
     "kg": DisplayUnit("lb", _per("kg", "lb"), decimals=1),
     "N/um": _STIFFNESS,
     "MN/m": _STIFFNESS,
-    "GN/m": _STIFFNESS,
-    "kN/m": _STIFFNESS,
+    "GN/m": DisplayUnit("Mlbf/in", _per("N/m", "Mlbf/in")),
+    "kN/m": DisplayUnit("lbf/in", _per("N/m", "lbf/in"), decimals=1),
     "kNs/m": _DAMPING,
-    "MNs/m": _DAMPING,
+    "MNs/m": DisplayUnit("klbf s/in", _per("N s/m", "klbf s/in")),
     "Ns/m": _DAMPING,
     "kNm/rad": DisplayUnit("lbf ft/rad", _MOMENT, decimals=1),
     "kNm/mrad": DisplayUnit("lbf ft/mrad", 1e-3 * _MOMENT, decimals=1),
@@ -255,7 +255,5 @@ def written_in_system(unit: str) -> str:
 
 
 def ladder_of(unit: DisplayUnit) -> tuple[str, ...]:
-    """The ladder of `LADDERS` on which a unit of the SI stands; empty for none, and for US units."""
-    if _SYSTEM.get() == "us":
-        return ()
+    """The ladder of `LADDERS` on which a unit of the SI stands, and with it that of the US; empty for none."""
     return next((units for units in LADDERS if unit in (SI[name] for name in units)), ())

@@ -60,7 +60,7 @@ class Quantity:
             return self
         if TOO_SMALL <= largest * self.display.scale < TOO_LARGE:
             return self
-        fitting = [SI[unit] for unit in ladder if largest * SI[unit].scale >= 1.0]
+        fitting = [SI[unit] for unit in ladder if largest * in_system(SI[unit]).scale >= 1.0]
         return replace(self, metric=fitting[-1] if fitting else SI[ladder[0]])
 
     def format(self, value: float) -> str:

@@ -174,7 +174,7 @@ _ALL = (
         "a stiffness",
         "200 MN/m",
         {"N/m": 1.0, "kN/m": 1e3, "MN/m": 1e6, "GN/m": 1e9, "N/mm": 1e3, "kN/mm": 1e6, "N/um": 1e6}
-        | {"lbf/in": POUND_FORCE / INCH, "klbf/in": 1e3 * POUND_FORCE / INCH},
+        | {"lbf/in": POUND_FORCE / INCH, "klbf/in": 1e3 * POUND_FORCE / INCH, "Mlbf/in": 1e6 * POUND_FORCE / INCH},
     ),
     Kind(
         "Pa s",
@@ -286,7 +286,8 @@ _ALL = (
         "N s/m",
         "a damping",
         "80 kN s/m",
-        {"kN s/m": 1e3, "N s/m": 1.0, "MN s/m": 1e6, "lbf s/in": POUND_FORCE / INCH},
+        {"kN s/m": 1e3, "N s/m": 1.0, "MN s/m": 1e6}
+        | {"lbf s/in": POUND_FORCE / INCH, "klbf s/in": 1e3 * POUND_FORCE / INCH},
     ),
     Kind(
         "kg m2", "a moment of inertia", "0.06 kg m2", {"kg m2": 1.0, "g m2": 1e-3, "kg cm2": 1e-4, "kg mm2": 1e-6}

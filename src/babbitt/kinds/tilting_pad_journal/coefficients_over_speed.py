@@ -16,7 +16,7 @@ from babbitt.export import CoefficientTable, Frame, OverFrequency, Rotation, Sys
 from babbitt.export.frame import load_direction
 from babbitt.kinds.tilting_pad_journal.check import pad_solution
 from babbitt.kinds.tilting_pad_journal.model import PadCase, Thermal
-from babbitt.reynolds.tilting_pads.dynamics import PadCoefficients, condensed_at
+from babbitt.reynolds.tilting_pads.dynamics import PadCoefficients, condensed_over
 
 __all__ = ["PadSpeedRun", "run_over_speed", "table_of"]
 
@@ -153,7 +153,7 @@ def frequencies_of(case: PadCase, speeds: NDArray[np.float64]) -> NDArray[np.flo
 
 def over_frequency(full: Sequence[PadCoefficients], frequencies: NDArray[np.float64]) -> OverFrequency:
     """Coefficients at every speed and frequency."""
-    found = [[condensed_at(one, float(w) / one.speed) for w in frequencies] for one in full]
+    found = [condensed_over(one, (frequencies / one.speed).tolist()) for one in full]
     return OverFrequency(
         frequencies,
         np.array([[one.stiffness for one in row] for row in found]),

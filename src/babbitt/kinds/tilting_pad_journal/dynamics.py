@@ -14,6 +14,7 @@ from babbitt.reynolds.tilting_pads.dynamics import (
     KCMFit,
     PadCoefficients,
     condensed_at,
+    condensed_over,
     fit_virtual_mass,
     full_coefficients,
 )
@@ -133,12 +134,13 @@ def dynamics_of(case: PadCase, solution: TiltingPadSolution) -> PadDynamics:
         chain = chain_of(case, full)
         modes = rotor_modes(chain, mass)
         motions = RotorMotions(modes, threshold_mass(chain, LIGHTER * mass, HEAVIER * mass))
+    synchronous = condensed_at(full, 1.0)
     return PadDynamics(
-        condensed_at(pads, 1.0),
+        synchronous if full is pads else condensed_at(pads, 1.0),
         full,
         condensed_at(full, 0.0),
-        condensed_at(full, 1.0),
-        tuple(condensed_at(full, ratio) for ratio in case.whirl_ratios),
+        synchronous,
+        condensed_over(full, case.whirl_ratios),
         fit,
         motions,
     )

@@ -288,15 +288,15 @@ def dynamic_rows(case: PadCase, dynamics: PadDynamics) -> dict[str, Matrix]:
 
 def rows_of(matrix: NDArray[np.float64]) -> Matrix:
     """A matrix as plain numbers, row by row."""
-    return tuple(flat(row) for row in plain(matrix))
+    return tuple(map(tuple, plain(matrix).tolist()))
 
 
 def plain(values: NDArray[np.float64]) -> NDArray[np.float64]:
     """The same without what is round-off beside the largest of them."""
-    size = float(np.abs(values).max(initial=0.0))
-    return np.where(np.abs(values) > ROUND_OFF * size, values, 0.0)
+    sizes = np.abs(values)
+    return np.where(sizes > ROUND_OFF * sizes.max(initial=0.0), values, 0.0)
 
 
 def flat(matrix: NDArray[np.float64]) -> tuple[float, ...]:
     """Plain numbers of an array, row after row."""
-    return tuple(float(one) for one in matrix.ravel())
+    return tuple(matrix.ravel().tolist())

@@ -30,6 +30,7 @@ __all__ = [
     "KCMFit",
     "PadCoefficients",
     "condensed_at",
+    "condensed_over",
     "fit_virtual_mass",
     "full_coefficients",
     "impedance",
@@ -127,30 +128,28 @@ def full_coefficients(solution: TiltingPadSolution) -> PadCoefficients:
         raise InputError("E101", "the bearing was not solved; coefficients need a position that is an answer.")
     bearing = solution.bearing
     chosen = [
-        (number, pad, state)
+        (number, pad, state, own_motions(pad, state))
         for number, (pad, state) in enumerate(zip(bearing.pads, solution.pads, strict=True), 1)
         if state.status is PadStatus.LOADED
     ]
-    motions = [own_motions(pad, state) for _, pad, state in chosen]
-    size = 2 + sum(len(own) for own in motions)
-    mass, stiffness, damping = np.zeros((3, size, size))
-    labels, levers, first = list(JOURNAL), np.ones(size), 2
-    for (number, pad, state), own in zip(chosen, motions, strict=True):
-        last = first + len(own)
-        rows = film_motions(pad, own, size, first)
-        answer = state if state.bend is None else state.bend
-        stiffness += rows.T @ answer.stiffness @ rows
-        damping += rows.T @ answer.damping @ rows
-        block = slice(first, last)
-        m, c, k = pad_matrices(bearing, pad, state, own)
-        mass[block, block] += m
-        damping[block, block] += c
-        stiffness[block, block] += k
+    size = 2 + sum(len(own) for *_, own in chosen)
+    mass, damping, stiffness = (np.zeros((size, size)) for _ in range(3))
+    parts = 3 * len(chosen)
+    felt, springs, dampers = np.zeros((parts, size)), np.zeros((parts, parts)), np.zeros((parts, parts))
+    labels, levers = list(JOURNAL), [1.0] * size
+    for row, (number, pad, state, own) in zip(range(0, len(felt), 3), chosen, strict=True):
+        first = len(labels)
+        block = slice(first, first + len(own))
+        fill_film_motions(felt[row : row + 3], pad, own, first)
+        answer, end = (state, row + 2) if state.bend is None else (state.bend, row + 3)
+        springs[row:end, row:end], dampers[row:end, row:end] = answer.stiffness, answer.damping
+        fill_pad(bearing, pad, state, own, mass[block, block], damping[block, block], stiffness[block, block])
         levers[first] = bearing.lever(pad)
         labels += [f"pad {number} {name}" for name in own]
-        first = last
+    stiffness += felt.T @ springs @ felt
+    damping += felt.T @ dampers @ felt
     return PadCoefficients(
-        tuple(labels), mass, stiffness, damping, levers, abs(bearing.angular_speed), bearing.sense
+        tuple(labels), mass, stiffness, damping, np.array(levers), abs(bearing.angular_speed), bearing.sense
     )
 
 
@@ -166,20 +165,25 @@ def own_motions(pad: TiltingPad, state: PadState) -> tuple[str, ...]:
     return tuple(names)
 
 
-def film_motions(pad: TiltingPad, own: Sequence[str], size: int, first: int) -> Array:
-    """Matrix B of a pad, shape (2, size): xi = n q - u, eta = tau q - v + s; with a third row for its bending."""
-    rows = np.zeros((3 if "bending" in own else 2, size))
-    rows[0, :2], rows[1, :2] = pad.normal(), pad.tangent()
+def fill_film_motions(rows: Array, pad: TiltingPad, own: Sequence[str], first: int) -> None:
+    """Matrix B of a pad, shape (3, size): xi = n q - u, eta = tau q - v + s, and its bending where it bends."""
+    cosine, sine = math.cos(pad.pivot_angle), math.sin(pad.pivot_angle)
+    rows[0, 0] = rows[1, 1] = cosine
+    rows[0, 1], rows[1, 0] = sine, -sine
     for column, name in enumerate(own, first):
-        row, sign = {"tilt": (1, 1.0), "pivot": (0, -1.0), "tangential": (1, -1.0), "bending": (2, 1.0)}[name]
+        row, sign = FELT[name]
         rows[row, column] = sign
-    return rows
 
 
-def pad_matrices(
-    bearing: TiltingPadBearing, pad: TiltingPad, state: PadState, own: Sequence[str]
-) -> tuple[Array, Array, Array]:
-    """Mass, damping and stiffness of a pad and its pivot in its own motions, those of the film left out.
+FELT = {"tilt": (1, 1.0), "pivot": (0, -1.0), "tangential": (1, -1.0), "bending": (2, 1.0)}
+"""In which part of (xi, eta, bending) a film feels a motion of its pad, and with which sign."""
+
+
+def fill_pad(
+    bearing: TiltingPadBearing, pad: TiltingPad, state: PadState, own: Sequence[str], mass: Array, damping: Array,
+    stiffness: Array,
+) -> None:  # fmt: skip
+    """Fill mass, damping and stiffness of a pad and its pivot in its own motions, those of the film left out.
 
     With b_g and a_g the distances of the centre of gravity from the pivot along tau and towards the centre of the
     bearing, a tilt moves it outward by -b_g delta and along tau by -a_g delta:
@@ -187,8 +191,6 @@ def pad_matrices(
     which is not coupled with the others.
     """
     lever = bearing.lever(pad)
-    size = len(own)
-    mass, damping, stiffness = np.zeros((3, size, size))
     mass[0, 0] = pad.inertia / lever**2
     damping[0, 0] = pad.rotational_damping / lever**2
     stiffness[0, 0] = pad.rotational_stiffness / lever**2
@@ -204,18 +206,35 @@ def pad_matrices(
         else:
             mass[0, place] = mass[place, 0] = -pad.mass * pad.mass_inset / lever
             damping[place, place], stiffness[place, place] = pad.tangential_damping, pad.tangential_stiffness
-    return mass, damping, stiffness
 
 
-def impedance(coefficients: PadCoefficients, frequency: float) -> Complex:
-    """Complex stiffness Z = K + j w C - w^2 M that the journal sees at w in rad/s, shape (2, 2)."""
-    z = (coefficients.stiffness + 1j * frequency * coefficients.damping - frequency**2 * coefficients.mass).astype(
-        complex
-    )
-    pads = slice(2, None)
-    if z.shape[0] == 2:
+def impedance(coefficients: PadCoefficients, frequency: float | Array) -> Complex:
+    """Complex stiffness Z = K + j w C - w^2 M that the journal sees at w in rad/s, shape (2, 2).
+
+    Of frequencies of shape (n, 1, 1) it is of shape (n, 2, 2).
+    """
+    k, c, m = coefficients.stiffness, coefficients.damping, coefficients.mass
+    z: Complex = k - frequency**2 * m + 1j * frequency * c
+    if len(k) == 2:
         return z
-    return np.asarray(z[:2, :2] - z[:2, pads] @ np.linalg.solve(z[pads, pads], z[pads, :2]))
+    return z[..., :2, :2] - z[..., :2, 2:] @ np.linalg.solve(z[..., 2:, 2:], z[..., 2:, :2])
+
+
+def condensed_over(
+    coefficients: PadCoefficients, whirl_ratios: Sequence[float]
+) -> tuple[CondensedCoefficients, ...]:
+    """`condensed_at` for each of several whirl ratios."""
+    moving = [ratio for ratio in whirl_ratios if ratio > 0.0]
+    seen = iter(impedance(coefficients, np.array(moving)[:, None, None] * coefficients.speed))
+    return tuple(
+        in_motion(coefficients, ratio, next(seen)) if ratio > 0.0 else condensed_at(coefficients, ratio)
+        for ratio in whirl_ratios
+    )
+
+
+def in_motion(coefficients: PadCoefficients, whirl_ratio: float, z: Complex) -> CondensedCoefficients:
+    """Stiffness and damping of the impedance at a whirl ratio above zero."""
+    return CondensedCoefficients(whirl_ratio, z.real, z.imag / (whirl_ratio * coefficients.speed))
 
 
 def condensed_at(coefficients: PadCoefficients, whirl_ratio: float) -> CondensedCoefficients:
@@ -229,9 +248,7 @@ def condensed_at(coefficients: PadCoefficients, whirl_ratio: float) -> Condensed
     if not whirl_ratio >= 0.0:
         raise InputError("E101", f"whirl_ratio is {whirl_ratio}; it must be zero or more.")
     if whirl_ratio > 0.0:
-        frequency = whirl_ratio * coefficients.speed
-        z = impedance(coefficients, frequency)
-        return CondensedCoefficients(whirl_ratio, z.real, z.imag / frequency)
+        return in_motion(coefficients, whirl_ratio, impedance(coefficients, whirl_ratio * coefficients.speed))
     k, c, pads = coefficients.stiffness, coefficients.damping, slice(2, None)
     if k.shape[0] == 2:
         return CondensedCoefficients(0.0, k, c)
@@ -273,7 +290,7 @@ def fit_virtual_mass(coefficients: PadCoefficients, whirl_ratios: ArrayLike) -> 
             "E101", "a fit of stiffness, damping and mass needs three whirl ratios or more, above zero."
         )
     w = ratios * coefficients.speed
-    z = np.array([impedance(coefficients, one) for one in w])
+    z = impedance(coefficients, w[:, None, None])
     basis = np.stack([np.ones_like(ratios), -(ratios**2)], axis=1)
     (k, m), *_ = np.linalg.lstsq(basis, z.real.reshape(ratios.size, 4), rcond=None)
     c = (w[:, None] * z.imag.reshape(-1, 4)).sum(axis=0) / (w**2).sum()

@@ -108,7 +108,7 @@ def bend_made(bearing: TiltingPadBearing, number: int, state: PadState) -> float
     far = 1.0 - near
     along = mode.shape(first) * (near * mean[:-1] + far * mean[1:])
     along += mode.shape(second) * (far * mean[:-1] + near * mean[1:])
-    width = bearing.width if pad.width is None else pad.width
+    width = bearing.width_of(pad)
     return float(0.5 * step * along.sum()) * bearing.radius * width / pad.bending_stiffness
 
 
@@ -129,7 +129,7 @@ def answer_in_bending(bearing: TiltingPadBearing, number: int, state: PadState, 
     """
     pad, scales = bearing.pads[number], PadScales(bearing)
     viscosity = bearing.viscosity if pad.viscosity is None else pad.viscosity
-    width = bearing.width if pad.width is None else pad.width
+    width = bearing.width_of(pad)
     weight = viscosity / bearing.viscosity * width / bearing.width
     surface = surface_of(bearing, number, state, scales)
     film, work = new_surface_film(surface), new_surface_work(surface)
@@ -162,7 +162,7 @@ def surface_of(bearing: TiltingPadBearing, number: int, state: PadState, scales:
         for gap, at in zip(gaps, places, strict=True):
             gap += np.interp(at, samples, bore)[:, None]
     viscosity = bearing.viscosity if pad.viscosity is None else pad.viscosity
-    width = bearing.width if pad.width is None else pad.width
+    width = bearing.width_of(pad)
     groove = bearing.groove_pressure * bearing.viscosity / (scales.pressure * viscosity)
     held = np.zeros((lines.size, mesh.nodes.size), dtype=bool)
     held[[0, -1]] = held[:, -1] = True

@@ -15,6 +15,8 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,6 +24,10 @@ from numpy.typing import NDArray
 from babbitt.core.notices import InputError
 from babbitt.reynolds.oil.turbulence import FilmTurbulence
 from babbitt.reynolds.tilting_pads.pivots import Pivot, RigidPivot
+
+if TYPE_CHECKING:
+    from babbitt.reynolds.tilting_pads._structs import Pads
+    from babbitt.reynolds.tilting_pads.kernel_pads import PadScales
 
 __all__ = ["TiltingPad", "TiltingPadBearing"]
 
@@ -200,6 +206,14 @@ class TiltingPadBearing:
             raise InputError("E101", "pads is empty; a bearing needs at least one pad.")
         check_overlap(self)
 
+    @cached_property
+    def prepared(self) -> tuple[PadScales, Pads]:
+        """Units, and pads in them as the kernels take them: made once for all solutions of a bearing."""
+        from babbitt.reynolds.tilting_pads.kernel_pads import PadScales, kernel_pads
+
+        scales = PadScales(self)
+        return scales, kernel_pads(self, scales)
+
     @property
     def radius(self) -> float:
         """Of the journal, m."""
@@ -220,6 +234,10 @@ class TiltingPadBearing:
         before = pad.pivot_fraction if self.sense > 0.0 else 1.0 - pad.pivot_fraction
         start = pad.pivot_angle - before * pad.extent
         return start, start + pad.extent
+
+    def width_of(self, pad: TiltingPad) -> float:
+        """Width of a pad, m."""
+        return self.width if pad.width is None else pad.width
 
     def lever(self, pad: TiltingPad) -> float:
         """Radius R + c_p + t of the contact of the pivot: a tilt times this moves the bore, m."""

@@ -97,7 +97,7 @@ def pad_momenta(coefficients: PadCoefficients, bearing: TiltingPadBearing) -> Ar
 
 
 def way_of_gravity(bearing: TiltingPadBearing, pad: TiltingPad, motion: str) -> Array:
-    """Way of the centre of gravity of a pad per own motion, shape (2,); the signs are those of `pad_matrices`."""
+    """Way of the centre of gravity of a pad per own motion, shape (2,); the signs are those of `fill_pad`."""
     outward, along = np.array(pad.normal()), np.array(pad.tangent())
     if motion == "pivot":
         return outward

@@ -91,13 +91,17 @@ class Curve:
         return float(displacement), float(slope)
 
 
+NONE = Curve()
+"""No displacement under any load."""
+
+
 @dataclass(frozen=True)
 class RigidPivot:
     """A pivot that does not give way."""
 
     def curve(self) -> Curve:
         """Displacement under load."""
-        return Curve()
+        return NONE
 
 
 @dataclass(frozen=True)

@@ -22,7 +22,6 @@ from babbitt.reynolds.lands._integrals import (
     SIDE_FLOW,
     TOTALS,
 )
-from babbitt.reynolds.lands.axial import even_axial_operator
 from babbitt.reynolds.lands.operators import kernel_operator
 from babbitt.reynolds.model import ENGINEERING, Resolution
 from babbitt.reynolds.tilting_pads._pad_fields import finish_pads
@@ -31,11 +30,18 @@ from babbitt.reynolds.tilting_pads._place import new_places, pads_at
 from babbitt.reynolds.tilting_pads._structs import PadPlaces, Pads
 from babbitt.reynolds.tilting_pads._tilt import AT_LIMIT, LOADED, find_fold
 from babbitt.reynolds.tilting_pads.flexible_pads import with_bending
-from babbitt.reynolds.tilting_pads.kernel_pads import PadScales, kernel_pads, pad_widths
+from babbitt.reynolds.tilting_pads.kernel_pads import PadScales
 from babbitt.reynolds.tilting_pads.load_path import journal_among_pads
 from babbitt.reynolds.tilting_pads.model import TiltingPadBearing
 from babbitt.reynolds.tilting_pads.pivots import stiffness_of
-from babbitt.reynolds.tilting_pads.solution import LightPad, PadPosition, PadState, PadStatus, TiltingPadSolution
+from babbitt.reynolds.tilting_pads.solution import (
+    FilmLines,
+    LightPad,
+    PadPosition,
+    PadState,
+    PadStatus,
+    TiltingPadSolution,
+)
 
 __all__ = [
     "Fold",
@@ -164,12 +170,12 @@ def stiff_pads_under(
 ) -> TiltingPadSolution:
     """Pads whose bores stay as they are under a load."""
     begun = time.perf_counter()
-    scales = PadScales(bearing)
-    pads, axial = kernel_pads(bearing, scales), kernel_operator(resolution.axial_unknowns)
+    (scales, pads), axial = bearing.prepared, kernel_operator(resolution.axial_unknowns)
     wanted = (np.asarray(load) + groove_force(bearing)) * scales.sense / scales.force
     at = np.asarray(start) * scales.sense / scales.length
     places, total = new_places(pads), no_total()
-    places.unloaded_below[list(without)] = math.inf
+    for number in without:
+        places.unloaded_below[number] = math.inf
     found = journal_among_pads(
         axial, pads, resolution.intervals, wanted, at, resolution.tolerance, max_steps, places, total
     )
@@ -204,8 +210,7 @@ def stiff_pads_at(
 ) -> TiltingPadSolution:
     """Pads whose bores stay as they are around a journal at a position."""
     begun = time.perf_counter()
-    scales = PadScales(bearing)
-    pads, axial = kernel_pads(bearing, scales), kernel_operator(resolution.axial_unknowns)
+    (scales, pads), axial = bearing.prepared, kernel_operator(resolution.axial_unknowns)
     at = np.asarray(position) * scales.sense / scales.length
     places, total = new_places(pads), no_total()
     is_open, is_found, grid = pads_at(axial, pads, resolution.intervals, at[0], at[1], places, total)
@@ -222,14 +227,15 @@ def assembled(
     at: Array, total: Array, outcome: Outcome, residual: float, indifferent: bool, steps: int, begun: float,
 ) -> TiltingPadSolution:  # fmt: skip
     """Everything in SI and in the fixed frame."""
-    states = pad_states(bearing, scales, axial, pads, grid, places, at)
+    position = at * scales.sense * scales.length
+    states = pad_states(bearing, scales, axial, pads, grid, places, position)
     limit = int(np.argmax(places.status == AT_LIMIT)) if outcome is Outcome.PAD_AT_LIMIT else None
     if any(math.isnan(state.pivot_stiffness) for state in states):  # no law of its pivot holds there
         outcome = Outcome.OVERLOADED
     return TiltingPadSolution(
         bearing=bearing,
         outcome=outcome,
-        position=at * scales.sense * scales.length,
+        position=position,
         force=total[:2] * scales.sense * scales.force + groove_force(bearing),
         pads=states,
         residual=residual * scales.force,
@@ -254,57 +260,53 @@ def pad_states(
     pads: Pads,
     grid: Grid,
     places: PadPlaces,
-    at: Array,
+    position: Array,
 ) -> tuple[PadState, ...]:
     """Every pad with its film; those that do not carry are concentric with their bores (eta = 0)."""
     count, n, m = len(bearing.pads), grid.step.shape[1], len(axial.size)
-    pressure, void = np.zeros((2, count, n + 1, m + 1))
+    pressure, void = np.zeros((count, n + 1, m + 1)), np.zeros((count, n + 1, m + 1))
     totals, narrowest = np.zeros((count, TOTALS)), np.zeros(count)
     finish_pads(axial, pads, grid, places, pressure, void, totals, narrowest)
-    pressure *= (scales.pressure * pads.weight * bearing.width / pad_widths(bearing))[:, None, None]
-    sense, unit, answers = bearing.sense, scales.force / scales.length, places.answers
-    mirror = np.array([[1.0, sense], [sense, 1.0]]) * unit
-    force = answers[:, :2] * (scales.sense * scales.force)
-    stiffness = answers[:, 2:6].reshape(count, 2, 2) * mirror
-    damping = answers[:, 6:].reshape(count, 2, 2) * (mirror / scales.rate)
-    nodes, highest = even_axial_operator(m).nodes, pressure.max(axis=(1, 2)).tolist()
-    journal = at * scales.sense * scales.length
+    widths, weights = [bearing.width_of(pad) for pad in bearing.pads], pads.weight.tolist()
+    shares = zip(weights, widths, strict=True)
+    units = tuple(scales.pressure * weight * bearing.width / width for weight, width in shares)
+    lines = FilmLines(bearing, grid.theta, pressure, void, units)
+    answers = places.answers * scales.answers
+    push, turn = answers[:, 0].tolist(), answers[:, 1].tolist()
+    radial, along, rigid, offset, gap = (
+        part.tolist() for part in (places.radial, places.along, places.rigid, pads.offset, narrowest)
+    )
+    x, y = position.tolist()
     states = []
-    for k, pad in enumerate(bearing.pads):
-        e, eta, rigid = (float(part[k]) for part in (places.radial, places.along, places.rigid))
-        status = STATUSES.get(int(places.status[k]), PadStatus.UNLOADED)
-        load, across = (
-            float(-answers[k, 0]) * scales.force + 0.0,
-            float(-force[k, 1]) / pad.tangential_stiffness + 0.0,
-        )
-        along = sense * eta * scales.length
-        tilt = math.nan
+    for k, (pad, code, film) in enumerate(zip(bearing.pads, places.status.tolist(), totals.tolist(), strict=True)):
+        load, across = 0.0 - push[k], 0.0 - turn[k] / pad.tangential_stiffness
+        tangential = bearing.sense * along[k] * scales.length
+        status, tilt = STATUSES.get(code, PadStatus.UNLOADED), math.nan
         if status is PadStatus.LOADED:
-            tilt = (along - float(journal @ pad.tangent()) + across) / bearing.lever(pad)
-        width = bearing.width if pad.width is None else pad.width
-        flow, torque = scales.flow * width / bearing.width, scales.torque * float(pads.weight[k])
+            moved = y * math.cos(pad.pivot_angle) - x * math.sin(pad.pivot_angle)
+            tilt = (tangential - moved + across) / bearing.lever(pad)
+            if not load > 0.0:
+                status = PadStatus.UNLOADED
+        flow, torque = scales.flow * widths[k] / bearing.width, scales.torque * weights[k]
         states.append(PadState(
-            status=PadStatus.UNLOADED if status is PadStatus.LOADED and not load > 0.0 else status,
-            position=PadPosition(tilt, max(0.0, rigid - e) * scales.length, across),
-            radial=(e - float(pads.offset[k])) * scales.length,
-            tangential=along,
-            eccentricity_ratio=e * scales.length / pad.clearance,
+            number=k,
+            status=status,
+            position=PadPosition(tilt, max(0.0, rigid[k] - radial[k]) * scales.length, across),
+            radial=(radial[k] - offset[k]) * scales.length,
+            tangential=tangential,
+            eccentricity_ratio=radial[k] * scales.length / pad.clearance,
             load=load,
-            force=force[k],
-            stiffness=stiffness[k],
-            damping=damping[k],
+            force=answers[k, :2],
+            stiffness=answers[k, 2:6].reshape(2, 2),
+            damping=answers[k, 6:].reshape(2, 2),
             pivot_stiffness=stiffness_of(pad.pivot, load),
-            minimum_film_thickness=float(narrowest[k]) * scales.length,
-            maximum_pressure=highest[k],
-            inflow=float(totals[k, INFLOW]) * flow,
-            outflow=float(totals[k, OUTFLOW]) * flow,
-            side_flow=float(totals[k, SIDE_FLOW]) * flow,
-            friction_torque=float(totals[k, JOURNAL_TORQUE]) * torque,
-            shear_torque=float(totals[k, BEARING_TORQUE]) * torque,
-            angles=sense * grid.theta[k] + pad.pivot_angle,
-            axial_positions=nodes * (0.5 * width),
-            pressure=pressure[k],
-            void=void[k],
+            minimum_film_thickness=gap[k] * scales.length,
+            inflow=film[INFLOW] * flow,
+            outflow=film[OUTFLOW] * flow,
+            side_flow=film[SIDE_FLOW] * flow,
+            friction_torque=film[JOURNAL_TORQUE] * torque,
+            shear_torque=film[BEARING_TORQUE] * torque,
+            lines=lines,
         ))  # fmt: skip
     return tuple(states)
 
@@ -359,8 +361,7 @@ def fold_of(bearing: TiltingPadBearing, number: int, resolution: Resolution = EN
     pad = bearing.pads[number]
     if pad.rotational_stiffness > 0.0:
         raise InputError("E101", "a pad on a flexure has no fold; ask for pads that are free to tilt.")
-    scales = PadScales(bearing)
-    pads, axial = kernel_pads(bearing, scales), kernel_operator(resolution.axial_unknowns)
+    (scales, pads), axial = bearing.prepared, kernel_operator(resolution.axial_unknowns)
     if pads.centred[number]:
         return Fold(Outcome.CONVERGED, 0.0, 0.0, 0.0)
     clearance = pads.bearing.lands[number, 2]

@@ -14,7 +14,7 @@ from babbitt.kinds.tilting_pad_journal.margins import PadMargin
 from babbitt.kinds.tilting_pad_journal.model import PadCase
 from babbitt.report.drawing import GREY, INK, Array, Sheet, mark
 from babbitt.report.us_words import numbers_in_us_units
-from babbitt.reynolds.tilting_pads.dynamics import condensed_at
+from babbitt.reynolds.tilting_pads.dynamics import condensed_over
 from babbitt.reynolds.tilting_pads.model import TiltingPad
 from babbitt.reynolds.tilting_pads.pivots import RigidPivot
 from babbitt.reynolds.tilting_pads.rotor import Mode, rotor_modes
@@ -98,7 +98,7 @@ def coefficients_over_whirl(case: PadCase, dynamics: PadDynamics) -> Figure:
     ends = min(case.whirl_ratios), max(case.whirl_ratios)
     low, high = (0.9 * ends[0], 1.1 * ends[1]) if ends[1] > ends[0] else (0.5 * ends[0], 1.5 * ends[0])
     ratios = np.linspace(max(low, 0.02), max(high, 0.05), 81)
-    found = [condensed_at(dynamics.full, float(ratio)) for ratio in ratios]
+    found = condensed_over(dynamics.full, ratios.tolist())
     fit, speed = dynamics.fit, dynamics.full.speed
     for name, i, j, colour, stroke, width in ENTRIES:
         stiffness = 1e-6 * np.array([one.stiffness[i, j] for one in found])
