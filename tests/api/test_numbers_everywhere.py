@@ -14,7 +14,7 @@ from babbitt.case import kinds, template
 from babbitt.case.field_types import field_annotations, quantity_in
 from babbitt.core.units.pint_quantity import pint_quantity
 
-REGISTRY = pint.UnitRegistry()
+REGISTRY = pint.get_application_registry()
 
 
 @pytest.fixture(params=kinds(), scope="module")

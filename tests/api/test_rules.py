@@ -59,7 +59,7 @@ REGISTRY = own_registry()
         (np.float64(0.05), True),
         (np.array(0.05), True),
         (np.float32(0.05), False),
-        (pint.UnitRegistry().Quantity(50, "mm"), True),
+        (pint.Quantity(50, "mm"), True),
         (REGISTRY.Quantity(np.float64(50.0), "millimeter"), True),
         (REGISTRY.Quantity(50.0, "mm").to("inch"), True),
     ],
@@ -86,7 +86,7 @@ def test_a_quantity_of_another_kind_is_refused(bearing):
 
 
 def test_temperatures_of_pint_have_their_offset(bearing):
-    warm = bearing.replace({"supply.temperature": pint.UnitRegistry().Quantity(50, "degC")})
+    warm = bearing.replace({"supply.temperature": pint.Quantity(50, "degC")})
     assert warm.supply.temperature == bearing.supply.temperature == 323.15
 
 

@@ -1,6 +1,7 @@
 """Choices of a method in its mapping say what they said as fields of the bearing: one case, hash and problem."""
 
 import copy
+from functools import cache
 
 import pytest
 import yaml
@@ -135,10 +136,15 @@ def test_both_forms_are_one_case_with_one_hash_and_one_problem(kind, method, nam
         assert case_hash(mapped) != case_hash(bare)
 
 
+@cache
+def definitions():
+    return case_schema()["$defs"]
+
+
 @pytest.mark.parametrize("kind", [kind for kind in KINDS if method_models(KINDS[kind])])
 def test_every_method_has_a_mapping_and_every_choice_is_of_one_method(kind):
     model = KINDS[kind]
-    drawn = case_schema()["$defs"][model.__name__]["properties"]["method"]["anyOf"]
+    drawn = definitions()[model.__name__]["properties"]["method"]["anyOf"]
     names = drawn[0].get("enum") or [drawn[0]["const"]]
     assert list(method_models(model)) == names
     assert len(every_choice(model)) == sum(len(choices_of(model, method)) for method in names)
@@ -243,7 +249,7 @@ def test_a_bearing_of_a_machine_has_a_mapping_of_its_own():
 
 
 def test_the_schema_knows_both_forms_and_marks_the_former():
-    drawn = case_schema()["$defs"]
+    drawn = definitions()
     for name, marked in (("JournalCase", "accuracy"), ("HeatExchangeInput", "nusselt"), ("ThrustCase", "thermal"),
                          ("TiltingPadJournalCase", "deformation")):  # fmt: skip
         assert drawn[name]["properties"][marked]["deprecated"] is True

@@ -24,7 +24,8 @@ from babbitt.core.units import AS_WRITTEN
 from babbitt.solving import solve
 
 BAD = Path(__file__).parent / "bad"
-VALIDATOR = jsonschema.Draft202012Validator(case_schema())
+SCHEMA = case_schema()
+VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
 
 
 def parts(cls=Part):
@@ -185,7 +186,7 @@ def test_shipped_schema_is_in_step():
 
 
 def test_schema_is_a_schema():
-    jsonschema.Draft202012Validator.check_schema(case_schema())
+    jsonschema.Draft202012Validator.check_schema(SCHEMA)
     assert json.loads(shipped_schema())["$schema"].endswith("2020-12/schema")
 
 
@@ -209,7 +210,7 @@ def quantities(node):
 
 
 def test_every_quantity_has_a_range():
-    found = list(quantities(case_schema()))
+    found = list(quantities(SCHEMA))
     assert len(found) > 80
     assert all(node.get("x-allowed") for node in found)
 

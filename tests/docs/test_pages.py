@@ -9,13 +9,13 @@ import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 import pytest
-from babbitt_pages import case_file, command_line, drawings, markdown, validation
+from babbitt_pages import case_file, command_line, drawings, markdown
 from babbitt_pages.files import write
 from babbitt_pages.markdown import table, text
 from babbitt_pages.svg import polar
 from example_blocks import DOCS, ROOT, pages
 
-from babbitt.validation import Evidence, cases, cases_of
+from babbitt.validation import cases
 
 LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s]+)\)")
 SVG = "{http://www.w3.org/2000/svg}"
@@ -120,19 +120,6 @@ def test_links_inside_the_case_reference_lead_to_its_sections() -> None:
     page = case_file.page()
     targets = set(re.findall(r"^\((case-[a-z0-9]+)\)=$", page, re.MULTILINE))
     assert set(re.findall(r"\]\(#(case-[a-z0-9]+)\)", page)) <= targets
-
-
-@pytest.mark.slow
-def test_scoreboard_has_every_published_case() -> None:
-    board = validation.scoreboard()
-    for case in cases():
-        assert f"(/_generated/validation/{case.name}.md)" in board
-        assert f"\n/_generated/validation/{case.name}\n" in board
-    validations, rest = board.split("## Reproductions")
-    reproductions, own = rest.split("## Own values, regression")
-    assert own.count("| unchanged |") == len(cases_of(Evidence.REGRESSION))
-    assert validations.count("| agrees |") == len(cases_of(Evidence.VALIDATION))
-    assert reproductions.count("| reproduced |") == len(cases_of(Evidence.REPRODUCTION))
 
 
 def test_files_are_written_only_when_new(tmp_path: Path) -> None:

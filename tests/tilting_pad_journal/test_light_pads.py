@@ -1,6 +1,7 @@
 """Offset pads that would have to carry less than they can, but little of the load."""
 
 import math
+from functools import cache
 
 import numpy as np
 import pytest
@@ -62,9 +63,15 @@ COMPRESSOR = {
 """Load between the lower pads; the upper one unloads near 11 400 rpm, at 3.5 % of the load."""
 
 
+@cache
+def compressor(speed):
+    """The solution at a speed in rpm."""
+    return solution_of(**COMPRESSOR, speed=f"{speed} rpm")
+
+
 def test_a_pad_of_heated_films_without_equilibrium_about_its_fold_is_left_without_load():
     """At the temperatures of the state without it, it would have to carry less than it can."""
-    found = result_of(**COMPRESSOR, speed="11600 rpm")
+    found = compressor(11600).result
     assert found.outcome is Outcome.CONVERGED
     (notice,) = light_notices(found)
     assert 0.0 < notice.values["need"] < notice.values["least"] <= 0.05 * found.values["load"]
@@ -77,7 +84,7 @@ def test_a_pad_of_heated_films_without_equilibrium_about_its_fold_is_left_withou
 
 def test_a_pad_that_stays_unloaded_at_its_final_temperatures_is_in_equilibrium():
     """Films that still heat up load the pad at 11 400 rpm; those that have settled do not."""
-    found = result_of(**COMPRESSOR, speed="11400 rpm")
+    found = compressor(11400).result
     assert found.outcome is Outcome.CONVERGED
     assert not light_notices(found)
     assert set(messages(found, "W401")) == {3}
@@ -88,19 +95,19 @@ def test_a_pad_that_comes_back_with_more_than_its_share_has_no_solution():
     """What it would carry at the temperatures of the state without it grows with the speed."""
     loads = []
     for speed in (11600, 11700, 11800):
-        (notice,) = light_notices(result_of(**COMPRESSOR, speed=f"{speed} rpm"))
+        (notice,) = light_notices(compressor(speed).result)
         loads.append(notice.values["need"])
     assert loads == sorted(loads)
     assert "least" not in notice.values  # it carries at these temperatures
     assert loads[-1] <= 0.05 * 4225.8
-    beyond = result_of(**COMPRESSOR, speed="11900 rpm")
+    beyond = compressor(11900).result
     assert beyond.outcome is Outcome.PAD_AT_LIMIT
     assert beyond.failure.code == "S401"
 
 
 def test_heated_pads_tell_what_they_carry_without_being_held_unloaded():
     """The pad that is left out of a journal at 11 600 rpm carries its film's load as soon as it comes back."""
-    state = solution_of(**COMPRESSOR, speed="11600 rpm").state.films.solution
+    state = compressor(11600).state.films.solution
     (light,) = state.light
     assert state.pads[light.number].load == 0.0
     assert light.need < light.least < light.returning <= 0.05 * 4225.8
@@ -154,7 +161,7 @@ def test_an_unloaded_offset_pad_carries_above_the_preload_that_is_told():
 
 def test_smaller_steps_settle_a_pad_that_bounces_into_its_limit():
     """At 12 000 rpm large steps lead from one state to the other; the pad has a place between its neighbours."""
-    slower, found, faster = (result_of(**COMPRESSOR, speed=f"{speed} rpm") for speed in (11600, 12000, 12200))
+    slower, found, faster = (compressor(speed).result for speed in (11600, 12000, 12200))
     assert found.outcome is Outcome.CONVERGED
     assert not light_notices(found) + light_notices(faster)
     loads, more = found.arrays["pad_load"][0], faster.arrays["pad_load"][0]

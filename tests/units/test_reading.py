@@ -1,6 +1,7 @@
 """Quantities are read as pint would read them, faster, and nothing else is read."""
 
 import math
+from functools import partial
 
 import pint
 import pytest
@@ -218,8 +219,9 @@ def test_a_quantity_with_an_everyday_unit_does_not_load_pint():
     subprocess.run([sys.executable, "-c", program], check=True)
 
 
-def test_an_application_that_redefines_units_does_not_reach_us():
+def test_an_application_that_redefines_units_does_not_reach_us(request):
     own = pint.UnitRegistry()
     own.define("furlong = 1 * meter")
+    request.addfinalizer(partial(pint.set_application_registry, pint.get_application_registry().get()))
     pint.set_application_registry(own)
     assert read("10 furlong", "m") == pytest.approx(2011.684, rel=1e-6)

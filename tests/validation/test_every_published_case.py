@@ -9,6 +9,7 @@ from functools import cache
 from unittest.mock import patch
 
 import pytest
+from babbitt_pages import validation
 
 from babbitt.core.notices import InputError
 from babbitt.validation import (
@@ -39,11 +40,14 @@ def rows_of(case):
         return load(name, *given, **options)
 
     with patch("builtins.__import__", loaded):
-        return tuple(case.run())
+        rows = tuple(case.run())
+    vars(case)["rows"] = rows  # what page, figure and scoreboard ask for
+    return rows
 
 
 @cache
 def page_of(case):
+    rows_of(case)
     return page(case)
 
 
@@ -86,7 +90,7 @@ def test_a_wrong_number_in_the_data_makes_its_case_fail(case_name, data, change,
     from importlib import import_module
 
     case = validation_case(case_name)
-    assert summary(case.run()).agrees
+    assert summary(rows_of(case)).agrees
     spoilt = copy.deepcopy(reference_data(data))
     change(spoilt)
     users = ("butenschoen_1976", "raimondi_boyd_1958", "reverse_gear_inputs")
@@ -147,6 +151,20 @@ def test_tables_of_the_page_are_rectangular(case):
         if block.startswith("| "):
             widths = {len(re.findall(r"(?<!\\)\|", line)) for line in block.splitlines()}
             assert len(widths) == 1
+
+
+def test_scoreboard_has_every_published_case():
+    for case in cases():
+        rows_of(case)
+    board = validation.scoreboard()
+    for case in cases():
+        assert f"(/_generated/validation/{case.name}.md)" in board
+        assert f"\n/_generated/validation/{case.name}\n" in board
+    validations, rest = board.split("## Reproductions")
+    reproductions, own = rest.split("## Own values, regression")
+    assert own.count("| unchanged |") == len(cases_of(Evidence.REGRESSION))
+    assert validations.count("| agrees |") == len(cases_of(Evidence.VALIDATION))
+    assert reproductions.count("| reproduced |") == len(cases_of(Evidence.REPRODUCTION))
 
 
 @CASES

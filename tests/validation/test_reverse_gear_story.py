@@ -135,13 +135,13 @@ def test_outlet_temperatures_with_the_lower_friction_factor():
 
 
 def test_the_misprint_is_shown_and_not_judged_and_every_bearing_is_judged():
-    spans = validation_case("reverse_gear_spans").run()
+    spans = validation_case("reverse_gear_spans").rows
     misprint = next(row for row in spans if row.published == 61.66)
     assert not misprint.judged
     assert "31.66" in misprint.suspect
     corrected = next(row for row in spans if row.published == 31.66)
     assert corrected.judged
-    gear = validation_case("reverse_gear").run()
+    gear = validation_case("reverse_gear").rows
     assert {row.quantity for row in gear if not row.judged} == {"T_ex"}
     assert len({row.place for row in gear if row.judged}) == 11
 

@@ -400,8 +400,9 @@ def walls_of(
         ]),
         journal_open=heat.journal is not None, journal_given=journal.temperature is not None,
         pads_open=bool(conduction), exchange=exchange, answer=answer, given=given, answer_mean=answer_mean,
-        given_mean=share @ given, edge_answer=edges[:, :, :lines], edge_given=edges[:, :, lines:], back=back,
-        bore=np.full(rows, start), flux=np.zeros(rows), datum=np.full(rows, start),
+        given_mean=share @ given, edge_answer=edges[:, :, :lines].copy(),  # slices would be compiled for once more
+        edge_given=edges[:, :, lines:].copy(), back=back, bore=np.full(rows, start), flux=np.zeros(rows),
+        datum=np.full(rows, start),
     )  # fmt: skip
 
 
