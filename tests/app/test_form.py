@@ -3,9 +3,11 @@
 import pytest
 
 from babbitt.app.document import CaseDocument, with_changed
-from babbitt.app.form import NONE, Choice, Entry, Group, Rows, as_text, form_of, sections_of
+from babbitt.app.form import NONE, Choice, Entry, Group, Rows, as_text, form_of, quantities, sections_of
 from babbitt.app.form_view import path_of
 from babbitt.app.link import case_of, link_of
+from babbitt.app.slider import Slider
+from babbitt.app.studies import axes_of
 from babbitt.app.units import in_unit, split
 from babbitt.app.words import sections, word
 from babbitt.case import parse_case
@@ -199,3 +201,31 @@ def test_a_change_while_a_slider_moves_is_one_of_its_own():
     assert (document.given["load"], document.given["diameter"]) == ("14 kN", "120 mm")
     document.undo()
     assert document.text == TEMPLATES["journal"]
+
+
+def test_a_number_in_permille_is_a_quantity_and_a_plain_one_is_none():
+    """A relative clearance has a slider and a study; a preload stays a number."""
+    document = CaseDocument(TEMPLATES["journal"])
+    document.change(("clearance",), {"kind": "relative", "mean": "1.5 permille"})
+    document.change(("width_ratio",), 0.5)
+    found = {entry.path: entry for entry in quantities(document.items)}
+    assert found["clearance", "mean"].units[0] in ("permille", "%")
+    assert "permille" in found["clearance", "mean"].units
+    assert ("width_ratio",) not in found
+    assert "clearance.mean" in axes_of(document, "size")
+
+
+def test_a_drag_that_pauses_is_one_step_to_take_back():
+    """While the hand holds the slider its movement has not ended."""
+    document = CaseDocument(TEMPLATES["journal"])
+    before = document.text
+    slider = Slider.__new__(Slider)
+    slider.document, slider._stopped, slider._moved = document, lambda moved: None, {("load",)}
+    slider._held = True
+    for load in ("13 kN", "14 kN"):
+        document.slide(("load",), load)
+        slider._stood_still()
+    slider._held = False
+    slider._stood_still()
+    document.undo()
+    assert document.text == before

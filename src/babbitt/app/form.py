@@ -220,7 +220,9 @@ def _entry(
     types = {part.get("type") for _, part in ways}
     kind = KINDS.get(field.get("x-kind", field.get("x-unit", "")))
     example = field.get("x-example", "")
-    everyday = () if kind is None or "" in kind.everyday else tuple(kind.everyday)
+    everyday = () if kind is None else tuple(kind.everyday)
+    if "" in everyday:  # a plain number, or in the permille and per cent that the case writes
+        everyday = tuple(filter(None, everyday)) if as_text(value).partition(" ")[2] in everyday[1:] else ()
     return Entry(
         **told,
         value=value,

@@ -164,7 +164,10 @@ def chart_of(found: Map, as_surface: bool) -> dict[str, Any]:
         {"type": kind, "x": sheet.angles, "y": sheet.widths, "z": sheet.values, "coloraxis": "coloraxis"}
         for sheet in found.sheets
     ]
-    layout = {**base, "coloraxis": {"colorscale": "Viridis", "colorbar": {"title": {"text": title}}}}
+    layout = {
+        **base,
+        "coloraxis": {"colorscale": "Viridis", "colorbar": {"title": {"text": title, "side": "right"}}},
+    }
     if as_surface:
         names = {"xaxis": angle, "yaxis": width, "zaxis": {"title": {"text": title}}}
         layout["scene"] = {**names, "aspectratio": {"x": 1.6, "y": 0.9, "z": 0.7}, "camera": {"eye": EYE}}

@@ -44,6 +44,7 @@ class Slider:
         self.document, self._moving, self._stopped = document, moving, stopped
         self._picked: list[Path] = []
         self._moved: set[Path] = set()
+        self._held = False
         self._pause: asyncio.TimerHandle | None = None
         context.client.on_delete(self._leave)
         self._box = ui.column().classes("w-full")
@@ -86,7 +87,12 @@ class Slider:
             self._moving()
             self._await_stop()
 
+        def held(event: Any) -> None:
+            self._held = event.args == "start"
+            self._await_stop()
+
         found.on("update:model-value", moved, throttle=0.05, leading_events=False)
+        found.on("pan", held)
 
     def _await_stop(self) -> None:
         """Take the movement as ended when nothing moves for a while, by hand or by keys."""
@@ -94,7 +100,8 @@ class Slider:
         self._pause = asyncio.get_running_loop().call_later(PAUSE, self._stood_still)
 
     def _stood_still(self) -> None:
-        self.document.keep()
+        if not self._held:  # one drag with pauses is one step to take back
+            self.document.keep()
         moved, self._moved = self._moved, set()
         self._stopped(moved)
 

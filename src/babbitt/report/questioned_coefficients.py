@@ -39,7 +39,7 @@ def warnings_lines(table: CoefficientTable) -> Iterator[str]:
     """Codes speed by speed, then what each of them says; nothing for a table without warnings."""
     for speed, codes in zip(table.speeds, table.warnings, strict=False):  # no warnings at all: none for any speed
         if codes:
-            yield f"{rounded_rpm(float(speed)):.12g} rpm: {' '.join(codes)}"
+            yield f"{rounded_rpm(float(speed)):.6g} rpm: {' '.join(codes)}"
     for code in dict.fromkeys(code for codes in table.warnings for code in codes):
         known = explanations()[code]
         yield f"{code}  {known.title}{' (no verdict)' if known.effect is Effect.NO_VERDICT else ''}"
