@@ -29,7 +29,7 @@ from babbitt.kinds.tilting_pad_journal.level_one import (
 from babbitt.kinds.tilting_pad_journal.margins import PadMargin, pad_margins
 from babbitt.kinds.tilting_pad_journal.model import PadCase, Thermal
 from babbitt.kinds.tilting_pad_journal.one_temperature import warnings_about_one_temperature
-from babbitt.kinds.tilting_pad_journal.sensitivity import sensitivity_rows
+from babbitt.kinds.tilting_pad_journal.sensitivity import with_sensitivity
 from babbitt.kinds.tilting_pad_journal.state import PadFilms
 from babbitt.kinds.tilting_pad_journal.thermal_assumptions import thermal_assumptions
 from babbitt.kinds.tilting_pad_journal.thermal_values import thermal_rows, thermal_values
@@ -134,10 +134,11 @@ def pad_solution(case: PadCase) -> Solution:
         | thermal_rows(case, films)
         | dynamic_rows(case, dynamics)
         | cross_coupling_rows(driven)
-        | pedestal_rows(case, dynamics)
-        | (sensitivity_rows(case, values) if case.assumption_sensitivity else {}),
+        | pedestal_rows(case, dynamics),
         missing=missing_of(case, values),
     )
+    if case.assumption_sensitivity:
+        result = with_sensitivity(case, result, lambda other: pad_solution(other).result)
     return Solution(case, result, PadSolutionState(films, dynamics, margins, driven))
 
 
