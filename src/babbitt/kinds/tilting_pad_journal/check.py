@@ -9,6 +9,7 @@ from time import perf_counter
 from babbitt.core.notices import InputError, Notice
 from babbitt.core.result import Bound, Check, Outcome, Result
 from babbitt.core.solution import Solution
+from babbitt.core.units import ZERO_CELSIUS
 from babbitt.design.bounds import Bounds, certain, undecided
 from babbitt.design.checks import checks_not_made, limit_checks
 from babbitt.design.heat_balance import Equilibrium
@@ -303,6 +304,18 @@ def missing_of(case: PadCase, values: Mapping[str, float]) -> dict[str, str]:
         )
     if "given_flow" in values and "surplus_flow" not in values:
         missing["surplus_flow"] = "the flow given is less than the pads draw in, none is left over"
+        if "heat_to_oil" in values:
+            missing["outlet_temperature"] = starved_outlet(values)
     if "fit_error" not in values:
         missing["fit_error"] = "stiffness, damping and virtual mass are fitted over three whirl ratios or more"
     return missing
+
+
+def starved_outlet(values: Mapping[str, float]) -> str:
+    """Why the oil that leaves starved pads has no temperature, with that by the heat balance of the oil given."""
+    rise = values["heat_to_oil"] / (values["volumetric_heat_capacity"] * values["given_flow"])
+    leaving = values["supply_temperature"] + rise - ZERO_CELSIUS
+    return (
+        "the flow given is less than the pads draw in: films with all of that oil do not tell how hot it leaves; "
+        f"their heat would bring the oil that is given to {leaving:.1f} °C"
+    )

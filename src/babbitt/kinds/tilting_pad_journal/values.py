@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from babbitt.core.quantities import AXES
 from babbitt.core.result import Matrix
+from babbitt.design.conditions import OilSupply
 from babbitt.design.values import duty_values, limit_values, oil_values
 from babbitt.kinds.tilting_pad_journal.dynamics import PadDynamics, bounded_decrement, swinging
 from babbitt.kinds.tilting_pad_journal.margins import PadMargin
@@ -21,7 +22,15 @@ from babbitt.reynolds.tilting_pads.pad_lands import pad_gaps
 from babbitt.reynolds.tilting_pads.pivots import HertzContact
 from babbitt.reynolds.tilting_pads.solution import PadState, PadStatus, TiltingPadSolution
 
-__all__ = ["dynamic_rows", "dynamic_values", "eccentricity_ratio", "film_values", "pad_rows", "place_values"]
+__all__ = [
+    "dynamic_rows",
+    "dynamic_values",
+    "eccentricity_ratio",
+    "film_values",
+    "outlet_values",
+    "pad_rows",
+    "place_values",
+]
 
 STATUS = {PadStatus.LOADED: 1.0, PadStatus.AT_LIMIT: 0.5, PadStatus.UNLOADED: 0.0}
 """Numbers that stand for a status: 1 loaded, 0 unloaded, between them at its limit."""
@@ -157,15 +166,25 @@ def supply_values(case: PadCase, films: PadFilms) -> dict[str, float]:
     found = films.temperatures
     if found is None:
         return named
-    flow = films.fresh_flow if supply.flow is None else max(supply.flow, films.fresh_flow)
     heat = films.volumetric_heat_capacity * films.fresh_flow * (found.drain - supply.temperature)
     return named | {
         "pad_inlet_temperature": found.inlet,
         "trailing_temperature": found.trailing,
-        "outlet_temperature": supply.temperature + heat / (films.volumetric_heat_capacity * flow),
+        **outlet_values(supply, films, heat),
         "heat_to_oil": heat,
         "energy_balance_error": 1.0 - heat / films.friction_power,
     }
+
+
+def outlet_values(supply: OilSupply, films: PadFilms, heat: float) -> dict[str, float]:
+    """Mean temperature in K of the oil that leaves with a heat in W; none of pads that starve or draw in nothing.
+
+    Films that draw in more than there is are colder than the real ones, and would leave colder oil.
+    """
+    flow = films.fresh_flow if supply.flow is None else supply.flow
+    if flow < films.fresh_flow or flow <= 0.0:
+        return {}
+    return {"outlet_temperature": supply.temperature + heat / (films.volumetric_heat_capacity * flow)}
 
 
 def dynamic_values(case: PadCase, dynamics: PadDynamics) -> dict[str, float]:
