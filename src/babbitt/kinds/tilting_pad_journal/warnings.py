@@ -94,24 +94,33 @@ def about_heat_balance(films: PadFilms, values: Mapping[str, float]) -> Iterator
 
 
 def about_unloaded_pads(case: PadCase, films: PadFilms, margins: tuple[PadMargin, ...]) -> Iterator[Notice]:
-    """Pads that carry nothing, and pads that nearly do so."""
+    """Pads that carry nothing, all in one notice, and pads that nearly do so."""
     light = {one.number + 1 for one in films.solution.light}
+    bare = [one for one in margins if not one.loaded and one.number not in light]
+    told = tuple(about_unloaded(case, films, one) for one in bare)
+    needed = [one.values["needed"] for one in told if "needed" in one.values]
+    if len(told) == 1:
+        yield told[0]
+    elif told and len(needed) == len(told):
+        yield Notice("W401", "all", {"pads": told, "needed": max(needed)})
+    elif told:
+        yield Notice("W401", "some", {"pads": told})
     for one in margins:
-        if one.number in light:
-            continue
-        pad = case.bearing.pads[one.number - 1]  # preload is given of pads that have not grown
         if not one.loaded:
-            needed = loading_preload(pad, films.solution, one.fold)
-            if needed > pad.preload:
-                yield Notice("W401", "needed", {
-                    "pad": one.number, "needed": needed, "preload": pad.preload,
-                })  # fmt: skip
-            else:  # its fold was not found, or is another in films with temperatures of their own
-                yield Notice("W401", "unknown", {"pad": one.number})
             continue
         share = films.solution.pads[one.number - 1].load / max(films.load, TINY)
         if one.margin < NEAR_FOLD or share < LIGHTLY_LOADED:
             yield from about_nearly_unloaded(one, share)
+
+
+def about_unloaded(case: PadCase, films: PadFilms, margin: PadMargin) -> Notice:
+    """A pad that carries nothing, with the preload that would load it where the journal stands."""
+    pad = case.bearing.pads[margin.number - 1]  # preload is given of pads that have not grown
+    needed = loading_preload(pad, films.solution, margin.fold)
+    if needed > pad.preload:
+        return Notice("W401", "needed", {"pad": margin.number, "needed": needed, "preload": pad.preload})
+    # its fold was not found, or is another in films with temperatures of their own
+    return Notice("W401", "unknown", {"pad": margin.number})
 
 
 def about_nearly_unloaded(margin: PadMargin, share: float) -> Iterator[Notice]:
