@@ -149,7 +149,7 @@ def test_an_assumption_without_film_questions_the_verdict():
     assert hot.outcome is Outcome.NO_CLEARANCE
     page = io.StringIO()
     Console(file=page, width=160).print(render("Pads", [found], 160))
-    assert "a dash where it then has no film, or its pads starve" in " ".join(page.getvalue().split())
+    assert "a dash where it has no film, or its pads starve" in " ".join(page.getvalue().split())
 
 
 def test_an_assumption_that_misses_a_limit_questions_the_verdict(result):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +16,7 @@ from babbitt.kinds.tilting_pad_journal.dynamics import PadDynamics, bounded_decr
 from babbitt.kinds.tilting_pad_journal.margins import PadMargin
 from babbitt.kinds.tilting_pad_journal.model import PadCase
 from babbitt.kinds.tilting_pad_journal.state import PadFilms
+from babbitt.reynolds.oil.turbulence import FilmTurbulence
 from babbitt.reynolds.tilting_pads.bending_mode import BendingMode
 from babbitt.reynolds.tilting_pads.kernel_pads import pad_widths
 from babbitt.reynolds.tilting_pads.model import TiltingPad
@@ -95,12 +97,34 @@ def film_values(case: PadCase, films: PadFilms, margins: tuple[PadMargin, ...]) 
 
 def turbulent_share(solution: TiltingPadSolution) -> float:
     """Share of the bores of all pads where the local Reynolds number exceeds that at which turbulence sets in."""
-    bearing, law = solution.bearing, solution.bearing.turbulence
+    law = solution.bearing.turbulence
     assert law is not None
+    return share_of_bores(solution, local_reynolds_number(solution, law) > law.onset)
+
+
+def ramp_share(solution: TiltingPadSolution, law: FilmTurbulence) -> float:
+    """Share of the bores of the loaded pads where the film is between laminar and fully turbulent, by that law."""
+    number = local_reynolds_number(solution, law)
+    return share_of_bores(solution, (number > law.onset) & (number < law.end), solution.loaded)
+
+
+def local_reynolds_number(solution: TiltingPadSolution, law: FilmTurbulence) -> NDArray[np.float64]:
+    """Of the gap of every pad at the lines of its film, shape (pads, n + 1)."""
+    bearing = solution.bearing
     speed = bearing.radius * abs(bearing.angular_speed)
-    turbulent = law.density * speed * pad_gaps(solution) / bearing.viscosity > law.onset
-    areas = pad_widths(bearing) * [pad.extent for pad in bearing.pads]
-    return float(np.average(np.trapezoid(turbulent, dx=1.0 / (turbulent.shape[1] - 1)), weights=areas))
+    return law.density * speed * pad_gaps(solution) / bearing.viscosity
+
+
+def share_of_bores(
+    solution: TiltingPadSolution, where: NDArray[np.bool_], pads: Sequence[int] | None = None
+) -> float:
+    """Share of the bores of some pads, of all if not named, where something holds, shape (pads, n + 1)."""
+    some = list(range(len(solution.pads)) if pads is None else pads)
+    if not some:
+        return 0.0
+    areas = pad_widths(solution.bearing) * [pad.extent for pad in solution.bearing.pads]
+    shares = np.trapezoid(where.astype(float), dx=1.0 / (where.shape[1] - 1))  # the sum of two flags is a flag
+    return float(np.average(shares[some], weights=areas[some]))
 
 
 def mass_balance_error(solution: TiltingPadSolution) -> float:

@@ -27,6 +27,7 @@ from babbitt.kinds.tilting_pad_journal.margins import (
 )
 from babbitt.kinds.tilting_pad_journal.model import PadCase
 from babbitt.kinds.tilting_pad_journal.state import PadFilms
+from babbitt.kinds.tilting_pad_journal.values import ramp_share
 from babbitt.reynolds.tilting_pads.dynamics import condensed_at, full_coefficients
 from babbitt.reynolds.tilting_pads.pivots import HertzContact, LineContact
 
@@ -70,6 +71,7 @@ def warnings_of_solution(
     yield from about_carry_over(case, films)
     if case.turbulence is None:
         yield from about_laminar_films(values)
+    yield from about_ramp(films)
     yield from about_contacts(films)
     if films.solution.indifferent:
         yield Notice("W411")
@@ -229,6 +231,13 @@ def about_laminar_films(values: Mapping[str, float]) -> Iterator[Notice]:
             "assembled": assembled, "preload": values["preload"], "at_assembled": reynolds * assembled / machined,
             "critical_assembled": critical * math.sqrt(machined / assembled),
         })  # fmt: skip
+
+
+def about_ramp(films: PadFilms) -> Iterator[Notice]:
+    """Loaded pads whose films lie on the ramp from laminar to turbulent, the slope of which coefficients take."""
+    law = films.solution.bearing.turbulence
+    if law is not None and (share := ramp_share(films.solution, law)) > 0.0:
+        yield Notice("W420", values={"share": share, "onset": law.onset, "end": law.end})
 
 
 def about_contacts(films: PadFilms) -> Iterator[Notice]:

@@ -125,7 +125,7 @@ def sensitivity_tables(result: Result) -> Iterator[dict[str, Any]]:
     heads += [{"text": one.symbol, "symbol": symbol_node(one.symbol), "unit": one.display.label} for one in moved]
     note = (
         "The bearing solved again with less and with more of each number of its heat that is seldom known better, "
-        "given or assumed; a dash where it then has no film, or its pads starve."
+        "given or assumed; a dash where it has no film, or its pads starve."
     )
     yield {"title": "What assumptions move", "columns": heads, "rows": rows, "note": note}
 
