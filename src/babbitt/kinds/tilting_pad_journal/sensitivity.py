@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
-from babbitt.core.notices import Effect, InputError, Notice
+from babbitt.core.notices import InputError, Notice
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Check, Matrix, Result
 from babbitt.kinds.tilting_pad_journal.model import PadCase, Thermal
@@ -136,7 +136,7 @@ class End:
     def moved(self) -> dict[str, float]:
         """Those of `MOVED` that hold; none without a film, nor of pads that starve."""
         found = self.result
-        if found is None or not found.outcome.solved or STARVED in found.questioning_codes:
+        if found is None or not found.outcome.solved or STARVED in found.invalidating_codes:
             return {}
         return {name: found.values[name] for name in MOVED if name in found.values}
 
@@ -205,13 +205,8 @@ def worse(base: Result, end: End) -> Iterator[Notice]:
     lost = tuple(limit_missed(one) for one in missed if all(of.ok for of in base.limits if of.code == one.code))
     if lost:
         yield Notice("W419", "missed", {"end": said, "limits": lost})
-    if codes := tuple(one for one in invalid(found) if one not in invalid(base)):
+    if codes := tuple(one for one in found.invalidating_codes if one not in base.invalidating_codes):
         yield Notice("W419", "no_verdict", {"end": said, "codes": codes})
-
-
-def invalid(result: Result) -> tuple[str, ...]:
-    """Codes of what leaves a result without a verdict."""
-    return tuple(dict.fromkeys(one.code for one in result.warnings if one.effect is Effect.NO_VERDICT))
 
 
 def limit_missed(check: Check) -> Notice:
