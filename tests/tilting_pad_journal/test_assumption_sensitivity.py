@@ -12,6 +12,7 @@ from rich.console import Console
 
 from babbitt.case import CaseError, case_from_dict
 from babbitt.case.loading import case_from_dict as read
+from babbitt.core.quantities import displayed_in
 from babbitt.core.result import Outcome, Verdict
 from babbitt.kinds.tilting_pad_journal.report.tables import sensitivity_tables, tables
 from babbitt.report.table import render
@@ -102,6 +103,12 @@ def test_tables_of_report_and_terminal_have_the_numbers(result):
     for row in table["rows"]:
         assert row[0] in page.getvalue()
         assert row[1] in page.getvalue()
+
+
+def test_numbers_stand_in_the_unit_of_their_label_where_us_units_are_spoken(result):
+    with displayed_in("us"):
+        (table,) = sensitivity_tables(result)
+    assert "Housing in °C: 30 in place of 40" in {row[0] for row in table["rows"]}
 
 
 def test_nothing_is_assumed_of_films_at_a_given_temperature():

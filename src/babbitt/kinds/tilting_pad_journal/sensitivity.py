@@ -72,8 +72,9 @@ class Assumption:
 
 
 def written(name: str, value: float) -> str:
-    """A number of something assumed as it is printed, in the unit of its label."""
-    return f"{QUANTITIES[name].shown(value):.3g}"
+    """A number of something assumed as it is printed, in the unit of its label, whatever units are spoken."""
+    unit = QUANTITIES[name].metric
+    return f"{value * unit.scale + unit.offset:.3g}"
 
 
 def end_in_words(name: str, value: float, base: float) -> str:
