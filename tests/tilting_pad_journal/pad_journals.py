@@ -92,3 +92,9 @@ HEATED = {
     },
 }
 """Thermal models: insulated, with a journal of one temperature, with pads that conduct, bend, and grow."""
+
+
+def unloaded_pads(result):
+    """What W401 says of each unloaded pad, by its number."""
+    (notice,) = [one for one in result.warnings if one.code == "W401"]
+    return {one.values["pad"]: one for one in notice.values.get("pads", (notice,))}

@@ -12,6 +12,8 @@ from rich.console import Console
 
 from babbitt.case import CaseError, case_from_dict
 from babbitt.case.loading import case_from_dict as read
+from babbitt.core.quantities import displayed_in
+from babbitt.core.result import Outcome, Verdict
 from babbitt.kinds.tilting_pad_journal.report.tables import sensitivity_tables, tables
 from babbitt.report.table import render
 
@@ -103,6 +105,12 @@ def test_tables_of_report_and_terminal_have_the_numbers(result):
         assert row[1] in page.getvalue()
 
 
+def test_numbers_stand_in_the_unit_of_their_label_where_us_units_are_spoken(result):
+    with displayed_in("us"):
+        (table,) = sensitivity_tables(result)
+    assert "Housing in °C: 30 in place of 40" in {row[0] for row in table["rows"]}
+
+
 def test_nothing_is_assumed_of_films_at_a_given_temperature():
     with pytest.raises(CaseError, match="assumption_sensitivity: of films at a given temperature nothing"):
         read(pad_case(thermal="isothermal", assumption_sensitivity=True))
@@ -122,3 +130,55 @@ def test_an_assumed_housing_says_that_it_follows_the_oil(result):
     assert sum("follows it where the supply temperature is varied" in said for said in result.assumptions) == 1
     warmer = result_of({"supply.temperature": "45 degC"}, assumption_sensitivity=True, **GROWING)
     assert warmer.arrays["assumed_housing_temperature"][0][1] == pytest.approx(318.15)
+
+
+JUDGED = GROWING | {
+    "materials": GROWING["materials"] | {"bearing_metal": "SnSb12Cu6Pb"},
+    "surfaces": {"kind": "direct", "roughness_bearing": "2 um", "roughness_journal": "1 um"},
+}
+TIGHT = {"pads.clearance.mean": "110 um"}
+
+
+def said(result, code="W419"):
+    """Messages of a warning."""
+    return [one.message for one in result.warnings if one.code == code]
+
+
+def test_an_assumption_without_film_questions_the_verdict():
+    """As growth closes the clearance of the bearing solved alone, at the other end."""
+    plain = result_of(TIGHT, speed="5000 rpm", **JUDGED)
+    found = result_of(TIGHT, speed="5000 rpm", assumption_sensitivity=True, **JUDGED)
+    assert (plain.verdict, found.verdict) == (Verdict.PASS, Verdict.REMARKS)
+    (message,) = said(found)
+    assert "Carry-over: 0.9 in place of 0.7 leaves no solution: the clearance closes" in message
+    assert "Housing in °C: 30 in place of 40 leaves no solution" in message
+    hot = result_of(TIGHT, speed="5000 rpm", carry_over=0.9, **JUDGED)
+    assert hot.outcome is Outcome.NO_CLEARANCE
+    page = io.StringIO()
+    Console(file=page, width=160).print(render("Pads", [found], 160))
+    assert "a dash where it has no film, or its pads starve" in " ".join(page.getvalue().split())
+
+
+def test_an_assumption_that_misses_a_limit_questions_the_verdict(result):
+    """The alarm lies between the probe as calculated and with more oil carried over."""
+    base = result.values["probe_temperature"]
+    hotter = result_of(**GROWING | {"carry_over": 0.9}).values["probe_temperature"]
+    alarm = 0.5 * (base + hotter)
+    limits = {"probe_alarm": f"{alarm - 273.15!r} degC"}
+    found = result_of(assumption_sensitivity=True, limits=limits, **GROWING)
+    (message,) = said(found)
+    numbers = f"C404 with {hotter - 273.15:.1f} °C, limit {alarm - 273.15:.1f} °C"
+    assert f"Carry-over: 0.9 in place of 0.7 misses {numbers}" in message
+    assert "Carry-over: 0.5" not in message
+    assert not said(result)
+
+
+def test_an_end_that_draws_more_than_is_given_has_no_numbers_and_leaves_no_verdict(result):
+    """Less hot oil carried over is more fresh oil drawn in: more than the supply gives, which W405 says alone."""
+    drawn = [result_of(**GROWING | {"carry_over": over}).values["total_flow"] for over in (0.7, 0.5)]
+    found = result_of({"supply.flow": f"{0.5 * sum(drawn)!r} m3/s"}, assumption_sensitivity=True, **GROWING)
+    assert not said(found, "W405")
+    assert math.isnan(found.arrays[HOTTEST][0][0])
+    assert math.isfinite(found.arrays[HOTTEST][0][2])
+    (message,) = said(found)
+    assert message == "Carry-over: 0.5 in place of 0.7 leaves no verdict (W405)"

@@ -100,6 +100,18 @@ def test_pads_that_lack_oil_keep_no_limit_of_film_and_temperature(model):
     assert "surplus_flow" not in free.missing
 
 
+@pytest.mark.parametrize("model", ["global", "B"])
+def test_the_oil_that_leaves_starved_pads_has_no_temperature_but_a_heat_balance(model):
+    heat = HEATED.get(model, {"thermal": "global"}) | {"carry_over": 0.5}
+    free = result_of(**heat)
+    short = result_of({"supply.flow": f"{0.95 * free.values['total_flow']!r} m3/s"}, **heat)
+    assert "outlet_temperature" not in short.values
+    assert "outlet_temperature" not in free.missing
+    rise = (free.values["outlet_temperature"] - free.values["supply_temperature"]) / 0.95
+    leaving = f"{short.values['supply_temperature'] + rise - 273.15:.1f} °C"
+    assert short.missing["outlet_temperature"].endswith(f"would bring the oil that is given to {leaving}")
+
+
 def test_a_limit_that_starved_pads_miss_is_missed():
     heat = HEATED["B"] | {"carry_over": 0.5}
     flow = 0.95 * result_of(**heat).values["total_flow"] * 6e4

@@ -5,7 +5,7 @@ import math
 
 import numpy as np
 import pytest
-from pad_journals import OIL, pad_case, solution_of
+from pad_journals import OIL, pad_case, result_of, solution_of
 
 from babbitt.case.variation import case_variation
 from babbitt.kinds.tilting_pad_journal.dynamics import swinging
@@ -71,3 +71,16 @@ def test_a_legend_of_long_names_stays_on_the_page(tmp_path):
         box = legend.get_window_extent()
     assert box.x1 <= figure.bbox.x1
     assert len(legend.get_texts()) == 3
+
+
+def test_starved_points_of_a_sweep_are_crossed_out(tmp_path):
+    """Less than the pads draw in is no verdict."""
+    drawn = result_of(carry_over=0.5).values["total_flow"] * 6e4
+    (tmp_path / "case.yaml").write_text(json.dumps(pad_case({"supply.flow": f"{drawn} L/min"}, carry_over=0.5)))
+    flows = values_of(f"{0.9 * drawn:.3f} L/min, {1.1 * drawn:.3f} L/min, {1.3 * drawn:.3f} L/min")
+    with style():
+        figure = sweep_figure(sweep_case([(case_variation(tmp_path / "case.yaml", "supply.flow"), flows)]))
+    for panel in figure.axes[:2]:
+        (crosses,) = [line.get_ydata() for line in panel.lines if line.get_marker() == "x"]
+        assert list(np.isfinite(crosses)) == [True, False, False]
+    assert [one.get_text() for one in figure.texts] == ["×: no verdict, the model does not hold there (W405)."]

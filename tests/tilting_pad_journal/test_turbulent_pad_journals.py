@@ -6,6 +6,7 @@ import pytest
 from pad_journals import OIL, pad_case, result_of, solution_of
 
 from babbitt.case import case_from_dict
+from babbitt.core.notices import Effect
 from babbitt.design.numbers import critical_reynolds_number
 from babbitt.kinds.tilting_pad_journal.comparison import compare
 from babbitt.kinds.tilting_pad_journal.report.inputs import pad_inputs
@@ -47,6 +48,21 @@ def test_the_share_that_is_turbulent_is_that_of_the_gap(found):
     assert 0.0 < values["turbulent_share"] < 1.0
     slower = result_of(turbulence="ng_pan", **FAST | {"speed": "8000 rpm"})
     assert slower.values["turbulent_share"] < values["turbulent_share"]
+
+
+def test_coefficients_on_the_assumed_ramp_are_told_of(found):
+    """Between the number of vortices and twice it; not below, nor where all loaded films lie above."""
+    told = {law: [one for one in result.warnings if one.code == "W420"] for law, result in found.items()}
+    assert not told["laminar"]
+    (notice,) = told["ng_pan"]
+    onset = found["ng_pan"].values["critical_reynolds_number"]
+    assert (notice.values["onset"], notice.values["end"]) == pytest.approx((onset, 2.0 * onset))
+    assert 0.0 < notice.values["share"] <= 1.0
+    assert notice.effect is Effect.INFORMATION
+    thin = {"lubricant": OIL | {"dynamic_viscosity": "0.7 mPa s"}, "load": "50 N"}
+    slow, fast = (result_of(turbulence="ng_pan", **FAST | other) for other in ({"speed": "1000 rpm"}, thin))
+    assert fast.values["turbulent_share"] == pytest.approx(1.0)
+    assert not {"W420"} & (codes(slow) | codes(fast))
 
 
 def test_a_laminar_bearing_does_not_depend_on_the_law():

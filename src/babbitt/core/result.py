@@ -263,6 +263,11 @@ class Result:
         return tuple(dict.fromkeys(one.code for one in self.warnings if one.effect is not Effect.INFORMATION))
 
     @property
+    def invalidating_codes(self) -> tuple[str, ...]:
+        """Codes of the warnings that leave the result without a verdict, each once."""
+        return tuple(dict.fromkeys(one.code for one in self.warnings if one.effect is Effect.NO_VERDICT))
+
+    @property
     def lacking(self) -> tuple[Subject, ...]:
         """Of film thickness, temperature and specific load those that should have been checked and were not.
 

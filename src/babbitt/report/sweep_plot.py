@@ -61,6 +61,9 @@ NOTE_LINE = 3.5
 
 LESS_OIL = "Where the supply delivers less oil than the film wants: the film with what it delivers, as judged."
 
+NO_VERDICT: dict[str, Any] = {"color": INK, "linestyle": "", "marker": "x", "markersize": 4.0, "zorder": 3}
+"""Where a model does not hold, though its curve goes on."""
+
 NOT_STABLE: dict[str, Any] = {"linestyle": (0, (3.5, 1.5))}
 """Where steady states are stable or not, broken lines say just that; colours and markers tell the states."""
 
@@ -122,7 +125,12 @@ def sweep_figure(sweep: CaseSweep, chosen: Sequence[str] = ()) -> Figure:
     legend = 4.5 * math.ceil(len(labels) / columns) if len(labels) > 1 else 0.0
     shown = tuple((name,) for name in chosen[:4]) or panels_of([result for _, result in sweep.rows()])
     lacks_oil = any(_of_less_oil(result, choice) for _, result in sweep.rows() for choice in shown)
-    below = NOTE_LINE if lacks_oil else 0.0
+    notes = [LESS_OIL] * lacks_oil
+    if codes := sorted(
+        {code for curve in curves for one in curve.results.values() for code in one.invalidating_codes}
+    ):
+        notes.append(f"×: no verdict, the model does not hold there ({', '.join(codes)}).")
+    below = NOTE_LINE * len(notes)
     height = 100.0 + legend + below
     sheet = Sheet(WIDTH, height, 2, 2, bottom=Sheet.bottom + below, across=16.0, between=5.0)
     figure, axes = sheet.panels(sharex=True)
@@ -135,8 +143,10 @@ def sweep_figure(sweep: CaseSweep, chosen: Sequence[str] = ()) -> Figure:
         field = sweep.fields[0]
         unit = field.values.unit_shown
         panel.set_xlabel(f"{field.path} in {unit}" if unit else field.path)
-    if lacks_oil:
-        figure.text(0.008, 0.006, LESS_OIL, ha="left", va="bottom", fontsize=6, color="0.4")
+    for line, note in enumerate(notes):
+        figure.text(
+            0.008, 0.006 + line * NOTE_LINE / height, note, ha="left", va="bottom", fontsize=6, color="0.4"
+        )
     if legend:
         from matplotlib.lines import Line2D
 
@@ -195,6 +205,10 @@ def _panel(
         own = _look(line, x.size, shows_stability=shows_stability)
         panel.plot(x[order], np.where(beside, y, np.nan), **{**own, **NOT_STABLE, "marker": ""})
         panel.plot(x[order], np.where(lasts, np.nan, y), **{**own, "linestyle": "", "markerfacecolor": "white"})
+    for curve, (y, _) in zip(curves, drawn, strict=True):
+        holds = [place not in curve.results or not curve.results[place].invalidating_codes for place in order]
+        if not all(holds):
+            panel.plot(x[order], np.where(holds, np.nan, y), **NO_VERDICT)
     if present is not None and x.min() <= present <= x.max():
         panel.axvline(present, color=GREY, linewidth=0.6, linestyle=(0, (1, 2)), zorder=0)
         if titled:

@@ -19,7 +19,7 @@ from babbitt.core.files.printing import nearest_letters
 from babbitt.core.result import Result
 from babbitt.report import findings
 from babbitt.report.bearing_table import STYLES, bearing_table, engineers_table
-from babbitt.report.columns import Column, footnote
+from babbitt.report.columns import ABSENT, Column, footnote
 from babbitt.report.machine_table import columns_of, in_machine_table
 from babbitt.report.names import counted_results
 from babbitt.report.text import plain_text
@@ -182,8 +182,10 @@ def _longest_name(results: Sequence[Result]) -> int:
 
 
 def terminal_table(data: Mapping[str, Any], name: str) -> Table:
-    """A table of `plain_tables` of the bearing of a name."""
+    """A table of `plain_tables` of the bearing of a name; its note stands below where a number is absent."""
     table = engineers_table(title=Text(f"{data['title']}: {name}", style="bold"), title_justify="left")
+    if any(ABSENT in row for row in data["rows"]):
+        table.caption, table.caption_justify = Text(data["note"], style="dim"), "left"
     for place, column in enumerate(data["columns"]):
         head = f"{column['text']}\n{column['unit']}"
         table.add_column(Text(head), justify="right" if place else "left", no_wrap=place > 0)

@@ -9,6 +9,7 @@ from time import perf_counter
 from babbitt.core.notices import InputError, Notice
 from babbitt.core.result import Bound, Check, Outcome, Result
 from babbitt.core.solution import Solution
+from babbitt.core.units import ZERO_CELSIUS
 from babbitt.design.bounds import Bounds, certain, undecided
 from babbitt.design.checks import checks_not_made, limit_checks
 from babbitt.design.heat_balance import Equilibrium
@@ -29,7 +30,7 @@ from babbitt.kinds.tilting_pad_journal.level_one import (
 from babbitt.kinds.tilting_pad_journal.margins import PadMargin, pad_margins
 from babbitt.kinds.tilting_pad_journal.model import PadCase, Thermal
 from babbitt.kinds.tilting_pad_journal.one_temperature import warnings_about_one_temperature
-from babbitt.kinds.tilting_pad_journal.sensitivity import sensitivity_rows
+from babbitt.kinds.tilting_pad_journal.sensitivity import with_sensitivity
 from babbitt.kinds.tilting_pad_journal.state import PadFilms
 from babbitt.kinds.tilting_pad_journal.thermal_assumptions import thermal_assumptions
 from babbitt.kinds.tilting_pad_journal.thermal_values import thermal_rows, thermal_values
@@ -134,10 +135,11 @@ def pad_solution(case: PadCase) -> Solution:
         | thermal_rows(case, films)
         | dynamic_rows(case, dynamics)
         | cross_coupling_rows(driven)
-        | pedestal_rows(case, dynamics)
-        | (sensitivity_rows(case, values) if case.assumption_sensitivity else {}),
+        | pedestal_rows(case, dynamics),
         missing=missing_of(case, values),
     )
+    if case.assumption_sensitivity:
+        result = with_sensitivity(case, result, lambda other: pad_solution(other).result)
     return Solution(case, result, PadSolutionState(films, dynamics, margins, driven))
 
 
@@ -302,6 +304,18 @@ def missing_of(case: PadCase, values: Mapping[str, float]) -> dict[str, str]:
         )
     if "given_flow" in values and "surplus_flow" not in values:
         missing["surplus_flow"] = "the flow given is less than the pads draw in, none is left over"
+        if "heat_to_oil" in values:
+            missing["outlet_temperature"] = starved_outlet(values)
     if "fit_error" not in values:
         missing["fit_error"] = "stiffness, damping and virtual mass are fitted over three whirl ratios or more"
     return missing
+
+
+def starved_outlet(values: Mapping[str, float]) -> str:
+    """Why the oil that leaves starved pads has no temperature, with that by the heat balance of the oil given."""
+    rise = values["heat_to_oil"] / (values["volumetric_heat_capacity"] * values["given_flow"])
+    leaving = values["supply_temperature"] + rise - ZERO_CELSIUS
+    return (
+        "the flow given is less than the pads draw in: films with all of that oil do not tell how hot it leaves; "
+        f"their heat would bring the oil that is given to {leaving:.1f} °C"
+    )

@@ -3,15 +3,21 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
+from babbitt.core.notices import InputError, Notice
 from babbitt.core.quantities import QUANTITIES
-from babbitt.core.result import Matrix
-from babbitt.kinds.tilting_pad_journal.batch import NUMBERS, answer_of
+from babbitt.core.result import Check, Matrix, Result
 from babbitt.kinds.tilting_pad_journal.model import PadCase, Thermal
 
-__all__ = ["ASSUMED", "MOVED", "Assumption", "assumptions", "sensitivity_rows", "written"]
+__all__ = ["ASSUMED", "MOVED", "Assumption", "assumptions", "end_in_words", "with_sensitivity"]
+
+STARVED = "W405"
+"""Of pads that get less oil than they draw in: their numbers are those of films with all of it."""
+
+SHOWN_AS = {"minimum_film_thickness": "film", "hydrodynamic_speed": "speed", "specific_load": "pressure"}
+"""Messages of missed limits that are no bare numbers, by what is limited; temperatures have one of their own."""
 
 CARRIED, TRANSFER, WARMER = 0.2, 3.0, 10.0
 """By how much carry-over (a share), heat transfer on the backs (a factor) and the temperature of the housing (K)
@@ -66,8 +72,14 @@ class Assumption:
 
 
 def written(name: str, value: float) -> str:
-    """A number of something assumed as it is printed, in the unit of its label."""
-    return f"{QUANTITIES[name].shown(value):.3g}"
+    """A number of something assumed as it is printed, in the unit of its label, whatever units are spoken."""
+    unit = QUANTITIES[name].metric
+    return f"{value * unit.scale + unit.offset:.3g}"
+
+
+def end_in_words(name: str, value: float, base: float) -> str:
+    """What is changed, by its name in `ASSUMED`: ``Carry-over: 1 in place of 0.8``."""
+    return f"{ASSUMED[name]}: {written(name, value)} in place of {written(name, base)}"
 
 
 def assumptions(case: PadCase) -> Iterator[Assumption]:
@@ -104,43 +116,101 @@ def assumptions(case: PadCase) -> Iterator[Assumption]:
         )
 
 
-def sensitivity_rows(case: PadCase, values: Mapping[str, float]) -> dict[str, Matrix]:
-    """Low, base and high of every assumption, and of what it moves.
+@dataclass(frozen=True)
+class End:
+    """A bearing with less or more of what is assumed.
+
+    Attributes
+    ----------
+    assumption : Assumption
+    value : float
+        SI; nan where there is no less or no more.
+    result : Result or None
+        None without a value, and where the supply does not even make up for what leaves by the sides of the pads.
+    """
+
+    assumption: Assumption
+    value: float
+    result: Result | None
+
+    @property
+    def moved(self) -> dict[str, float]:
+        """Those of `MOVED` that hold; none without a film, nor of pads that starve."""
+        found = self.result
+        if found is None or not found.outcome.solved or STARVED in found.invalidating_codes:
+            return {}
+        return {name: found.values[name] for name in MOVED if name in found.values}
+
+
+def with_sensitivity(case: PadCase, result: Result, solve: Callable[[PadCase], Result]) -> Result:
+    """A result with low, base and high of every assumption, of what it moves, and what that questions.
 
     Parameters
     ----------
     case : PadCase
         Solved anew with less and with more of everything that is assumed.
-    values : mapping
-        Of its result: the base.
+    result : Result
+        Of it: the base.
+    solve : callable
+        One bearing, by its method.
 
     Returns
     -------
-    dict
-        ``assumed_carry_over`` and the like, one row (low, base, high) each, and of each of `MOVED` a matrix
-        ``sensitivity_of_...`` with a row (low, base, high) for each assumption, in the order of `ASSUMED`; nan
-        where there is no such number or the bearing is not solved with it.
+    Result
+        With the arrays ``assumed_carry_over`` and the like, one row (low, base, high) each, and of each of `MOVED`
+        a matrix ``sensitivity_of_...`` with a row (low, base, high) for each assumption, in order of `ASSUMED`;
+        nan where there is no such number, the bearing is not solved with it, or its pads starve. W419 where a
+        verdict hangs on an assumption.
     """
     assumed = tuple(assumptions(case))
-    if not assumed:
-        return {}
-    found = [(moved_by(one, one.low), moved_by(one, one.high)) for one in assumed]
+    ends = [(end_of(one, one.low, solve), end_of(one, one.high, solve)) for one in assumed]
     rows: dict[str, Matrix] = {one.name: ((one.low, one.base, one.high),) for one in assumed}
     for name in MOVED:
-        if name in values:
+        if assumed and name in result.values:
             rows[f"sensitivity_of_{name}"] = tuple(
-                (low.get(name, math.nan), values[name], high.get(name, math.nan)) for low, high in found
+                (low.moved.get(name, math.nan), result.values[name], high.moved.get(name, math.nan))
+                for low, high in ends
             )
-    return rows
+    told = about_assumptions(result, [one for pair in ends for one in pair])
+    return replace(result, warnings=(*result.warnings, *told), arrays={**result.arrays, **rows})
 
 
-def moved_by(assumption: Assumption, value: float) -> dict[str, float]:
-    """Those of `MOVED` with another number of an assumption; nothing without one, and without solution."""
+def end_of(assumption: Assumption, value: float, solve: Callable[[PadCase], Result]) -> End:
+    """The bearing with another number of an assumption."""
     if math.isnan(value):
-        return {}
-    _, _, numbers = answer_of(assumption.at(value))
-    if numbers is None:
-        return {}
-    named = dict(zip(NUMBERS, numbers, strict=True))
-    own = {f"{name}_yy": named.pop(name)[1, 1] for name in ("stiffness", "damping")}  # type: ignore[index]
-    return {name: float(one) for name, one in (named | own).items() if name in MOVED}
+        return End(assumption, value, None)
+    try:
+        return End(assumption, value, solve(replace(assumption.at(value), assumption_sensitivity=False)))
+    except InputError:  # the supply is less than leaves by the sides
+        return End(assumption, value, None)
+
+
+def about_assumptions(result: Result, ends: Sequence[End]) -> Iterator[Notice]:
+    """Ends of assumptions without film or verdict, or that miss a limit which the bearing as calculated keeps."""
+    said = tuple(notice for one in ends if not math.isnan(one.value) for notice in worse(result, one))
+    if said:
+        yield Notice("W419", "ends", {"ends": said})
+
+
+def worse(base: Result, end: End) -> Iterator[Notice]:
+    """What is worse with another number of an assumption than as calculated."""
+    said = end_in_words(end.assumption.name, end.value, end.assumption.base)
+    found = end.result
+    if found is None:
+        yield Notice("W419", "refused", {"end": said})
+        return
+    if not found.outcome.solved:
+        yield Notice("W419", "unsolved", {"end": said, "outcome": found.outcome.value})
+        return
+    missed = [one for one in found.limits if not one.ok]
+    lost = tuple(limit_missed(one) for one in missed if all(of.ok for of in base.limits if of.code == one.code))
+    if lost:
+        yield Notice("W419", "missed", {"end": said, "limits": lost})
+    if codes := tuple(one for one in found.invalidating_codes if one not in base.invalidating_codes):
+        yield Notice("W419", "no_verdict", {"end": said, "codes": codes})
+
+
+def limit_missed(check: Check) -> Notice:
+    """A limit with the value that misses it, in the unit of what it limits."""
+    variant = SHOWN_AS.get(check.quantity, "temperature" if check.is_in_kelvin else "plain")
+    return Notice("W419", variant, {"check": check.code, "value": check.value, "limit": check.limit})

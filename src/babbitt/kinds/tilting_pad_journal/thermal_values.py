@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
 from babbitt.core.result import Matrix
 from babbitt.kinds.tilting_pad_journal.model import PadCase
 from babbitt.kinds.tilting_pad_journal.state import PadFilms
+from babbitt.kinds.tilting_pad_journal.values import outlet_values
 from babbitt.reynolds.tilting_pads.thermal_pad_solution import ThermalTiltingPadSolution
 
 __all__ = ["thermal_rows", "thermal_values"]
@@ -19,16 +18,13 @@ def thermal_values(case: PadCase, films: PadFilms) -> dict[str, float]:
     found = films.thermal
     if found is None or case.oil_supply is None:
         return {}
-    given = case.oil_supply.flow
-    flow = films.fresh_flow if given is None else max(given, films.fresh_flow)
-    rise = found.oil_heat / (films.volumetric_heat_capacity * flow) if flow > 0.0 else math.nan
     named = {
         "maximum_temperature": found.maximum_temperature,
         "probe_temperature": max(pad.probe for pad in found.temperatures),
         "hottest_trailing_temperature": hottest_trailing(found),
         "groove_temperature": float(found.groove_temperatures.max()),
         "journal_temperature": found.journal_temperature,
-        "outlet_temperature": case.oil_supply.temperature + rise,
+        **outlet_values(case.oil_supply, films, found.oil_heat),
         "film_dissipation": found.dissipation,
         "dissipation_error": found.power_error,
         "heat_to_oil": found.oil_heat,

@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.core.quantities import AXES
 from babbitt.core.result import Matrix
+from babbitt.design.conditions import OilSupply
 from babbitt.design.values import duty_values, limit_values, oil_values
 from babbitt.kinds.tilting_pad_journal.dynamics import PadDynamics, bounded_decrement, swinging
 from babbitt.kinds.tilting_pad_journal.margins import PadMargin
 from babbitt.kinds.tilting_pad_journal.model import PadCase
 from babbitt.kinds.tilting_pad_journal.state import PadFilms
+from babbitt.reynolds.oil.turbulence import FilmTurbulence
 from babbitt.reynolds.tilting_pads.bending_mode import BendingMode
 from babbitt.reynolds.tilting_pads.kernel_pads import pad_widths
 from babbitt.reynolds.tilting_pads.model import TiltingPad
@@ -21,7 +24,15 @@ from babbitt.reynolds.tilting_pads.pad_lands import pad_gaps
 from babbitt.reynolds.tilting_pads.pivots import HertzContact
 from babbitt.reynolds.tilting_pads.solution import PadState, PadStatus, TiltingPadSolution
 
-__all__ = ["dynamic_rows", "dynamic_values", "eccentricity_ratio", "film_values", "pad_rows", "place_values"]
+__all__ = [
+    "dynamic_rows",
+    "dynamic_values",
+    "eccentricity_ratio",
+    "film_values",
+    "outlet_values",
+    "pad_rows",
+    "place_values",
+]
 
 STATUS = {PadStatus.LOADED: 1.0, PadStatus.AT_LIMIT: 0.5, PadStatus.UNLOADED: 0.0}
 """Numbers that stand for a status: 1 loaded, 0 unloaded, between them at its limit."""
@@ -86,12 +97,34 @@ def film_values(case: PadCase, films: PadFilms, margins: tuple[PadMargin, ...]) 
 
 def turbulent_share(solution: TiltingPadSolution) -> float:
     """Share of the bores of all pads where the local Reynolds number exceeds that at which turbulence sets in."""
-    bearing, law = solution.bearing, solution.bearing.turbulence
+    law = solution.bearing.turbulence
     assert law is not None
+    return share_of_bores(solution, local_reynolds_number(solution, law) > law.onset)
+
+
+def ramp_share(solution: TiltingPadSolution, law: FilmTurbulence) -> float:
+    """Share of the bores of the loaded pads where the film is between laminar and fully turbulent, by that law."""
+    number = local_reynolds_number(solution, law)
+    return share_of_bores(solution, (number > law.onset) & (number < law.end), solution.loaded)
+
+
+def local_reynolds_number(solution: TiltingPadSolution, law: FilmTurbulence) -> NDArray[np.float64]:
+    """Of the gap of every pad at the lines of its film, shape (pads, n + 1)."""
+    bearing = solution.bearing
     speed = bearing.radius * abs(bearing.angular_speed)
-    turbulent = law.density * speed * pad_gaps(solution) / bearing.viscosity > law.onset
-    areas = pad_widths(bearing) * [pad.extent for pad in bearing.pads]
-    return float(np.average(np.trapezoid(turbulent, dx=1.0 / (turbulent.shape[1] - 1)), weights=areas))
+    return law.density * speed * pad_gaps(solution) / bearing.viscosity
+
+
+def share_of_bores(
+    solution: TiltingPadSolution, where: NDArray[np.bool_], pads: Sequence[int] | None = None
+) -> float:
+    """Share of the bores of some pads, of all if not named, where something holds, shape (pads, n + 1)."""
+    some = list(range(len(solution.pads)) if pads is None else pads)
+    if not some:
+        return 0.0
+    areas = pad_widths(solution.bearing) * [pad.extent for pad in solution.bearing.pads]
+    shares = np.trapezoid(where.astype(float), dx=1.0 / (where.shape[1] - 1))  # the sum of two flags is a flag
+    return float(np.average(shares[some], weights=areas[some]))
 
 
 def mass_balance_error(solution: TiltingPadSolution) -> float:
@@ -157,15 +190,25 @@ def supply_values(case: PadCase, films: PadFilms) -> dict[str, float]:
     found = films.temperatures
     if found is None:
         return named
-    flow = films.fresh_flow if supply.flow is None else max(supply.flow, films.fresh_flow)
     heat = films.volumetric_heat_capacity * films.fresh_flow * (found.drain - supply.temperature)
     return named | {
         "pad_inlet_temperature": found.inlet,
         "trailing_temperature": found.trailing,
-        "outlet_temperature": supply.temperature + heat / (films.volumetric_heat_capacity * flow),
+        **outlet_values(supply, films, heat),
         "heat_to_oil": heat,
         "energy_balance_error": 1.0 - heat / films.friction_power,
     }
+
+
+def outlet_values(supply: OilSupply, films: PadFilms, heat: float) -> dict[str, float]:
+    """Mean temperature in K of the oil that leaves with a heat in W; none of pads that starve or draw in nothing.
+
+    Films that draw in more than there is are colder than the real ones, and would leave colder oil.
+    """
+    flow = films.fresh_flow if supply.flow is None else supply.flow
+    if flow < films.fresh_flow or flow <= 0.0:
+        return {}
+    return {"outlet_temperature": supply.temperature + heat / (films.volumetric_heat_capacity * flow)}
 
 
 def dynamic_values(case: PadCase, dynamics: PadDynamics) -> dict[str, float]:

@@ -27,6 +27,7 @@ from babbitt.kinds.tilting_pad_journal.margins import (
 )
 from babbitt.kinds.tilting_pad_journal.model import PadCase
 from babbitt.kinds.tilting_pad_journal.state import PadFilms
+from babbitt.kinds.tilting_pad_journal.values import ramp_share
 from babbitt.reynolds.tilting_pads.dynamics import condensed_at, full_coefficients
 from babbitt.reynolds.tilting_pads.pivots import HertzContact, LineContact
 
@@ -70,6 +71,7 @@ def warnings_of_solution(
     yield from about_carry_over(case, films)
     if case.turbulence is None:
         yield from about_laminar_films(values)
+    yield from about_ramp(films)
     yield from about_contacts(films)
     if films.solution.indifferent:
         yield Notice("W411")
@@ -94,24 +96,33 @@ def about_heat_balance(films: PadFilms, values: Mapping[str, float]) -> Iterator
 
 
 def about_unloaded_pads(case: PadCase, films: PadFilms, margins: tuple[PadMargin, ...]) -> Iterator[Notice]:
-    """Pads that carry nothing, and pads that nearly do so."""
+    """Pads that carry nothing, all in one notice, and pads that nearly do so."""
     light = {one.number + 1 for one in films.solution.light}
+    bare = [one for one in margins if not one.loaded and one.number not in light]
+    told = tuple(about_unloaded(case, films, one) for one in bare)
+    needed = [one.values["needed"] for one in told if "needed" in one.values]
+    if len(told) == 1:
+        yield told[0]
+    elif told and len(needed) == len(told):
+        yield Notice("W401", "all", {"pads": told, "needed": max(needed)})
+    elif told:
+        yield Notice("W401", "some", {"pads": told})
     for one in margins:
-        if one.number in light:
-            continue
-        pad = case.bearing.pads[one.number - 1]  # preload is given of pads that have not grown
         if not one.loaded:
-            needed = loading_preload(pad, films.solution, one.fold)
-            if needed > pad.preload:
-                yield Notice("W401", "needed", {
-                    "pad": one.number, "needed": needed, "preload": pad.preload,
-                })  # fmt: skip
-            else:  # its fold was not found, or is another in films with temperatures of their own
-                yield Notice("W401", "unknown", {"pad": one.number})
             continue
         share = films.solution.pads[one.number - 1].load / max(films.load, TINY)
         if one.margin < NEAR_FOLD or share < LIGHTLY_LOADED:
             yield from about_nearly_unloaded(one, share)
+
+
+def about_unloaded(case: PadCase, films: PadFilms, margin: PadMargin) -> Notice:
+    """A pad that carries nothing, with the preload that would load it where the journal stands."""
+    pad = case.bearing.pads[margin.number - 1]  # preload is given of pads that have not grown
+    needed = loading_preload(pad, films.solution, margin.fold)
+    if needed > pad.preload:
+        return Notice("W401", "needed", {"pad": margin.number, "needed": needed, "preload": pad.preload})
+    # its fold was not found, or is another in films with temperatures of their own
+    return Notice("W401", "unknown", {"pad": margin.number})
 
 
 def about_nearly_unloaded(margin: PadMargin, share: float) -> Iterator[Notice]:
@@ -220,6 +231,13 @@ def about_laminar_films(values: Mapping[str, float]) -> Iterator[Notice]:
             "assembled": assembled, "preload": values["preload"], "at_assembled": reynolds * assembled / machined,
             "critical_assembled": critical * math.sqrt(machined / assembled),
         })  # fmt: skip
+
+
+def about_ramp(films: PadFilms) -> Iterator[Notice]:
+    """Loaded pads whose films lie on the ramp from laminar to turbulent, the slope of which coefficients take."""
+    law = films.solution.bearing.turbulence
+    if law is not None and (share := ramp_share(films.solution, law)) > 0.0:
+        yield Notice("W420", values={"share": share, "onset": law.onset, "end": law.end})
 
 
 def about_contacts(films: PadFilms) -> Iterator[Notice]:

@@ -119,11 +119,7 @@ def _heat(state: PadSolutionState, sheet: Worksheet) -> Iterator[Line]:
         yield sheet.line("trailing_temperature", "pad_inlet_temperature + pad_warming")
         yield sheet.line("effective_temperature", "pad_inlet_temperature + pad_warming / 2",
                          "at which the viscosity was taken")  # fmt: skip
-        surplus = "given_flow" in sheet and sheet["given_flow"] > sheet["total_flow"]
-        passing = "given_flow" if surplus else "total_flow"
-        yield sheet.line(
-            "outlet_temperature", f"supply_temperature + friction_power / (volumetric_heat_capacity * {passing})"
-        )
+        yield from _outlet(sheet, "friction_power")
     yield sheet.line(
         "film_reynolds_number", "density * surface_speed * largest_pad_clearance / effective_viscosity"
     )
@@ -136,11 +132,15 @@ def _own_heat(sheet: Worksheet) -> Iterator[Line]:
     yield sheet.given("film_dissipation", "of the films")
     yield sheet.given("heat_to_pads", "of the films")
     yield sheet.given("heat_to_oil", "of the films, above the temperature of the fresh oil")
-    surplus = "given_flow" in sheet and sheet["given_flow"] > sheet["total_flow"]
-    passing = "given_flow" if surplus else "total_flow"
-    yield sheet.line(
-        "outlet_temperature", f"supply_temperature + heat_to_oil / (volumetric_heat_capacity * {passing})"
-    )
+    yield from _outlet(sheet, "heat_to_oil")
+
+
+def _outlet(sheet: Worksheet, heat: str) -> Iterator[Line]:
+    """The oil that leaves with a heat; nothing of pads that starve."""
+    if "outlet_temperature" not in sheet:
+        return
+    passing = "given_flow" if "given_flow" in sheet else "total_flow"
+    yield sheet.line("outlet_temperature", f"supply_temperature + {heat} / (volumetric_heat_capacity * {passing})")
 
 
 def _stability(sheet: Worksheet, state: PadSolutionState) -> Iterator[Section]:

@@ -9,7 +9,7 @@ from typing import Any
 from babbitt.core.quantities import AXES, QUANTITIES, Quantity
 from babbitt.core.result import Matrix, Result
 from babbitt.kinds.tilting_pad_journal.report.stability import stability_table
-from babbitt.kinds.tilting_pad_journal.sensitivity import ASSUMED, MOVED, written
+from babbitt.kinds.tilting_pad_journal.sensitivity import ASSUMED, MOVED, end_in_words
 from babbitt.report.columns import ABSENT
 from babbitt.report.plain_tables import plain_table, table_by_pad
 from babbitt.report.result_rows import result_row
@@ -137,7 +137,7 @@ def _ends(result: Result, assumed: Sequence[str]) -> Iterator[tuple[int, int, st
         low, base, high = result.arrays[name][0]
         for place, value in ((0, low), (2, high)):
             if math.isfinite(value):
-                yield number, place, f"{ASSUMED[name]}: {written(name, value)} in place of {written(name, base)}"
+                yield number, place, end_in_words(name, value, base)
 
 
 def _finite(matrix: Sequence[Sequence[float]]) -> list[float]:
