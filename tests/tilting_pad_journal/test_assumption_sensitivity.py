@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import math
+import re
 
 import numpy as np
 import pytest
@@ -12,8 +13,10 @@ from rich.console import Console
 
 from babbitt.case import CaseError, case_from_dict
 from babbitt.case.loading import case_from_dict as read
+from babbitt.core.quantities import displayed_in
 from babbitt.kinds.tilting_pad_journal.report.tables import sensitivity_tables, tables
 from babbitt.report.table import render
+from babbitt.report.us_words import in_us_units
 
 GROWING = dict(HEATED["E"], feed="leading_edge_groove")
 HOTTEST = "sensitivity_of_maximum_temperature"
@@ -101,6 +104,24 @@ def test_tables_of_report_and_terminal_have_the_numbers(result):
     for row in table["rows"]:
         assert row[0] in page.getvalue()
         assert row[1] in page.getvalue()
+
+
+def test_what_is_varied_stands_in_the_units_that_are_spoken(result):
+    with displayed_in("us"):
+        (table,) = sensitivity_tables(result)
+    rows = [row[0] for row in table["rows"]]
+    assert "Heat transfer on the backs: 5.87 in place of 17.6 Btu/(h ft² °F)" in rows
+    assert "Housing: 86 in place of 104 °F" in rows
+    assert in_us_units(rows) == rows
+
+
+def test_sources_of_limits_stand_in_the_units_that_are_spoken():
+    lined = result_of(materials={"bearing_metal": "SnSb12Cu6Pb"}, **HEATED["B"])
+    with displayed_in("us"):
+        page = io.StringIO()
+        Console(file=page, width=400).print(render("Pads", [lined], 400))
+    assert "(others: 266 °F: Kingsbury" in page.getvalue()
+    assert not re.search(r"\d °C", page.getvalue())
 
 
 def test_nothing_is_assumed_of_films_at_a_given_temperature():

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from babbitt.core.files.writing import require_writable, write_file
 from babbitt.core.notices import InputError
-from babbitt.report.comparison_table import AS_ASKED, compared_rows, contradiction, head, objected
+from babbitt.report.comparison_table import AS_ASKED, compared_rows, contradiction, head, objected, spoken
 from babbitt.report.document import GENERATOR_TAG, TEMPLATES
 from babbitt.report.drawing import rendered, style
 from babbitt.report.text import plain_text
@@ -63,7 +63,7 @@ def comparison_page(comparisons: Sequence[Comparison]) -> str:
 
 def _bearing(comparison: Comparison) -> Iterator[str]:
     methods, others, asked = comparison.methods, comparison.choices, comparison.asked
-    yield f"<h1>{_text(comparison.name)}</h1>"
+    yield f"<h1>{escape(plain_text(comparison.name))}</h1>"
     yield (
         f'<p class="method">The same bearing by {len(methods)} methods; the case asks for '
         f"{_text(asked.label)} (marked{AS_ASKED}). The methods differ in what they neglect: see the notes on each "
@@ -130,4 +130,4 @@ def _table(compared: Sequence[str], variants: Sequence[Variant], asked: Variant)
 
 
 def _text(said: str) -> str:
-    return escape(plain_text(said))
+    return escape(spoken(plain_text(said)))

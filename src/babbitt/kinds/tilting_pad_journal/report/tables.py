@@ -137,7 +137,7 @@ def _ends(result: Result, assumed: Sequence[str]) -> Iterator[tuple[int, int, st
         low, base, high = result.arrays[name][0]
         for place, value in ((0, low), (2, high)):
             if math.isfinite(value):
-                yield number, place, f"{ASSUMED[name]}: {written(name, value)} in place of {written(name, base)}"
+                yield number, place, f"{ASSUMED[name]}: {written(name, value, base, between=' in place of ')}"
 
 
 def _finite(matrix: Sequence[Sequence[float]]) -> list[float]:
