@@ -1,13 +1,15 @@
 """Tilting pads by every thermal model, and what is assumed of their heat, side by side."""
 
 import re
+from dataclasses import replace
 
 import pytest
 from pad_journals import HEATED, pad_case, result_of
 
 from babbitt.case import case_from_dict, load_case
-from babbitt.core.quantities import displayed_in
+from babbitt.core.quantities import QUANTITIES, displayed_in
 from babbitt.report.comparison_page import comparison_page
+from babbitt.report.comparison_plots import write_comparison_plots
 from babbitt.report.comparison_table import print_comparison
 from babbitt.study.comparison import compare_methods
 
@@ -79,6 +81,26 @@ def test_a_sentence_has_the_numbers_of_the_columns(growing):
     page = comparison_page((growing,))
     assert "What assumptions move" in page
     assert carried in page
+
+
+def test_the_figure_has_film_power_flow_and_temperatures_of_every_model(growing, tmp_path):
+    (path,) = write_comparison_plots((growing,), tmp_path)
+    assert path.name == "01-methods.svg"
+    with displayed_in("us"):
+        figure = growing.draw(growing)
+    bars = [[bar.get_width() for bar in panel.patches] for panel in figure.axes]
+    for lengths, name in zip(bars, ("minimum_film_thickness", "friction_power", "total_flow"), strict=False):
+        with displayed_in("us"):
+            shown = [QUANTITIES[name].shown(one.result.values[name]) for one in growing.methods]
+        assert lengths == pytest.approx(shown)
+    names = [tick.get_text() for tick in figure.axes[0].get_yticklabels()]
+    assert names == ["films at 104 °F", "one temperature", "adiabatic films", "full thermal films"]
+    page = comparison_page((growing,))
+    assert "below the figure." in page
+    assert "around the bore" not in page
+    bare = comparison_page((replace(growing, draw=None),))
+    assert "see the notes on each below.</p>" in bare
+    assert "figure" not in bare.partition("<body>")[2]
 
 
 def three_temperatures(said):

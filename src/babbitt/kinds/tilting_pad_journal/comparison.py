@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from typing import Any
 
 from babbitt.core.notices import InputError
 from babbitt.core.quantities import AXES, QUANTITIES
@@ -98,7 +99,16 @@ def compared(case: TiltingPadJournalCase, index: int, problem: PadCase) -> Compa
                 left_out.append(f"one end of {assumption.label} is left out: {error.message}")
         found += [one for one in ends if one is not None]
         sentences += spread(assumption, ends[0], asked, ends[1])
-    return Comparison(problem.name, tuple(found), COMPARED, "\n".join(left_out), tuple(sentences), heading=SPREAD)
+    return Comparison(
+        problem.name, tuple(found), COMPARED, "\n".join(left_out), tuple(sentences), heading=SPREAD, draw=drawing
+    )
+
+
+def drawing(comparison: Comparison) -> Any:
+    """Draw the figure of a comparison; None where no method has found films with a temperature."""
+    from babbitt.report.comparison_figure import methods_figure
+
+    return methods_figure(comparison)
 
 
 def with_thermal(case: TiltingPadJournalCase, thermal: Thermal) -> TiltingPadJournalCase:
@@ -130,7 +140,12 @@ def by_model(problem: PadCase) -> Variant:
 def at_one_end(assumption: Assumption, end: float) -> Variant:
     """The bearing with less or more of what is assumed."""
     remark = f"as the case, with {assumption.written(end, assumption.base, between=' in place of ')}"
-    return Variant(f"{assumption.label} {assumption.written(end)}", remark, PAD_FILM.solve_one(assumption.at(end)), is_method=False)
+    return Variant(
+        f"{assumption.label} {assumption.written(end)}",
+        remark,
+        PAD_FILM.solve_one(assumption.at(end)),
+        is_method=False,
+    )
 
 
 def spread(assumption: Assumption, low: Variant | None, asked: Variant, high: Variant | None) -> Iterator[str]:
