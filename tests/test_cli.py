@@ -125,7 +125,7 @@ def test_compare_says_where_a_kind_has_no_figure(run, tmp_path):
     (tmp_path / "pad.yaml").write_text(template("hydrostatic_pad"))
     status, _, err = run("compare", "pad.yaml", "--plots", "figures")
     assert status == 0
-    assert "--plots: 0 of 1 comparisons have a figure; the others have the tables alone (kind hydrostatic" in err
+    assert "--plots: 0 of 1 comparisons have a figure; the others have tables alone (kind hydrostatic" in err
     assert not (tmp_path / "figures").exists()
 
 

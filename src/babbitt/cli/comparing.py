@@ -104,7 +104,7 @@ def _methods(file: Path, case: CaseFile, plots: Path | None, report: Path | None
             drawn = write_comparison_plots(found, plots)
         if len(drawn) < len(found):
             print(
-                f"--plots: {len(drawn)} of {len(found)} comparisons have a figure; the others have the tables alone "
+                f"--plots: {len(drawn)} of {len(found)} comparisons have a figure; the others have tables alone "
                 f"(kind {case.kind}; no method has found a film that has a temperature)",
                 file=sys.stderr,
             )
