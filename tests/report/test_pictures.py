@@ -1,7 +1,6 @@
 """Every kind has a picture, whose words stay within it and never become markup."""
 
 import math
-import re
 
 import numpy as np
 import pytest
