@@ -82,7 +82,10 @@ class Notice:
         for found in COMPARED.finditer(said):
             values = [self.values[name] for name in found.group(2, 5)]
             measures = [measure or name for name, measure in (found.group(2, 3), found.group(5, 6))]
-            if all(isinstance(one, int | float) for one in values) and len(set(map(_shown, values, measures))) == 1:
+            if (
+                all(isinstance(one, int | float) for one in values)
+                and len(set(map(_shown, values, measures))) == 1
+            ):
                 quantity = next(filter(None, map(quantity_shown, measures)), PLAIN)
                 yield from zip(found.group(1, 4), quantity.told_apart(*values), strict=True)
 

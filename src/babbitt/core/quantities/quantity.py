@@ -93,7 +93,6 @@ class Quantity:
             return "–"
         return f"{self.format(value)}{'' if self.display.label == '°' else ' '}{self.display.label}".rstrip()
 
-
     def told_apart(self, value: float, other: float) -> tuple[str, str]:
         """Two SI values in one unit, with it, and with as many digits as tell that they differ.
 
