@@ -124,10 +124,10 @@ def test_what_is_beyond_a_limit_reads_so():
     said = Notice("W405", values={"given": 45.0e-3 / 60, "wanted": 45.0123e-3 / 60, "carry_over": 0.7}).message
     assert said.startswith("supply.flow is 45.000 L/min < 45.012 L/min that the films draw in")
     assert Notice("W169", values={"starts": 5, "least": 20}).message == "5 starts < 20"
-    values = dict(
-        film_reynolds_number=753.4, critical_reynolds_number=753.1, machined=188e-6, assembled=122e-6,
-        preload=0.35, at_assembled=489.0, critical_assembled=935.0,
-    )  # fmt: skip
+    values = {
+        "film_reynolds_number": 753.4, "critical_reynolds_number": 753.1, "machined": 188e-6, "assembled": 122e-6,
+        "preload": 0.35, "at_assembled": 489.0, "critical_assembled": 935.0,
+    }  # fmt: skip
     assert Notice("W407", values=values).message.startswith("Re = 753.40 > 753.10 = 41.3 sqrt")
     assert Notice("W407", values=values | {"film_reynolds_number": 760.0}).message.startswith("Re = 760 > 753 = ")
 

@@ -78,7 +78,7 @@ class Notice:
         )
 
     def _told_apart(self, said: str) -> Iterator[tuple[str, str]]:
-        """Placeholders on both sides of < or > whose numbers read alike, with the digits that show the difference."""
+        """Placeholders beside < or > whose numbers read alike, with the digits that show the difference."""
         for found in COMPARED.finditer(said):
             values = [self.values[name] for name in found.group(2, 5)]
             measures = [measure or name for name, measure in (found.group(2, 3), found.group(5, 6))]
