@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator
 from dataclasses import replace
 from typing import Any
 
@@ -66,7 +66,6 @@ def bearing_content(chapter: Chapter, given: Collection[str] = ()) -> Data:
     view, result = chapter.view, shown.result
     sources = sources_of(chapter.results)
     checks = [check_content(check, sources) for check in solved_checks(result)]
-    results = _key_results(chapter) if result.outcome.solved else []
     return {
         "name": plain_text(chapter.name),
         "clearances": [format_members([member.clearance]) for member in chapter.members] if several else [],
@@ -82,8 +81,7 @@ def bearing_content(chapter: Chapter, given: Collection[str] = ()) -> Data:
         "answers": [translated(plain_text(said)) for said in view.sentences(result)],
         "tables": [_table(table) for table in view.tables(result)],
         "heading": translated("Operating point" if in_machine_table(result) else "Results"),
-        "results": results,
-        "half": half_of([row["label"] for row in results]),
+        "results": _key_results(chapter) if result.outcome.solved else [],
         "inputs": [
             {
                 "title": translated(group.title),
@@ -104,20 +102,6 @@ def bearing_content(chapter: Chapter, given: Collection[str] = ()) -> Data:
             if (found := _warnings(chapter, effect))
         ],
     }
-
-
-def half_of(labels: Sequence[str]) -> int:
-    """Rows in the first of two columns, about half of them: entries of a matrix, of one meaning up to the comma,
-    stay together.
-
-    >>> half_of(["Speed", "Stiffness, in x", "Stiffness, in y", "Damping, in x"]), half_of(["a", "b", "c"])
-    (1, 2)
-    """
-    stems = [label.partition(",")[0] if "," in label else f"{place}" for place, label in enumerate(labels)]
-    half = math.ceil(len(labels) / 2)
-    while 1 < half < len(stems) and stems[half] == stems[half - 1]:
-        half -= 1
-    return half
 
 
 def assumptions_of(results: Iterable[Result]) -> Iterator[str]:
