@@ -120,6 +120,15 @@ def test_lists_show_what_is_included(run, what):
     assert expected[what] in out
 
 
+def test_compare_says_where_a_kind_has_no_figure(run, tmp_path):
+    pytest.importorskip("matplotlib")
+    (tmp_path / "pad.yaml").write_text(template("hydrostatic_pad"))
+    status, _, err = run("compare", "pad.yaml", "--plots", "figures")
+    assert status == 0
+    assert "--plots: 0 of 1 comparisons have a figure; the others have tables alone (kind hydrostatic" in err
+    assert not (tmp_path / "figures").exists()
+
+
 def test_compare_puts_the_variants_side_by_side(run, tmp_path):
     full = template("journal")
     (tmp_path / "full.yaml").write_text(full)

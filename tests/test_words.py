@@ -119,6 +119,19 @@ def test_numbers_are_written_as_in_tables_and_names_as_they_are():
     assert Notice("W170", values={"eccentricities": (0.1234567, 0.5)}).message.endswith("end 0.1235, 0.5")
 
 
+def test_what_is_beyond_a_limit_reads_so():
+    """Numbers that tables would write alike have the digits that show the difference; others stay as in tables."""
+    said = Notice("W405", values={"given": 45.0e-3 / 60, "wanted": 45.0123e-3 / 60, "carry_over": 0.7}).message
+    assert said.startswith("supply.flow is 45.000 L/min < 45.012 L/min that the films draw in")
+    assert Notice("W169", values={"starts": 5, "least": 20}).message == "5 starts < 20"
+    values = {
+        "film_reynolds_number": 753.4, "critical_reynolds_number": 753.1, "machined": 188e-6, "assembled": 122e-6,
+        "preload": 0.35, "at_assembled": 489.0, "critical_assembled": 935.0,
+    }  # fmt: skip
+    assert Notice("W407", values=values).message.startswith("Re = 753.40 > 753.10 = 41.3 sqrt")
+    assert Notice("W407", values=values | {"film_reynolds_number": 760.0}).message.startswith("Re = 760 > 753 = ")
+
+
 def test_clauses_become_part_of_the_sentence_and_of_the_values():
     how = Notice("W160", "gain", {"thermal_loop_gain": 1.5})
     left = Notice("W160", "left", {"how": how})

@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import partial
 from html.parser import HTMLParser
+from io import BytesIO
 
 import gear_cases
 import pytest
@@ -455,3 +456,20 @@ def test_of_equal_margins_the_first_is_named_whatever_round_off_says(share, name
     shown = content(HandMadeMachine("Two pinions", (first, second)))["worst"]
     load = next(one for one in shown if one["quantity"] == "Specific load")
     assert load["bearing"] == f"Second-stage pinion ({named})"
+
+
+def test_the_rule_below_the_title_of_a_study_stands_clear_of_its_letters():
+    """Rows of pixels: no letter, of a name with descenders, touches the widest dark one."""
+    image = pytest.importorskip("matplotlib.image")
+    data = {
+        "name": "Typography", "version": "1", "hash": "0" * 16, "overview": "", "source": "", "notes": "",
+        "tables": [], "figures": [], "text": "",
+    }  # fmt: skip
+    shade = image.imread(BytesIO(typeset(data, "study.typ", "png")))[:, :, :3].mean(axis=2)
+    rule = int((shade < 0.5).sum(axis=1).argmax())
+    millimetre = shade.shape[0] / 210.0
+    assert (shade[rule] < 0.5).mean() > 0.8
+    above = [row for row in range(rule) if (shade[row] < 0.5).any()]
+    gap = rule - max(row for row in above if row < rule - 1)
+    assert gap > 0.4 * millimetre
+    assert gap < 4.0 * millimetre

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from drawn import Drawn, drawn
+from drawn import Drawn, changed, drawn
 
 from babbitt.core.kind import kinds
 from babbitt.report.picture import Handle, Picture
@@ -38,6 +38,26 @@ def test_shapes_and_words_stay_within_their_picture(of_template):
                 high = high + np.array([(1.0 - before) * wide, 0.4 * shape.size])
             assert (low >= picture.low - 1e-3).all(), shape
             assert (high <= picture.high + 1e-3).all(), shape
+
+
+def test_words_are_moved_into_their_picture():
+    picture = Picture(1.0, "a")
+    picture.text_within(-0.97, 0.99, "8.31 kN")
+    picture.text_within(0.2, 0.1, "8.31 kN")
+    moved, kept = Drawn(picture.svg()).of("label", "text")
+    half = 0.5 * WIDE * moved.size * len("8.31 kN")
+    assert moved.points[0][0] - half >= -1.0
+    assert moved.points[0][1] + 0.5 * moved.size <= 1.0
+    assert kept.points[0] == pytest.approx([0.2, 0.1])
+
+
+def test_loads_of_pads_lie_within_their_picture():
+    """The load of a pad to the left of the bearing stood beyond the edge."""
+    ((_, picture),) = drawn(changed("tilting_pad_journal", load="0.5 kN", pads__first_pivot="0 deg"))
+    said = picture.of("label", "text")
+    assert sum("kN" in shape.words or " N" in shape.words for shape in said) >= 5
+    for shape in said:
+        assert abs(shape.points[0][0]) + 0.5 * WIDE * shape.size * len(shape.words) <= picture.high[0]
 
 
 def test_letters_can_be_read_on_a_narrow_page(of_template):

@@ -60,3 +60,20 @@ def test_the_plot_of_a_sweep_has_the_limits_and_the_flow_that_is_needed(tmp_path
     limits = [check.limit for _, result in sweep.rows() for check in result.limits if check.code == "C104"]
     lines = [line.get_ydata() for line in warm.get_lines() if len(line.get_ydata()) == 3]
     assert any(line == pytest.approx([limit - 273.15 for limit in limits]) for line in lines)
+
+
+def test_the_plot_of_a_sweep_has_a_panel_for_each_result_that_is_chosen(tmp_path):
+    pytest.importorskip("matplotlib")
+    from babbitt.case.variation import case_variation
+    from babbitt.report.drawing import axis_label
+    from babbitt.report.sweep_plot import sweep_figure
+    from babbitt.study.case_sweep import sweep_case
+    from babbitt.study.sweep_values import values_of
+
+    (tmp_path / "case.yaml").write_text(template("journal"))
+    sweep = sweep_case([(case_variation(tmp_path / "case.yaml", "load"), values_of("6 kN, 12 kN"))])
+    chosen = ("friction_power", "total_flow", "outlet_temperature", "minimum_film_thickness", "eccentricity_ratio")
+    figure = sweep_figure(sweep, chosen)
+    drawn = [panel for panel in figure.axes if panel.get_lines()]
+    assert [panel.get_ylabel() for panel in drawn] == [axis_label(QUANTITIES[name]) for name in chosen]
+    assert [panel.get_xlabel() for panel in drawn] == [*[""] * 3, *["load in kN"] * 2]

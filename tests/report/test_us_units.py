@@ -28,6 +28,7 @@ IN_PINT = {
     "lbf s/in": "lbf*s/in", "klbf s/in": "klbf*s/in", "psi ft/s": "psi*ft/s", "lbf ft/rad": "lbf*ft",
     "lbf ft/mrad": "1e3*lbf*ft", "lbf ft s/rad": "lbf*ft*s", "in²": "in**2", "mil/in": "1e-3", "Mpsi": "1e6*psi",
     "in": "inch", "°F": "delta_degF", "Btu/(lb °F)": "Btu_it/lb/delta_degF",
+    "Btu/(h ft² °F)": "Btu_it/hour/ft**2/delta_degF",
 }  # fmt: skip
 COHERENT = {
     "mm": "m", "um": "m", "um2": "m", "MPa": "Pa", "MPa3": "Pa", "kPa": "Pa", "GPa": "Pa", "degC": "kelvin",
@@ -36,7 +37,7 @@ COHERENT = {
     "MJ/m3K": "J/m**3/kelvin", "pv": "Pa*m/s", "1e-6/K": "1/kelvin", "t": "kg", "kg": "kg", "N/um": "N/m",
     "MN/m": "N/m", "GN/m": "N/m", "kN/m": "N/m", "kNs/m": "N*s/m", "MNs/m": "N*s/m", "Ns/m": "N*s/m",
     "kNm/rad": "N*m", "kNm/mrad": "N*m", "Nms/rad": "N*m*s", "cm2": "m**2", "mrad": "1",
-    "J/kgK": "J/kg/kelvin", "L/min2": "m**3/s",
+    "J/kgK": "J/kg/kelvin", "W/m2K": "W/m**2/kelvin", "L/min2": "m**3/s",
 }  # fmt: skip
 ALIKE = {"", "balance", "count", "percent", "permille", "rpm", "rpm2", "deg", "s", "Hz", "%", "urad"}
 

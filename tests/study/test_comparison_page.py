@@ -56,3 +56,9 @@ def test_the_command_writes_it(tmp_path, monkeypatch, capsys):
     assert not ended.value.code
     assert (tmp_path / "page.html").exists()
     assert "full thermal film" in capsys.readouterr().out
+
+
+def test_the_column_of_quantities_keeps_its_width_beside_many_others(found):
+    page = comparison_page(found)
+    assert re.search(r"table\.compared td:first-child \{ min-width: \d+em; \}", page)
+    assert page.count('<table class="sheet compared">') == 1 + bool(found[0].choices)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+import math
 from pathlib import Path
 
 import pytest
@@ -111,6 +112,14 @@ def test_differences_of_nothing_and_of_large_changes():
     assert difference("friction_power", None, 1.0) == ABSENT
     assert difference("energy_balance_error", 1e-14, 3e-14) == "0 %"
     assert difference("attitude_angle", 0.5, 0.6) == "+5.7 °"
+    assert difference("load", 9000.000052, 9000.0000055) == "0 %"
+    assert difference("dissipation_error", 2.2e-16, 0.0) == "0 %"
+    assert difference("energy_balance_error", -5.1e-10, -7.2e-10) == "0 %"
+    assert difference("outlet_temperature", 330.0, 330.0 - 1e-9) == "+0.0 K"
+    assert difference("journal_y", -41.92e-6, -82.56e-6) == "-40.6 µm"
+    assert difference("stiffness_xy", -1.144e6, 0.034e6) == "+1.178 MN/m"
+    assert difference("friction_power", 1000.0, 990.0) == "-1.0 %"
+    assert difference("angular_speed", 12345.0 * math.pi / 30.0, 12344.0 * math.pi / 30.0) == "0.0 %"
 
 
 def test_the_command_writes_all_that_it_shows(tmp_path, monkeypatch, capsys):

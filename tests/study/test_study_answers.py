@@ -277,6 +277,17 @@ def test_a_margin_that_does_not_scatter_has_a_word_in_place_of_its_cpk():
     assert row[-2:] == ("does not vary", "–")
 
 
+def test_a_cpk_whose_size_tells_nothing_is_not_written_out():
+    """A load that scatters by a millionth moves the specific load by as much."""
+    law = {"normal": ["12 kN", "0.01 N"]}
+    study = run_study(plan(journal(), block(kind="tolerance", vary={"load": law}, samples=40)))
+    (found,) = (one for one in tolerance_summary(study).capabilities if one.code == "C103")
+    assert found.cpk > 1e4
+    (checks,) = (one for one in study_tables(study) if one.title == "Checks")
+    (row,) = (row for row in checks.rows if row[0].startswith("C103"))
+    assert row[-2] == "> 100"
+
+
 def test_stiffness_damping_and_decrement_of_tilting_pads_scatter_with_the_others():
     case = parse_case(template("tilting_pad_journal"))
     study = plan(case, block(kind="tolerance", vary={"load": {"uniform": ["9 kN", "11 kN"]}}, samples=4))

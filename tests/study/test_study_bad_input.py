@@ -5,6 +5,8 @@ from __future__ import annotations
 import pytest
 from studied_cases import block, journal
 
+from babbitt.case import CaseError
+from babbitt.case.study_file import load_study
 from babbitt.core.notices import InputError
 from babbitt.study.plan import plan, require_possible
 
@@ -29,6 +31,18 @@ def refusal(kind, vary):
         require_possible(journal(), study_over(kind, vary))
     assert "\n" not in refused.value.message
     return refused.value.message
+
+
+def test_a_case_named_within_the_study_is_told_its_place(tmp_path):
+    path = tmp_path / "study.yaml"
+    path.write_text("study:\n  kind: corners\n  case: journal.yaml\n")
+    with pytest.raises(CaseError) as refused:
+        load_study(path)
+    (problem,) = refused.value.problems
+    assert (problem.line, problem.field) == (3, "study.case")
+    assert "case stands within the study" in str(refused.value)
+    assert "put it beside study" in str(refused.value)
+    assert "allowed" not in str(refused.value)
 
 
 @pytest.mark.parametrize("kind", KINDS)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import math
+import re
 
 import numpy as np
 import pytest
@@ -16,6 +17,7 @@ from babbitt.core.quantities import displayed_in
 from babbitt.core.result import Outcome, Verdict
 from babbitt.kinds.tilting_pad_journal.report.tables import sensitivity_tables, tables
 from babbitt.report.table import render
+from babbitt.report.us_words import in_us_units
 
 GROWING = dict(HEATED["E"], feed="leading_edge_groove")
 HOTTEST = "sensitivity_of_maximum_temperature"
@@ -105,10 +107,22 @@ def test_tables_of_report_and_terminal_have_the_numbers(result):
         assert row[1] in page.getvalue()
 
 
-def test_numbers_stand_in_the_unit_of_their_label_where_us_units_are_spoken(result):
+def test_what_is_varied_stands_in_the_units_that_are_spoken(result):
     with displayed_in("us"):
         (table,) = sensitivity_tables(result)
-    assert "Housing in °C: 30 in place of 40" in {row[0] for row in table["rows"]}
+    rows = [row[0] for row in table["rows"]]
+    assert "Heat transfer on the backs: 5.87 in place of 17.6 Btu/(h ft² °F)" in rows
+    assert "Housing: 86 in place of 104 °F" in rows
+    assert in_us_units(rows) == rows
+
+
+def test_sources_of_limits_stand_in_the_units_that_are_spoken():
+    lined = result_of(materials={"bearing_metal": "SnSb12Cu6Pb"}, **HEATED["B"])
+    with displayed_in("us"):
+        page = io.StringIO()
+        Console(file=page, width=400).print(render("Pads", [lined], 400))
+    assert "(others: 266 °F: Kingsbury" in page.getvalue()
+    assert not re.search(r"\d °C", page.getvalue())
 
 
 def test_nothing_is_assumed_of_films_at_a_given_temperature():
@@ -151,7 +165,7 @@ def test_an_assumption_without_film_questions_the_verdict():
     assert (plain.verdict, found.verdict) == (Verdict.PASS, Verdict.REMARKS)
     (message,) = said(found)
     assert "Carry-over: 0.9 in place of 0.7 leaves no solution: the clearance closes" in message
-    assert "Housing in °C: 30 in place of 40 leaves no solution" in message
+    assert "Housing: 30 in place of 40 °C leaves no solution" in message
     hot = result_of(TIGHT, speed="5000 rpm", carry_over=0.9, **JUDGED)
     assert hot.outcome is Outcome.NO_CLEARANCE
     page = io.StringIO()

@@ -1,12 +1,16 @@
 """Tilting pads by every thermal model, and what is assumed of their heat, side by side."""
 
 import re
+from dataclasses import replace
 
 import pytest
 from pad_journals import HEATED, pad_case, result_of
 
 from babbitt.case import case_from_dict, load_case
+from babbitt.core.quantities import QUANTITIES, displayed_in
 from babbitt.report.comparison_page import comparison_page
+from babbitt.report.comparison_plots import write_comparison_plots
+from babbitt.report.comparison_table import print_comparison
 from babbitt.study.comparison import compare_methods
 
 GROWING = dict(HEATED["E"], feed="leading_edge_groove", limits={"probe_alarm": "90 degC"})
@@ -47,8 +51,8 @@ def test_a_film_takes_the_thinner_the_hotter_its_model_has_it(growing):
 def test_assumptions_stand_low_base_and_high(growing):
     labels = [one.label for one in growing.choices]
     assert labels == [
-        "Carry-over 0.5", "Carry-over 0.9", "Heat transfer on the backs in W/(m² K) 33.3",
-        "Heat transfer on the backs in W/(m² K) 300", "Housing in °C 30", "Housing in °C 50",
+        "Carry-over 0.5", "Carry-over 0.9", "Heat transfer on the backs 33.3 W/(m² K)",
+        "Heat transfer on the backs 300 W/(m² K)", "Housing 30 °C", "Housing 50 °C",
     ]  # fmt: skip
     base = growing.asked.result.values
     values = {one.label: one.result.values for one in growing.choices}
@@ -57,7 +61,7 @@ def test_assumptions_stand_low_base_and_high(growing):
     backs = [values[one] for one in labels[2:4]]
     assert backs[0][hottest] > base[hottest] > backs[1][hottest]
     assert backs[0]["heat_to_pads"] < base["heat_to_pads"] < backs[1]["heat_to_pads"]
-    clearances = [values["Housing in °C 30"], base, values["Housing in °C 50"]]
+    clearances = [values["Housing 30 °C"], base, values["Housing 50 °C"]]
     cold, own, warm = (one["running_clearance"] for one in clearances)
     assert own - cold == pytest.approx(12e-6 * 0.070148 * 10.0, rel=0.25)  # warmer pads take some of it back
     assert cold < own < warm
@@ -68,8 +72,8 @@ def test_assumptions_stand_low_base_and_high(growing):
 def test_a_sentence_has_the_numbers_of_the_columns(growing):
     carried, backs, housing = growing.sentences
     assert carried.startswith("Carry-over 0.5, 0.7, 0.9: ")
-    assert backs.startswith("Heat transfer on the backs in W/(m² K) 33.3, 100, 300: ")
-    assert housing.startswith("Housing in °C 30, 40, 50: ")
+    assert backs.startswith("Heat transfer on the backs 33.3, 100, 300 W/(m² K): ")
+    assert housing.startswith("Housing 30, 40, 50 °C: ")
     low, base, high = map(float, re.search(r"([\d.]+), ([\d.]+), ([\d.]+) °C;", carried).groups())
     runs = (growing.choices[0], growing.asked, growing.choices[1])
     for told, one in zip((low, base, high), runs, strict=True):
@@ -77,6 +81,45 @@ def test_a_sentence_has_the_numbers_of_the_columns(growing):
     page = comparison_page((growing,))
     assert "What assumptions move" in page
     assert carried in page
+
+
+def test_the_figure_has_film_power_flow_and_temperatures_of_every_model(growing, tmp_path):
+    (path,) = write_comparison_plots((growing,), tmp_path)
+    assert path.name == "01-methods.svg"
+    with displayed_in("us"):
+        figure = growing.draw(growing)
+    bars = [[bar.get_width() for bar in panel.patches] for panel in figure.axes]
+    for lengths, name in zip(bars, ("minimum_film_thickness", "friction_power", "total_flow"), strict=False):
+        with displayed_in("us"):
+            shown = [QUANTITIES[name].shown(one.result.values[name]) for one in growing.methods]
+        assert lengths == pytest.approx(shown)
+    names = [tick.get_text() for tick in figure.axes[0].get_yticklabels()]
+    assert names == ["films at 104 °F", "one temperature", "adiabatic films", "full thermal films"]
+    page = comparison_page((growing,))
+    assert "below the figure." in page
+    assert "around the bore" not in page
+    bare = comparison_page((replace(growing, draw=None),))
+    assert "see the notes on each below.</p>" in bare
+    assert "figure" not in bare.partition("<body>")[2]
+
+
+def three_temperatures(said):
+    """Of the hottest place: low, base and high."""
+    return [*map(float, re.search(r"T_max ([\d.]+), ([\d.]+), ([\d.]+) °", said).groups())]
+
+
+def test_what_was_told_in_the_si_is_printed_in_us_units(growing, capsys):
+    """Each number of a sentence is that of the SI turned, and no unit of the SI is left on screen or page."""
+    hottest = three_temperatures(growing.sentences[2])
+    with displayed_in("us"):
+        print_comparison((growing,))
+        page = comparison_page((growing,))
+    said = capsys.readouterr().out
+    (housing,) = re.findall(r"Housing 86, 104, 122 °F: .*", said)
+    assert three_temperatures(housing) == pytest.approx([1.8 * one + 32.0 for one in hottest], abs=0.051)
+    assert "films at 104 °F" in said
+    for text in (said, re.sub(r"<figure>.*?</figure>", "", page)):
+        assert not re.search(r"\d [µk]?(°C|µm|kW|MN/m|kN s/m|W/\(m² K\))", text)
 
 
 def test_films_of_one_temperature_tell_of_that():
@@ -111,8 +154,8 @@ def test_a_supply_that_starves_one_model_leaves_that_out():
 def test_every_operating_point_is_compared():
     points = [{"name": "slow", "speed": "1000 rpm"}, {"name": "hot", "supply_temperature": "50 degC"}]
     slow, hot = compare_methods(case_from_dict(pad_case(**HEATED["E"], operating_points=points)))
-    assert slow.choices[-1].label == "Housing in °C 50"
-    assert hot.choices[-1].label == "Housing in °C 60"
+    assert slow.choices[-1].label == "Housing 50 °C"
+    assert hot.choices[-1].label == "Housing 60 °C"
     assert hot.asked.result.values["maximum_temperature"] > slow.asked.result.values["maximum_temperature"]
 
 

@@ -338,7 +338,7 @@ def figures(text: str) -> tuple[Figure, ...]:
 
 def compared(text: str) -> tuple[Table, ...]:
     """Every method that knows the bearing, side by side."""
-    from babbitt.report.comparison_table import compared_rows, head
+    from babbitt.report.comparison_table import compared_rows, head, spoken
     from babbitt.study.comparison import compare_methods
 
     tables = []
@@ -348,7 +348,7 @@ def compared(text: str) -> tuple[Table, ...]:
             (f"{row.meaning} {row.unit}".strip(), *row.cells) for row in compared_rows(one.compared, variants)
         )
         heads = ("", *(head(variant, one.asked) for variant in variants))
-        remarks = tuple(line for line in (*one.sentences, *one.left_out.splitlines()) if line)
+        remarks = tuple(spoken(line) for line in (*one.sentences, *one.left_out.splitlines()) if line)
         tables.append(Table(plain_text(one.name), heads, rows, remarks))
     return tuple(tables)
 

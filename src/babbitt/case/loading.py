@@ -234,6 +234,10 @@ def _case(given: Any, name: str, root: Node | None, files: NamedFiles) -> CaseFi
         hint = nearest(kind, KINDS) if isinstance(kind, str) else ""
         if "kind" not in given and STUDY in given and "case" in given:
             says, hint = "kind is missing: the file holds a study of another file", "try babbitt study"
+        within = given.get(STUDY)
+        if "kind" not in given and isinstance(within, Mapping) and "case" in within:
+            says, hint = "case stands within the study", "put it beside study, as far to the left"
+            raise CaseError([_problem(name, root, given, (STUDY, "case"), says, "", hint)])
         raise CaseError([_problem(name, root, given, ("kind",), says, ", ".join(KINDS), hint)])
     study, found = _beside(StudyBlock, STUDY, given)
     block, wrong = _beside(TitleBlock, DOCUMENT, given)

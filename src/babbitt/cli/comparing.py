@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -23,7 +24,9 @@ def compare(
     files: Annotated[list[Path], typer.Argument(metavar="FILE...", help="One case file, or several designs.")],
     plots: Annotated[
         Path | None,
-        typer.Option(metavar="DIR", help="Of one file: write one figure per journal bearing into a folder."),
+        typer.Option(
+            metavar="DIR", help="Of one file: write one figure per bearing with journal and film into a folder."
+        ),
     ] = None,
     report: Annotated[
         Path | None, typer.Option(metavar="OUT", help="Write figures, tables and remarks as one page: OUT.html.")
@@ -98,7 +101,13 @@ def _methods(file: Path, case: CaseFile, plots: Path | None, report: Path | None
         from babbitt.report.comparison_plots import write_comparison_plots
 
         with displayed_in(units):
-            write_comparison_plots(found, plots)
+            drawn = write_comparison_plots(found, plots)
+        if len(drawn) < len(found):
+            print(
+                f"--plots: {len(drawn)} of {len(found)} comparisons have a figure; the others have tables alone "
+                f"(kind {case.kind}; no method has found a film that has a temperature)",
+                file=sys.stderr,
+            )
     if report is not None:
         from babbitt.report.comparison_page import write_comparison_page
 

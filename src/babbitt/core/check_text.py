@@ -62,18 +62,12 @@ def comparison(check: Check) -> str:
 
 def value_and_limit(check: Check) -> tuple[str, str]:
     """Both in one unit; of a limit that is barely missed as many digits of both as tell so."""
-    value, limit = alike(check.quantity, check.value, check.limit)
     known = QUANTITIES.get(check.quantity)
-    if value != limit or check.ok or known is None:
+    if known is None or check.ok:
+        value, limit = alike(check.quantity, check.value, check.limit)
         return value, limit
-    shown = known.suited(check.value, check.limit)
-    bound = shown.shown(check.limit)
-    for digits in range(5, 16):
-        both = tuple(f"{one:#.{digits}g}" for one in (shown.shown(check.value), bound))
-        if float(both[0]) != float(both[1]):
-            texts = (decimal(f"{one} {shown.display.label}").rstrip() for one in both)
-            return next(texts), next(texts)
-    return translated("{value} (rounded)", value=value), limit
+    value, limit = known.told_apart(check.value, check.limit)
+    return translated("{value} (rounded)", value=value) if value == limit else value, limit
 
 
 def margin(check: Check) -> str:

@@ -20,6 +20,7 @@ from babbitt.report.coefficient_temperatures import temperature_remark
 from babbitt.report.meanings import meaning, remark_on_zero
 from babbitt.report.text import plain_text
 from babbitt.report.units_of_matrices import suited_among
+from babbitt.report.us_words import in_us_units
 from babbitt.report.verdict import CheckWord
 
 STYLES = {
@@ -176,6 +177,6 @@ def _checks(checks: Sequence[Check]) -> RenderableType:
             Text(check_text.comparison(check)),
             check_text.margin(check),
             Text(word.value, style=CHECK_STYLES[word]),
-            Text(plain_text(check.source)),
+            Text(in_us_units(plain_text(check.source))),
         )
     return table

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from babbitt.core.files.writing import require_writable, write_file
 from babbitt.core.notices import InputError
-from babbitt.report.comparison_table import AS_ASKED, compared_rows, contradiction, head, objected
+from babbitt.report.comparison_table import AS_ASKED, compared_rows, contradiction, head, objected, spoken
 from babbitt.report.document import GENERATOR_TAG, TEMPLATES
 from babbitt.report.drawing import rendered, style
 from babbitt.report.text import plain_text
@@ -17,11 +17,7 @@ from babbitt.study.comparison import Comparison, Variant
 
 __all__ = ["comparison_page", "require_page", "write_comparison_page"]
 
-CAPTION = (
-    "Least film thickness, friction power, oil flow and temperatures, as far as the methods tell them. Where one "
-    "finds temperatures around the bore, those in the middle of the width, hottest across the gap, stand below "
-    "beside the single ones; beside a groove the film may be hotter."
-)
+CAPTION = "Least film thickness, friction power, oil flow and temperatures, as far as the methods tell them."
 
 
 def write_comparison_page(comparisons: Sequence[Comparison], path: Path) -> None:
@@ -63,16 +59,17 @@ def comparison_page(comparisons: Sequence[Comparison]) -> str:
 
 def _bearing(comparison: Comparison) -> Iterator[str]:
     methods, others, asked = comparison.methods, comparison.choices, comparison.asked
-    yield f"<h1>{_text(comparison.name)}</h1>"
+    figure = list(_figure(comparison))
+    yield f"<h1>{escape(plain_text(comparison.name))}</h1>"
     yield (
         f'<p class="method">The same bearing by {len(methods)} methods; the case asks for '
         f"{_text(asked.label)} (marked{AS_ASKED}). The methods differ in what they neglect: see the notes on each "
-        "below the figure.</p>"
+        f"below{' the figure' if figure else ''}.</p>"
     )
     if comparison.sentences:
         yield f"<h3>{_text(comparison.heading)}</h3>"
         yield from (f"<p>{_text(said)}</p>" for said in comparison.sentences)
-    yield from _figure(comparison)
+    yield from figure
     yield "<h3>What each method sees and neglects</h3>"
     yield from _remarks(methods)
     for line in comparison.left_out.splitlines():
@@ -102,9 +99,10 @@ def _figure(comparison: Comparison) -> Iterator[str]:
         drawn = b64encode(rendered(figure, "svg")).decode() if figure is not None else ""
     if not drawn:
         return
+    caption = _text(f"{CAPTION} {comparison.caption}".strip())
     yield (
-        f'<figure><img alt="{escape(CAPTION)}" src="data:image/svg+xml;base64,{drawn}">'
-        f"<figcaption>{escape(CAPTION)}</figcaption></figure>"
+        f'<figure><img alt="{caption}" src="data:image/svg+xml;base64,{drawn}">'
+        f"<figcaption>{caption}</figcaption></figure>"
     )
 
 
@@ -122,7 +120,7 @@ def _remarks(variants: Sequence[Variant]) -> Iterator[str]:
 
 def _table(compared: Sequence[str], variants: Sequence[Variant], asked: Variant) -> Iterator[str]:
     heads = "".join(f'<th class="number">{_text(head(one, asked))}</th>' for one in variants)
-    yield f'<div class="wide"><table class="sheet"><tr><th>quantity</th><th>unit</th>{heads}</tr>'
+    yield f'<div class="wide"><table class="sheet compared"><tr><th>quantity</th><th>unit</th>{heads}</tr>'
     for row in compared_rows(compared, variants):
         cells = "".join(f'<td class="number">{escape(cell)}</td>' for cell in row.cells)
         yield f"<tr><td>{escape(row.meaning)}</td><td>{escape(row.unit)}</td>{cells}</tr>"
@@ -130,4 +128,4 @@ def _table(compared: Sequence[str], variants: Sequence[Variant], asked: Variant)
 
 
 def _text(said: str) -> str:
-    return escape(plain_text(said))
+    return escape(spoken(plain_text(said)))

@@ -17,6 +17,7 @@ from babbitt.report.meanings import meaning
 from babbitt.report.table import PIPED_WIDTH, console
 from babbitt.report.text import plain_text
 from babbitt.report.units_of_matrices import suited_among
+from babbitt.report.us_words import OF_RESULTS, in_us_units
 from babbitt.report.verdict import governing, governing_temperature, missed_codes
 from babbitt.report.view import view_of
 from babbitt.study.comparison import Comparison, Variant
@@ -39,12 +40,10 @@ def print_comparison(comparisons: Sequence[Comparison]) -> bool:
         title = Text(plain_text(comparison.name), style="bold")  # a name is never read as markup
         methods, others = comparison.methods, comparison.choices
         to.print(_table(title, comparison.compared, methods, comparison.asked))
-        to.print(f" {AS_ASKED} {comparison.asked.label}: what the case asks for", markup=False)
+        to.print(f" {AS_ASKED} {spoken(comparison.asked.label)}: what the case asks for", markup=False)
         _print_remarks(to, methods)
-        for line in comparison.sentences:
-            to.print(f"  {line}", markup=False)
-        for line in comparison.left_out.splitlines():
-            to.print(f"  {line}", markup=False)
+        for line in (*comparison.sentences, *comparison.left_out.splitlines()):
+            to.print(f"  {spoken(line)}", markup=False)
         to.print()
         if others:
             to.print(
@@ -70,15 +69,22 @@ def short_comparison(comparison: Comparison) -> str:
     to = Console(width=PIPED_WIDTH, file=StringIO(), color_system=None, highlight=False)
     with to.capture() as written:
         to.print(table)
-        to.print(f" {AS_ASKED} {asked.label}: what the case asks for", markup=False)
-        if others := ", ".join(one.label for one in comparison.choices):
+        to.print(f" {AS_ASKED} {spoken(asked.label)}: what the case asks for", markup=False)
+        if others := ", ".join(spoken(one.label) for one in comparison.choices):
             to.print(f"   also: {others}", markup=False)
     return "\n".join(line.rstrip() for line in written.get().splitlines())
 
 
+def spoken(said: str) -> str:
+    """What variants say, in the units that are spoken: it was composed before these were chosen."""
+    turned: str = in_us_units(said, OF_RESULTS)
+    return turned
+
+
 def head(variant: Variant, asked: Variant) -> str:
     """Head of the column of a variant."""
-    return f"{variant.label}{AS_ASKED}" if variant is asked else variant.label
+    label = spoken(variant.label)
+    return f"{label}{AS_ASKED}" if variant is asked else label
 
 
 def objected(result: Result) -> str:
@@ -148,8 +154,8 @@ SILENT_AT_ZERO = ("heat_film_to_bush", "heat_film_to_journal", "heat_to_surround
 
 def contradiction(variants: Sequence[Variant]) -> str:
     """Say which methods fail what others pass; empty where none does."""
-    passing = [one.label for one in variants if one.result.within_limits]
-    failing = [one.label for one in variants if one.result.verdict is Verdict.FAIL]
+    passing = [spoken(one.label) for one in variants if one.result.within_limits]
+    failing = [spoken(one.label) for one in variants if one.result.verdict is Verdict.FAIL]
     if not passing or not failing:
         return ""
     return f"The methods disagree: limits kept by {', '.join(passing)} are missed by {', '.join(failing)}."
@@ -159,9 +165,9 @@ def _print_remarks(to: Console, variants: Sequence[Variant]) -> None:
     if said := contradiction(variants):
         to.print(f"  {said}", markup=False)
     for variant in variants:
-        to.print(f"  {variant.label}: {variant.remark}", markup=False)
-        result = variant.result
+        label, result = spoken(variant.label), variant.result
+        to.print(f"  {label}: {spoken(variant.remark)}", markup=False)
         if not result.outcome.solved:
-            to.print(f"  {variant.label}: {result.outcome.value}; {result.message}", markup=False)
+            to.print(f"  {label}: {result.outcome.value}; {spoken(result.message)}", markup=False)
         if objections := objected(result):
-            to.print(f"  {variant.label}: {objections}", markup=False)
+            to.print(f"  {label}: {objections}", markup=False)

@@ -27,6 +27,9 @@ __all__ = ["DesignRow", "bearing_rows", "difference", "kinds_said", "print_desig
 SAME = {"0 %", "+0.0 K", "+0.0 °"}
 """Differences of results that no design changes."""
 
+ROUND_OFF = 1e-9
+"""Numbers without unit up to which they are what is left of a balance."""
+
 TURNS = ("rad",)
 """SI units of which a share says nothing: angles from an axis."""
 
@@ -65,25 +68,35 @@ def _degree(quantity: Quantity) -> str:
 
 
 def difference(name: str, first: float | None, other: float | None) -> str:
-    """How a result differs from that of the first design: in per cent, of temperatures and angles in their unit.
+    """How a result differs from that of the first design: in per cent, of temperatures, angles and what may be
+    negative in their unit; nothing where tables write both alike.
 
     >>> difference("friction_power", 2000.0, 1500.0), difference("outlet_temperature", 330.0, 333.0)
     ('-25.0 %', '+3.0 K')
     >>> difference("friction_power", 0.0, 1.0), difference("friction_power", 0.0, 0.0)
     ('–', '0 %')
+    >>> difference("journal_y", -41.9e-6, -82.6e-6), difference("load", 9000.00005, 9000.0)
+    ('-40.7 µm', '0 %')
     """
     if first is None or other is None or not (math.isfinite(first) and math.isfinite(other)):
         return ABSENT
     quantity = QUANTITIES[name]
     if quantity.display.offset or quantity.unit in TURNS:
-        change = (other - first) * quantity.display.scale
-        return f"{change:+.{max(quantity.display.decimals, 1)}f} {_degree(quantity)}"
-    if other == first or max(abs(first), abs(other)) * quantity.display.scale <= quantity.display.nothing:
+        decimals = max(quantity.display.decimals, 1)
+        change = round((other - first) * quantity.display.scale, decimals) + 0.0  # no -0
+        return f"{change:+.{decimals}f} {_degree(quantity)}"
+    suited = quantity.suited(first, other)
+    is_round_off = quantity.unit == "1" and max(abs(first), abs(other)) <= ROUND_OFF
+    if is_round_off or suited.format(first) == suited.format(other):
         return "0 %"
+    if min(first, other) < 0.0:  # a share of a negative number reads as if it had shrunk
+        return f"{'-' if other < first else '+'}{suited.with_unit(abs(other - first))}"
     if first == 0.0:
         return ABSENT
-    share = (other - first) / abs(first)
-    return f"{100.0 * share:+.1f} %" if abs(share) < 10.0 else f"x {other / first:.3g}"
+    share = other / first - 1.0
+    if abs(share) >= 10.0:
+        return f"x {other / first:.3g}"
+    return f"{100.0 * share:+.1f} %" if round(100.0 * share, 1) else "0.0 %"
 
 
 def _row(name: str, bearing: ComparedBearing) -> DesignRow | None:

@@ -33,6 +33,9 @@ Points = tuple[ArrayLike, ArrayLike]
 HEAD, LETTER = 0.09, 0.055
 """Length of the head of an arrow and height of a letter, over half the width of the picture."""
 
+WIDE = 0.6
+"""Width of a letter over its height, at most of those that numbers and units have on the average."""
+
 STROKE, BOLD = 0.008, ("load", "reaction", "flow", "tilt", "curve")
 """Width of a line over half the width of the picture, and styles of lines twice as wide; a browser has its own."""
 
@@ -237,6 +240,12 @@ class Picture(Canvas):
         }
         super().__init__(ElementTree.Element("svg", seen), reach)
         ElementTree.SubElement(self._root, "desc").text = self.spoken
+
+    def text_within(self, x: float, y: float, words: str) -> None:
+        """Words about a place, moved as far as they need to lie within the drawing."""
+        half_width, half_height = 0.5 * WIDE * self.letter * len(words), 0.75 * self.letter
+        x = min(max(x, half_width - self.reach), self.reach - half_width)
+        self.text(x, min(max(y, self.low + half_height), self.high - half_height), words)
 
     def svg(self) -> str:
         """The drawing as a text of SVG, to be styled by the page that shows it."""

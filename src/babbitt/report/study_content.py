@@ -44,6 +44,9 @@ __all__ = ["StudyTable", "overview", "study_tables"]
 MOST_ROWS = 200
 """Rows of a sweep that a table shows."""
 
+LARGEST_CPK = 100.0
+"""Beyond which its size tells nothing more: the margin scatters by less than a third of a hundredth of itself."""
+
 SAMPLING = {"latin_hypercube": "Latin hypercube", "sobol": "Sobol sequence", "random": "random"}
 
 WORDS = {verdict.key: verdict.value for verdict in Verdict}
@@ -277,7 +280,7 @@ def _tolerance(study: Study) -> Iterator[StudyTable]:
         tuple(
             ((plain_text(one.bearing),) if several else ())
             + (check_title(one.code), str(one.failures), percent(one.failures / max(1, one.samples), 2))
-            + ((significant(one.cpk, 3) if one.varies else "does not vary"), _cpk_holds(one))
+            + (_cpk(one), _cpk_holds(one))
             for one in found.capabilities
         ),
         2 if several else 1,
@@ -286,6 +289,15 @@ def _tolerance(study: Study) -> Iterator[StudyTable]:
     yield _spread_table(study, found.spreads, several)
     yield from _worst_cases(study, found.worst_corner, found.worst_sample)
     yield _tornado_table(study, found.tornado, several)
+
+
+def _cpk(one: Capability) -> str:
+    """No more than its sign of one whose size tells nothing."""
+    if not one.varies:
+        return "does not vary"
+    if abs(one.cpk) > LARGEST_CPK:
+        return f"> {LARGEST_CPK:g}" if one.cpk > 0.0 else f"< -{LARGEST_CPK:g}"
+    return significant(one.cpk, 3)
 
 
 def _cpk_holds(one: Capability) -> str:

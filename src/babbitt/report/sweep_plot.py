@@ -94,8 +94,8 @@ def write_sweep_plot(sweep: CaseSweep, path: Path, chosen: Sequence[str] = ()) -
     write_file(path, image)
 
 
-WIDTH, LEGEND_SIZE = 166.0, 7.0
-"""Of the figure, mm, and of the type of its legend, points."""
+WIDTH, ROW, LEGEND_SIZE = 166.0, 50.0, 7.0
+"""Of the figure and of a row of its panels, mm, and of the type of its legend, points."""
 
 
 @dataclass(frozen=True)
@@ -114,7 +114,7 @@ class Curve:
 
 
 def sweep_figure(sweep: CaseSweep, chosen: Sequence[str] = ()) -> Figure:
-    """At most four panels over the first field, a line per bearing and value of the others, and limits.
+    """Panels over the first field, two in a row, a line per bearing and value of the others, and limits.
 
     What the file itself has in the field is marked.
     """
@@ -123,7 +123,7 @@ def sweep_figure(sweep: CaseSweep, chosen: Sequence[str] = ()) -> Figure:
     labels += ["not stable (broken, open)"] if shows_stability else []
     columns = legend_columns(labels, WIDTH, LEGEND_SIZE)
     legend = 4.5 * math.ceil(len(labels) / columns) if len(labels) > 1 else 0.0
-    shown = tuple((name,) for name in chosen[:4]) or panels_of([result for _, result in sweep.rows()])
+    shown = tuple((name,) for name in chosen) or panels_of([result for _, result in sweep.rows()])
     lacks_oil = any(_of_less_oil(result, choice) for _, result in sweep.rows() for choice in shown)
     notes = [LESS_OIL] * lacks_oil
     if codes := sorted(
@@ -131,17 +131,19 @@ def sweep_figure(sweep: CaseSweep, chosen: Sequence[str] = ()) -> Figure:
     ):
         notes.append(f"×: no verdict, the model does not hold there ({', '.join(codes)}).")
     below = NOTE_LINE * len(notes)
-    height = 100.0 + legend + below
-    sheet = Sheet(WIDTH, height, 2, 2, bottom=Sheet.bottom + below, across=16.0, between=5.0)
+    rows = math.ceil(len(shown) / 2)
+    height = ROW * rows + legend + below
+    sheet = Sheet(WIDTH, height, rows, 2, bottom=Sheet.bottom + below, across=16.0, between=5.0)
     figure, axes = sheet.panels(sharex=True)
     figure.subplots_adjust(top=1.0 - (5.0 + legend) / height)
     for panel in axes.ravel()[len(shown) :]:
         panel.set_axis_off()
     for panel, choice in zip(axes.ravel(), shown, strict=False):
         _panel(panel, sweep, curves, choice, titled=panel in axes[0])
-    for panel in axes[1]:
-        field = sweep.fields[0]
-        unit = field.values.unit_shown
+    field = sweep.fields[0]
+    unit = field.values.unit_shown
+    for panel in axes.ravel()[: len(shown)][-2:]:  # the last of each column
+        panel.tick_params(labelbottom=True)
         panel.set_xlabel(f"{field.path} in {unit}" if unit else field.path)
     for line, note in enumerate(notes):
         figure.text(

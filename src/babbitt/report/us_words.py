@@ -41,7 +41,6 @@ OTHERS = {
     "L/(min MPa)": ("gpm/psi", 1e-6 * _PSI / _GALLON),
     "W/K": ("Btu/(h °F)", 3600.0 / (_BTU * _FAHRENHEIT)),
     "W/(m K)": ("Btu/(h ft °F)", 3600.0 * _FEET / (_BTU * _FAHRENHEIT)),
-    "W/(m² K)": ("Btu/(h ft² °F)", 3600.0 * _FEET**2 / (_BTU * _FAHRENHEIT)),
     "kg/(m³ K)": ("lb/(ft³ °F)", _FEET**3 / (_POUND * _FAHRENHEIT)),
     "J/(kg K²)": ("Btu/(lb °F²)", 1.0 / (4186.8 * _FAHRENHEIT)),
 }
@@ -77,7 +76,7 @@ PARTNERS = _partners()
 _SIGN, _NUMBER = r"[+±−-]?", r"\d+(?:[.{comma}]\d+)?(?:(?:e| × 10\^)[+−-]?\d+)?"
 UNITS = "|".join(re.escape(unit) for unit in sorted(PARTNERS, key=len, reverse=True))
 _NAMED = re.compile(rf"(?<= in )(?:{UNITS})(?=$|[ ),.;:])")
-_BETWEEN = r"(?:, | to | and | × | bis | und | и | до |…| – )"
+_BETWEEN = r"(?:, | to | and | × | in place of | instead of | bis | und | и | до |…| – )"
 
 
 def _patterns(comma: str) -> tuple[re.Pattern[str], re.Pattern[str]]:

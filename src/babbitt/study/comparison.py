@@ -63,6 +63,8 @@ class Comparison:
         Of the sentences; what one must know of the numbers.
     draw : callable, optional
         Draws the figure of the comparison; None where a table tells all.
+    caption : str
+        Of the figure, beside what every such figure shows.
     """
 
     name: str
@@ -73,6 +75,7 @@ class Comparison:
     heading: str = ""
     note: str = ""
     draw: Callable[[Comparison], Any] | None = None
+    caption: str = ""
 
     @property
     def asked(self) -> Variant:

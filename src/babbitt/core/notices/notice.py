@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+import re
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -14,6 +15,13 @@ from babbitt.core.quantities import QUANTITIES, Quantity
 from babbitt.core.quantities.display import SI
 
 __all__ = ["Notice", "quantity_shown"]
+
+
+COMPARED = re.compile(rf"({PLACEHOLDER.pattern}) [<>] ({PLACEHOLDER.pattern})")
+"""Two values of which one is told to be beyond the other."""
+
+PLAIN = Quantity("", "", "", SI[""], 4, "")
+"""As which numbers without a measure are shown."""
 
 
 @dataclass(frozen=True)
@@ -64,7 +72,22 @@ class Notice:
         '5 starts < 20'
         """
         said = words(language()).message(self.code, self.variant)
-        return PLACEHOLDER.sub(lambda found: _shown(self.values[found[1]], found[2] or found[1]), said)
+        apart = dict(self._told_apart(said))
+        return PLACEHOLDER.sub(
+            lambda found: apart.get(found[0]) or _shown(self.values[found[1]], found[2] or found[1]), said
+        )
+
+    def _told_apart(self, said: str) -> Iterator[tuple[str, str]]:
+        """Placeholders beside < or > whose numbers read alike, with the digits that show the difference."""
+        for found in COMPARED.finditer(said):
+            values = [self.values[name] for name in found.group(2, 5)]
+            measures = [measure or name for name, measure in (found.group(2, 3), found.group(5, 6))]
+            if (
+                all(isinstance(one, int | float) for one in values)
+                and len(set(map(_shown, values, measures))) == 1
+            ):
+                quantity = next(filter(None, map(quantity_shown, measures)), PLAIN)
+                yield from zip(found.group(1, 4), quantity.told_apart(*values), strict=True)
 
     def sentence(self, chosen: str = ENGLISH) -> str:
         """The same in a language of its own."""

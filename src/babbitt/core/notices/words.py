@@ -10,6 +10,7 @@ texts that they have, by the same keys. A ``{placeholder}`` names a value of the
 - ``{limit:film_reynolds_number}``, ``{depth:um}``: shown like that quantity, or in a unit of
   `babbitt.core.quantities.quantity.SI`;
 - ``{pad}``, any other: a count, a name, or a number in SI with up to four digits;
+- ``{given} < {least}``: where both read alike, as many digits as show the difference;
 - ``{remedy}``: no value, but the remedy of the code, as the rest of a sentence.
 """
 

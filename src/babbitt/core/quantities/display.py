@@ -98,6 +98,7 @@ SI = {
     "urad": DisplayUnit("µrad", 1e6, decimals=1),
     "kg": DisplayUnit("kg", decimals=1),
     "Ns/m": DisplayUnit("N s/m", decimals=1),
+    "W/m2K": DisplayUnit("W/(m² K)"),
     "kN/m": DisplayUnit("kN/m", 1e-3, decimals=1),
 }
 
@@ -158,6 +159,7 @@ US = {
     "kg/m3": DisplayUnit("lb/ft³", _POUNDS_PER_CUBIC_FOOT, decimals=2),
     "MJ/m3K": DisplayUnit("Btu/(ft³ °F)", _POUNDS_PER_CUBIC_FOOT / _HEAT),
     "J/kgK": DisplayUnit("Btu/(lb °F)", 1.0 / _HEAT),
+    "W/m2K": DisplayUnit("Btu/(h ft² °F)", 3600.0 * _POUNDS_PER_CUBIC_FOOT * _FEET / _HEAT),
     "pv": DisplayUnit("psi ft/s", _PSI * _FEET, decimals=0),
     "1e-6/K": DisplayUnit("1e-6/°F", 1e6 / _FAHRENHEIT, decimals=2),
     "t": DisplayUnit("lb", _per("kg", "lb"), decimals=1),

@@ -93,6 +93,29 @@ class Quantity:
             return "–"
         return f"{self.format(value)}{'' if self.display.label == '°' else ' '}{self.display.label}".rstrip()
 
+    def told_apart(self, value: float, other: float) -> tuple[str, str]:
+        """Two SI values in one unit, with it, and with as many digits as tell that they differ.
+
+        >>> from babbitt.core.quantities import QUANTITIES
+        >>> flow = QUANTITIES["total_flow"]
+        >>> flow.told_apart(45e-3 / 60, 46e-3 / 60), flow.told_apart(45e-3 / 60, 45.0123e-3 / 60)
+        (('45.0 L/min', '46.0 L/min'), ('45.000 L/min', '45.012 L/min'))
+        """
+        suited = self.suited(value, other)
+        texts = suited.with_unit(value), suited.with_unit(other)
+        if texts[0] != texts[1] or value == other:
+            return texts
+        first, second = suited.shown(value), suited.shown(other)
+        for digits in range(FEWEST_DIGITS, MOST_DIGITS):
+            finer, other_finer = (f"{one:#.{digits}g}".rstrip(".") for one in (first, second))
+            if finer != other_finer:
+                unit = suited.display.label
+                return decimal(f"{finer} {unit}").rstrip(), decimal(f"{other_finer} {unit}").rstrip()
+        return texts
+
+
+FEWEST_DIGITS, MOST_DIGITS = 5, 16
+"""Digits beyond those of tables, and those that a number of the machine has."""
 
 LEAST_DIGITS, LONGEST = 3, 6
 """Significant digits of a number below one; decimals beyond which an exponent reads better."""

@@ -138,7 +138,12 @@ TILTING_PADS: tuple[Quantity, ...] = (
     ),
     quantity("assumed_carry_over", "λ_c", "1", "", 3, "Carry-over: less, as assumed, more"),
     quantity(
-        "assumed_back_coefficient", "h_b", "W/(m2 K)", "", 3, "Heat transfer on the backs: less, as assumed, more"
+        "assumed_back_coefficient",
+        "h_b",
+        "W/(m2 K)",
+        "W/m2K",
+        3,
+        "Heat transfer on the backs: less, as assumed, more",
     ),
     quantity("assumed_housing_temperature", "T_h", "K", "degC", 4, "Housing: colder, as assumed, warmer"),
     *(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from typing import Any
 
 from babbitt.core.notices import InputError
 from babbitt.core.quantities import AXES, QUANTITIES
@@ -98,7 +99,16 @@ def compared(case: TiltingPadJournalCase, index: int, problem: PadCase) -> Compa
                 left_out.append(f"one end of {assumption.label} is left out: {error.message}")
         found += [one for one in ends if one is not None]
         sentences += spread(assumption, ends[0], asked, ends[1])
-    return Comparison(problem.name, tuple(found), COMPARED, "\n".join(left_out), tuple(sentences), heading=SPREAD)
+    return Comparison(
+        problem.name, tuple(found), COMPARED, "\n".join(left_out), tuple(sentences), heading=SPREAD, draw=drawing
+    )
+
+
+def drawing(comparison: Comparison) -> Any:
+    """Draw the figure of a comparison; None where no method has found films with a temperature."""
+    from babbitt.report.comparison_figure import methods_figure
+
+    return methods_figure(comparison)
 
 
 def with_thermal(case: TiltingPadJournalCase, thermal: Thermal) -> TiltingPadJournalCase:
@@ -129,15 +139,19 @@ def by_model(problem: PadCase) -> Variant:
 
 def at_one_end(assumption: Assumption, end: float) -> Variant:
     """The bearing with less or more of what is assumed."""
-    value = assumption.written(end)
-    remark = f"as the case, with {value} in place of {assumption.written(assumption.base)}"
-    return Variant(f"{assumption.label} {value}", remark, PAD_FILM.solve_one(assumption.at(end)), is_method=False)
+    remark = f"as the case, with {assumption.written(end, assumption.base, between=' in place of ')}"
+    return Variant(
+        f"{assumption.label} {assumption.written(end)}",
+        remark,
+        PAD_FILM.solve_one(assumption.at(end)),
+        is_method=False,
+    )
 
 
 def spread(assumption: Assumption, low: Variant | None, asked: Variant, high: Variant | None) -> Iterator[str]:
     """Low, base and high of what an assumption moves, in a sentence; nothing where only the base has a film."""
     columns = [
-        (assumption.written(value), one.result.values if one.result.outcome.solved else {})
+        (value, one.result.values if one.result.outcome.solved else {})
         for value, one in zip((assumption.low, assumption.base, assumption.high), (low, asked, high), strict=True)
         if one is not None
     ]
@@ -149,6 +163,8 @@ def spread(assumption: Assumption, low: Variant | None, asked: Variant, high: Va
         if not any(known):  # films of one temperature have no highest
             continue
         quantity = QUANTITIES[name].suited(*(one for one in known if one is not None))
-        cells = ", ".join("–" if one is None else quantity.format(one) for one in known)
-        said.append(f"{quantity.symbol} {cells} {quantity.display.label}")
-    yield f"{assumption.label} {', '.join(value for value, _ in columns)}: {'; '.join(said)}."
+        unit = quantity.display.label
+        between = f" {unit}, " if None in known else ", "  # of a number alone, beside a dash, the unit is told
+        cells = between.join("–" if one is None else quantity.format(one) for one in known)
+        said.append(f"{quantity.symbol} {cells} {unit}")
+    yield f"{assumption.label} {assumption.written(*(value for value, _ in columns))}: {'; '.join(said)}."

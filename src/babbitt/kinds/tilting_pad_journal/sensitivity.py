@@ -35,8 +35,8 @@ MOVED = (
 
 ASSUMED = {
     "assumed_carry_over": "Carry-over",
-    "assumed_back_coefficient": "Heat transfer on the backs in W/(m² K)",
-    "assumed_housing_temperature": "Housing in °C",
+    "assumed_back_coefficient": "Heat transfer on the backs",
+    "assumed_housing_temperature": "Housing",
 }
 """What is assumed, by the names of its low, base and high number."""
 
@@ -63,23 +63,23 @@ class Assumption:
 
     @property
     def label(self) -> str:
-        """In words, with its unit."""
+        """In words."""
         return ASSUMED[self.name]
 
-    def written(self, value: float) -> str:
-        """A number as it is printed."""
-        return written(self.name, value)
+    def written(self, *values: float, between: str = ", ") -> str:
+        """Numbers as they are printed, with their unit."""
+        return written(self.name, *values, between=between)
 
 
-def written(name: str, value: float) -> str:
-    """A number of something assumed as it is printed, in the unit of its label, whatever units are spoken."""
-    unit = QUANTITIES[name].metric
-    return f"{value * unit.scale + unit.offset:.3g}"
+def written(name: str, *values: float, between: str = ", ") -> str:
+    """Numbers of something assumed as they are printed, with their unit."""
+    quantity = QUANTITIES[name]
+    return f"{between.join(f'{quantity.shown(one):.3g}' for one in values)} {quantity.display.label}".rstrip()
 
 
 def end_in_words(name: str, value: float, base: float) -> str:
     """What is changed, by its name in `ASSUMED`: ``Carry-over: 1 in place of 0.8``."""
-    return f"{ASSUMED[name]}: {written(name, value)} in place of {written(name, base)}"
+    return f"{ASSUMED[name]}: {written(name, value, base, between=' in place of ')}"
 
 
 def assumptions(case: PadCase) -> Iterator[Assumption]:

@@ -119,6 +119,12 @@ FLOWS = (
 )
 """What one must know of the flows of standard and film."""
 
+AROUND = (
+    "Where one finds temperatures around the bore, those in the middle of the width, hottest across the gap, "
+    "stand below beside the single ones; beside a groove the film may be hotter."
+)
+"""Of the figure."""
+
 COST = "What one temperature costs"
 """Heading of what films of one temperature miss."""
 
@@ -130,14 +136,17 @@ def compare(case: CaseFile) -> tuple[Comparison, ...]:
 
 
 def _comparison(name: str, variants: Iterable[Variant], left_out: str) -> Comparison:
-    found = Comparison(name, tuple(variants), COMPARED, left_out, heading=COST, draw=comparison_drawing)
+    found = Comparison(
+        name, tuple(variants), COMPARED, left_out, heading=COST, draw=comparison_drawing, caption=AROUND
+    )
     flows = FLOWS if {ISO_LABEL, GLOBAL} <= {one.label for one in found.methods} else ""
     return replace(found, sentences=tuple(cost_of_one_temperature(found)), note=flows)
 
 
 def comparison_drawing(comparison: Comparison) -> Any:
     """Draw the figure of a comparison; None where no method has found a film with a temperature."""
-    from babbitt.kinds.journal.compare.figure import comparison_figure, is_shown
+    from babbitt.kinds.journal.compare.figure import comparison_figure
+    from babbitt.report.comparison_figure import is_shown
 
     return comparison_figure(comparison) if any(map(is_shown, comparison.variants)) else None
 

@@ -8,33 +8,22 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Result
 from babbitt.core.units import ZERO_CELSIUS
 from babbitt.kinds.journal.film.field import field_of
 from babbitt.kinds.journal.film.model import FilmCase
 from babbitt.kinds.journal.film.temperature_field import centre_line
 from babbitt.kinds.journal.report import film_maps
-from babbitt.report.drawing import (
-    GREY,
-    INK,
-    Array,
-    Sheet,
-    axis_label,
-    mathematics,
-)
+from babbitt.report.comparison_figure import ABOVE, ACROSS, LEFT, draw_methods, drawn_names, is_shown
+from babbitt.report.drawing import GREY, INK, Array, Sheet
 from babbitt.study.comparison import Comparison, Variant
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-__all__ = ["comparison_figure", "is_shown"]
+__all__ = ["comparison_figure"]
 
-SHOWN = ("minimum_film_thickness", "friction_power", "total_flow")
-TEMPERATURES = ("effective_temperature", "outlet_temperature", "maximum_bush_temperature", "maximum_temperature")
-MARKS = {"effective_temperature": "|", "outlet_temperature": ">", "maximum_bush_temperature": "s",
-         "maximum_temperature": "o"}  # fmt: skip
 LINES = ("-", "--", ":", "-.")
 NAMES_IN_A_ROW = 3
 """Of the legend of temperatures around the bore."""
@@ -44,18 +33,14 @@ def comparison_figure(comparison: Comparison) -> Figure:
     """Film, power, flow and temperatures by every method; below, temperatures around a journal where one of them
     finds these."""
     solved = [one for one in comparison.methods if is_shown(one)]
-    named = [name for name in SHOWN if any(name in one.result.values for one in solved)]
     around = any(_has_own_temperatures(one) for one in solved)
     lines = max(0, math.ceil(len(solved) / NAMES_IN_A_ROW) - 2)  # of the legend below, beyond two
     between = 17.0 + 4.2 * lines
     rows, height = (2, 112.0 + 4.2 * lines) if around else (1, 60.0)
-    figure, axes = Sheet(166.0, height, rows, len(named) + 1, left=29.0, across=5.0, between=between).panels()
-    figure.subplots_adjust(top=1.0 - 7.0 / height)
-    for panel, name in zip(axes[0], named, strict=False):
-        _bars(panel, solved, name)
-    _temperatures(axes[0][-1], solved)
-    for panel in axes[0][1:]:
-        panel.set_yticklabels([])
+    sheet = Sheet(166.0, height, rows, len(drawn_names(solved)) + 1, left=LEFT, across=ACROSS, between=between)
+    figure, axes = sheet.panels()
+    figure.subplots_adjust(top=1.0 - ABOVE / height)
+    draw_methods(axes[0], solved)
     if around:
         for panel in axes[1][1:]:
             panel.remove()
@@ -72,46 +57,6 @@ def _is_film(variant: Variant) -> bool:
 
 def _has_own_temperatures(variant: Variant) -> bool:
     return _is_film(variant) and variant.solution.problem.heat is not None
-
-
-def is_shown(variant: Variant) -> bool:
-    """Whether a variant is a method of its own that has found a film with a temperature; hydrostatic bearings and
-    footsteps are compared in the table alone."""
-    result = variant.result
-    solved = variant.is_method and result.outcome.solved
-    return solved and "effective_temperature" in result.values
-
-
-def _bars(panel: Axes, variants: Sequence[Variant], name: str) -> None:
-    quantity = QUANTITIES[name]
-    places = np.arange(len(variants))[::-1]
-    values = [one.result.values.get(name, math.nan) for one in variants]
-    shown = [quantity.shown(value) for value in values]
-    panel.barh(places, shown, color="0.75", edgecolor=INK, linewidth=0.5, height=0.6)
-    for place, value, length in zip(places, values, shown, strict=True):
-        if not math.isnan(value):
-            panel.annotate(quantity.format(value), (length, place), xytext=(2, 0), textcoords="offset points",
-                           fontsize=7, va="center", annotation_clip=False)  # fmt: skip
-    panel.set_yticks(places, [one.label for one in variants])
-    panel.set_ylim(places[-1] - 0.5, places[0] + 0.5)  # a method without the quantity keeps its row
-    panel.set_xlim(0.0, 1.28 * np.nanmax(shown))
-    panel.set_xlabel(axis_label(quantity))
-
-
-def _temperatures(panel: Axes, variants: Sequence[Variant]) -> None:
-    places = np.arange(len(variants))[::-1]
-    for name in TEMPERATURES:
-        at = [
-            one.result.values[name] - ZERO_CELSIUS if name in one.result.values else math.nan for one in variants
-        ]
-        panel.plot(at, places, MARKS[name], color=INK, markersize=4.5, fillstyle="none", markeredgewidth=0.9,
-                   label=mathematics(QUANTITIES[name].symbol))  # fmt: skip
-    panel.set_yticks(places, [])
-    panel.set_ylim(places[-1] - 0.5, places[0] + 0.5)
-    panel.grid(axis="y", linewidth=0.3, color="0.85")
-    panel.set_xlabel("temperatures in °C")
-    panel.legend(frameon=False, fontsize=7, ncols=4, loc="lower right", bbox_to_anchor=(1.05, 0.98), borderpad=0.0,
-                 handletextpad=0.0, columnspacing=0.4)  # fmt: skip
 
 
 def _around(panel: Axes, variants: Sequence[Variant]) -> None:

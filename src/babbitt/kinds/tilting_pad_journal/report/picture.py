@@ -74,4 +74,4 @@ def _pressure(picture: Picture, films: TiltingPadSolution, number: int, inner: f
     top = int(pressure.argmax())
     out = float(outer[top]) + 0.11
     quantity = QUANTITIES["load"].suited(state.load)
-    picture.text(out * float(c[top]), out * float(s[top]), quantity.with_unit(state.load))
+    picture.text_within(out * float(c[top]), out * float(s[top]), quantity.with_unit(state.load))
