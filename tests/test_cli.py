@@ -487,7 +487,7 @@ def test_a_sweep_leaves_cells_empty_where_there_is_no_film(run, tmp_path):
     assert row["minimum_film_thickness_m"] == ""
 
 
-def test_a_sweep_of_a_machine_names_its_bearings(run):
+def test_a_sweep_and_a_size_of_a_machine_name_its_bearings(run, tmp_path):
     gear = EXAMPLES / "marine_reverse_gear.yaml"
     status, out, _ = run("sweep", gear, "supply.temperature", "45 degC, 50 degC")
     assert status == 0
@@ -495,6 +495,10 @@ def test_a_sweep_of_a_machine_names_its_bearings(run):
     status, out, _ = run("sweep", gear, "load", "300 kN, 350 kN", "--bearing", "Output wheel")
     assert status == 0
     assert "First-stage" not in out
+    status, out, _ = run("size", gear, "load", "--bearing", "Output wheel", "--points", 5, "--json", "a.json")
+    assert status == 0
+    assert "bearings.Output wheel.load within all limits" in out
+    assert json.loads((tmp_path / "a.json").read_text())["field"] == "bearings.Output wheel.load"
 
 
 def test_a_sweep_of_two_fields_by_two_processes_with_columns_of_choice(run, tmp_path):

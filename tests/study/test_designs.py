@@ -164,3 +164,23 @@ def test_python_compares_objects():
         bb.compare(first)
     with pytest.raises(TypeError, match="load_case"):
         bb.compare(first, "b.yaml")
+
+
+FIT = FIRST.replace("clearance: {kind: relative, mean: 1.12 permille}", "clearance: H7/e7")
+
+
+@pytest.mark.parametrize("turned", [False, True])
+def test_one_clearance_stands_beside_the_mean_of_several(turned):
+    several = FIT + "\nclearance_cases: all\n"
+    assert several != FIRST + "\nclearance_cases: all\n"
+    found = designs(*([FIT, several] if turned else [several, FIT]))
+    both = [one for one in found.bearings if None not in one.results]
+    assert [one.name for one in both] == ["Textbook bearing (mean clearance)"]
+    first, second = both[0].results
+    assert first.minimum_film_thickness == pytest.approx(second.minimum_film_thickness, rel=1e-12)
+
+
+def test_designs_of_one_bearing_without_a_common_point_are_told_what_to_name():
+    slow, full = (f"{FIRST}\noperating_points: [{{name: {one}, speed: 900 rpm}}]\n" for one in ("slow", "full"))
+    with pytest.raises(InputError, match="Their bearings match: give their operating points the same names"):
+        designs(slow, full)

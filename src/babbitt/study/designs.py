@@ -114,7 +114,7 @@ def compare_designs(
     if not any(sum(one is not None for one in bearing.results) > 1 for bearing in bearings):
         names = "; ".join(", ".join(one.name for one in machine.results) for machine in machines)
         says = f"the designs have no bearing, operating point and clearance in common: {names}"
-        raise InputError("E004", f"{says}. Give bearings and operating points the same names.")
+        raise InputError("E004", f"{says}. {_remedy(machines)}")
     return Designs(_each_once(labels), kinds, machines, changed_inputs(cases), bearings)
 
 
@@ -163,24 +163,50 @@ def _text(value: float, kind: Kind) -> str:
 
 
 def _matched(machines: Sequence[MachineResult]) -> Iterator[ComparedBearing]:
-    """Bearings of equal name, point and clearance; in designs of one bearing each, whatever they are called."""
-    single = all(len({_bearing(one) for one in machine.results}) == 1 for machine in machines)
-    tables = [{_key(one, single): one for one in machine.results} for machine in machines]
+    """Bearings of equal name, point and clearance; in designs of one bearing each, whatever they are called.
+
+    Beside a design of which all clearances are solved, one that is solved at one stands for its mean.
+    """
+    single, several = _single(machines), _clearances(machines) - {""}
+    tables = [{_key(one, single, "mean" if several else ""): one for one in machine.results} for machine in machines]
     for key in dict.fromkeys(key for table in tables for key in table):
         results = tuple(table.get(key) for table in tables)
         first = next(one for one in results if one is not None)
-        yield ComparedBearing(first.name, results, _quantities([one for one in results if one is not None]))
+        name: str = first.name
+        if several and isinstance(name, ResultName) and not name.member:
+            name = ResultName(name.bearing, name.point, "mean")
+        yield ComparedBearing(name, results, _quantities([one for one in results if one is not None]))
+
+
+def _single(machines: Sequence[MachineResult]) -> bool:
+    """Whether each design is of one bearing."""
+    return all(len({_bearing(one) for one in machine.results}) == 1 for machine in machines)
+
+
+def _clearances(machines: Sequence[MachineResult]) -> set[str]:
+    """Words for the clearances at which bearings are solved; an empty one where one alone is."""
+    names = (one.name for machine in machines for one in machine.results)
+    return {name.clearance for name in names if isinstance(name, ResultName)}
+
+
+def _remedy(machines: Sequence[MachineResult]) -> str:
+    """What to do about designs with nothing in common, by what of their names is not the same."""
+    shared = set.intersection(*({_bearing(one) for one in machine.results} for machine in machines))
+    if shared or _single(machines):
+        return "Their bearings match: give their operating points the same names, or none."
+    return "Give bearings and operating points the same names."
 
 
 def _bearing(result: Result) -> str:
     return result.name.bearing if isinstance(result.name, ResultName) else result.name
 
 
-def _key(result: Result, single: bool) -> tuple[str, str, str]:
+def _key(result: Result, single: bool, alone: str) -> tuple[str, str, str]:
+    """Bearing, point and member; `alone` is the word for the clearance of a bearing that is solved at one."""
     name = result.name
     if not isinstance(name, ResultName):
         return ("" if single else name, "", "")
-    return ("" if single else name.bearing, name.point, name.member)
+    return ("" if single else name.bearing, name.point, name.member or alone)
 
 
 def _quantities(results: Sequence[Result]) -> tuple[str, ...]:

@@ -92,7 +92,7 @@ def sealed(text: str) -> bytes:
     """A case file whose first line is the digest of the rest: it counts as an output until somebody edits it.
 
     >>> print(sealed("kind: journal\\n").decode()[:53])
-    # Babbitt, SHA-256 of what follows: 84e9daadefe467d9
+    # Babbitt, SHA-256 of what follows: 84e9daadefe467d9a
     """
     content = text.encode()
     return _SEAL + hashlib.sha256(content).hexdigest().encode() + b"\n" + content
