@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 import babbitt as bb
 from babbitt.core.notices import InputError
+from babbitt.core.quantities import displayed_in
 from babbitt.report.size_output import size_json
 from babbitt.report.size_table import rounded
 from babbitt.study.permitted import TOLERANCE, Trial, find_permitted
@@ -278,3 +279,14 @@ def test_bad_input_is_one_message(run, tmp_path, arguments):
     assert not out
     assert "E0" in err
     assert [path.name for path in tmp_path.iterdir()] == ["pump.yaml"]
+
+
+def test_reasons_are_told_in_us_units(bearing):
+    """They were composed in SI when the rows were solved."""
+    study = bearing.study("size", {"load": {"log_range": ["1 kN", "9000 kN", 8]}})
+    with displayed_in("us"):
+        said = study.summary()
+    assert " psi > " in said
+    assert "less than the load of" in said
+    for unit in (" kN", " MPa", " °C"):
+        assert unit not in said

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import count
 from typing import Any
@@ -13,6 +13,7 @@ from babbitt.case.part import Part
 from babbitt.core.notices import InputError
 from babbitt.core.progress import ProgressCallback, no_progress
 from babbitt.core.quantities import QUANTITIES
+from babbitt.core.quantities.display import written_in_system
 from babbitt.core.result import Result
 from babbitt.core.result_name import ResultName
 from babbitt.core.units import Kind
@@ -23,6 +24,9 @@ __all__ = ["ABSENT", "ChangedInput", "ComparedBearing", "Designs", "changed_inpu
 ABSENT = "–"
 """In place of what a design does not have."""
 
+FEW_DIGITS, ALL_DIGITS = 6, 12
+"""Significant digits of a quantity: where they tell what differs, and at most."""
+
 OF_THE_FILE = ("babbitt", "name", "notes", "source")
 """Fields of a whole file that describe nothing."""
 
@@ -32,10 +36,35 @@ NOT_COMPARED = ("wall_time", "iterations")
 
 @dataclass(frozen=True)
 class ChangedInput:
-    """A field in which designs differ: its path, and its text in each design."""
+    """A field in which designs differ.
+
+    Attributes
+    ----------
+    path : str
+    values : tuple of str
+        Its text in each design, in units of the SI.
+    numbers : tuple of float or None
+        In SI, None where a design does not have it; of a field that takes no quantity nothing.
+    kind : Kind or None
+        Of the quantity.
+    """
 
     path: str
     values: tuple[str, ...]
+    numbers: tuple[float | None, ...] = ()
+    kind: Kind | None = None
+
+    @property
+    def shown(self) -> tuple[str, ...]:
+        """The texts in the units that are spoken, short as long as they tell what differs."""
+        texts = self.values
+        for digits in (FEW_DIGITS, ALL_DIGITS) if self.kind is not None else ():
+            texts = tuple(
+                ABSENT if one is None else _text(one, self.kind, digits, written_in_system) for one in self.numbers
+            )
+            if len(set(texts)) == len(set(self.values)):
+                break
+        return texts
 
 
 @dataclass(frozen=True)
@@ -121,20 +150,39 @@ def compare_designs(
 def changed_inputs(cases: Sequence[CaseFile]) -> tuple[ChangedInput, ...]:
     """Every field in which cases differ, with the values that count, whether given or by default."""
     inputs = [
-        dict(one for one in _inputs(case, ()) if one[0].partition(".")[0] not in OF_THE_FILE) for case in cases
+        {path: leaf for path, leaf in _inputs(case, ()) if path.partition(".")[0] not in OF_THE_FILE}
+        for case in cases
     ]
-    paths = dict.fromkeys(path for one in inputs for path in one)
-    rows = (ChangedInput(path, tuple(one.get(path, ABSENT) for one in inputs)) for path in paths)
+    rows = (_row(path, [one.get(path) for one in inputs]) for path in dict.fromkeys(p for one in inputs for p in one))
     return tuple(row for row in rows if len(set(row.values)) > 1)
 
 
-def _inputs(part: Part, path: tuple[str, ...]) -> Iterator[tuple[str, str]]:
+_Leaf = tuple[str | float, Kind | None]
+"""A text, or a number in SI with the kind of its quantity."""
+
+
+def _row(path: str, leaves: Sequence[_Leaf | None]) -> ChangedInput:
+    """A field with what each design has in it."""
+    texts = tuple(ABSENT if one is None else _said_of(one) for one in leaves)
+    kind, *others = dict.fromkeys(one[1] for one in leaves if one is not None)
+    if kind is None or others:
+        return ChangedInput(path, texts)
+    return ChangedInput(path, texts, tuple(None if one is None else float(one[0]) for one in leaves), kind)
+
+
+def _said_of(leaf: _Leaf) -> str:
+    """A leaf in units of the SI."""
+    value, kind = leaf
+    return value if isinstance(value, str) or kind is None else _text(value, kind)
+
+
+def _inputs(part: Part, path: tuple[str, ...]) -> Iterator[tuple[str, _Leaf]]:
     for name, field in type(part).model_fields.items():
         quantity = quantity_in(field.rebuild_annotation())
         yield from _leaves(getattr(part, name), (*path, name), None if quantity is None else quantity.kind)
 
 
-def _leaves(value: Any, path: tuple[str, ...], kind: Kind | None) -> Iterator[tuple[str, str]]:
+def _leaves(value: Any, path: tuple[str, ...], kind: Kind | None) -> Iterator[tuple[str, _Leaf]]:
     match value:
         case None:
             return
@@ -145,21 +193,21 @@ def _leaves(value: Any, path: tuple[str, ...], kind: Kind | None) -> Iterator[tu
                 own = getattr(one, "name", None) if isinstance(one, Part) else None
                 yield from _leaves(one, (*path, own if isinstance(own, str) else str(index)), kind)
         case float() if kind is not None:
-            yield ".".join(path), _text(value, kind)
+            yield ".".join(path), (value, kind)
         case bool():
-            yield ".".join(path), "yes" if value else "no"
+            yield ".".join(path), ("yes" if value else "no", None)
         case _:
-            yield ".".join(path), f"{value:.12g}" if isinstance(value, float) else str(value)
+            yield ".".join(path), (f"{value:.12g}" if isinstance(value, float) else str(value), None)
 
 
-def _text(value: float, kind: Kind) -> str:
-    """A quantity in the first of its everyday units in which its number reads well."""
+def _text(value: float, kind: Kind, digits: int = ALL_DIGITS, written: Callable[[str], str] = str) -> str:
+    """A quantity in the first of its everyday units in which its number reads well, or in what is `written` for it."""
     if not kind.everyday:
-        return f"{value:.12g} {'' if kind.unit == '1' else kind.unit}".rstrip()
+        return f"{value:.{digits}g} {'' if kind.unit == '1' else kind.unit}".rstrip()
     numbers = {unit: kind.from_si(value, unit) for unit in kind.everyday}
     fitting = (unit for unit, number in numbers.items() if number == 0.0 or 0.1 <= abs(number) < 1e5)
-    unit = next(fitting, next(iter(numbers)))
-    return f"{numbers[unit]:.12g} {'' if unit == '1' else unit}".rstrip()
+    unit = written(next(fitting, next(iter(numbers))))
+    return f"{kind.from_si(value, unit):.{digits}g} {'' if unit == '1' else unit}".rstrip()
 
 
 def _matched(machines: Sequence[MachineResult]) -> Iterator[ComparedBearing]:
