@@ -644,3 +644,15 @@ def test_commands_without_a_place_of_their_own_follow_in_the_order_they_have(mon
     names = [*others, *program.FIRST]
     monkeypatch.setattr(program, "get_command", lambda _: SimpleNamespace(commands=dict.fromkeys(names)))
     assert list(program._command.__wrapped__().commands) == [*program.FIRST, *others]
+
+
+def test_no_help_loses_words_to_markup():
+    """Brackets of a unit are no markup: `diameter [mm]` read `diameter`."""
+    from rich.text import Text
+    from typer.main import get_command
+
+    from babbitt.cli.program import app
+
+    for command in get_command(app).commands.values():
+        for said in (command.help, *(getattr(one, "help", None) for one in command.params)):
+            assert Text.from_markup(said or "").plain == (said or "").replace("\\[", "[")

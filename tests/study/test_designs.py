@@ -196,7 +196,9 @@ def test_changed_inputs_are_shown_in_us_units_as_they_were_given(run, tmp_path):
     cells = [[one.strip() for one in line.split("│")[1:-1]] for line in out.splitlines()]
     assert ["load", "5395.41 lbf", "3000 lbf"] in cells
     assert ["width", "2.3622 in", "2.5 in"] in cells
-    recorded = {one["path"]: one["values"] for one in json.loads((tmp_path / "d.json").read_text())["changed_inputs"]}
+    recorded = {
+        one["path"]: one["values"] for one in json.loads((tmp_path / "d.json").read_text())["changed_inputs"]
+    }
     assert recorded["load"] == {"first": "24 kN", "other": "13.3446648458 kN"}
 
 

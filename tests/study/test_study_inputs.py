@@ -58,15 +58,13 @@ def test_a_clearance_is_read_as_the_kind_that_the_case_has(kind):
 
 def test_a_fit_that_varies_gives_each_row_one_clearance():
     fit = {"clearance": {"fit": "H7/c8"}}
-    (one,) = inputs_of(
-        journal(clearance="H7/c8", clearance_cases="all"), block(kind="tolerance", vary=fit)
-    )
+    (one,) = inputs_of(journal(clearance="H7/c8", clearance_cases="all"), block(kind="tolerance", vary=fit))
     assert "clearance_cases: mean" in one.reason
     film = "minimum_film_thickness"
     of_all, of_mean = (
-        bb.parse_case(yaml.safe_dump({**JOURNAL, "clearance": "H7/c8", "clearance_cases": asked})).study(
-            "tolerance", fit, samples=30
-        ).table[film]
+        bb.parse_case(yaml.safe_dump({**JOURNAL, "clearance": "H7/c8", "clearance_cases": asked}))
+        .study("tolerance", fit, samples=30)
+        .table[film]
         for asked in ("all", "mean")
     )
     assert np.array_equal(of_all, of_mean)

@@ -66,8 +66,8 @@ class Totals:
     def sentence(self) -> str:
         """The sums in one line.
 
-        >>> Totals(2, {"total_flow": 6e-4, "pump_flow": 8e-4, "friction_power": 9.5e3}).sentence
-        'Total of 2 bearings: oil flow Q = 36.0 L/min, flow wanted of the pump Q_pump = 48.0 L/min, friction power P_f = 9.50 kW'
+        >>> Totals(2, {"total_flow": 6e-4, "pump_flow": 8e-4}).sentence
+        'Total of 2 bearings: oil flow Q = 36.0 L/min, flow wanted of the pump Q_pump = 48.0 L/min'
         """
         return f"{self.heading}: " + ", ".join(f"{s.name} {s.symbol} = {s.value} {s.unit}" for s in self.sums)
 

@@ -19,7 +19,16 @@ from babbitt.study import design, optimum
 from babbitt.study.candidates import Candidate
 from babbitt.study.study import Study, case_of
 
-__all__ = ["DESIGNS", "edges", "reasons_of", "recommendation", "require_designs", "require_stored_designs", "verdict_said", "write_designs"]
+__all__ = [
+    "DESIGNS",
+    "edges",
+    "reasons_of",
+    "recommendation",
+    "require_designs",
+    "require_stored_designs",
+    "verdict_said",
+    "write_designs",
+]
 
 SAME = 1e-6
 """Relative difference of what counts as one value."""
@@ -44,10 +53,11 @@ def require_designs(folder: Path, option: str) -> None:
     require_folder(folder, option)
     theirs = sorted(path.name for path in _designs_in(folder) if not is_output(path))
     if theirs:
+        says = f"{printable(', '.join(theirs))} there was edited or is no output of Babbitt; nothing was written"
         raise InputError(
             "E007",
-            f"cannot write designs into {printable(folder)}: {printable(', '.join(theirs))} there was edited or is no "
-            f"output of Babbitt; nothing was written. Name another folder for {option}, or move these files away.",
+            f"cannot write designs into {printable(folder)}: {says}. "
+            f"Name another folder for {option}, or move these files away.",
         )
 
 

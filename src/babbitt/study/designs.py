@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import count
 from typing import Any
@@ -10,6 +10,7 @@ from typing import Any
 from babbitt.case.case_file import CaseFile
 from babbitt.case.field_types import quantity_in
 from babbitt.case.part import Part
+from babbitt.case.with_units import FEW_DIGITS, short_quantity
 from babbitt.core.notices import InputError
 from babbitt.core.progress import ProgressCallback, no_progress
 from babbitt.core.quantities import QUANTITIES
@@ -24,8 +25,8 @@ __all__ = ["ABSENT", "ChangedInput", "ComparedBearing", "Designs", "changed_inpu
 ABSENT = "–"
 """In place of what a design does not have."""
 
-FEW_DIGITS, ALL_DIGITS = 6, 12
-"""Significant digits of a quantity: where they tell what differs, and at most."""
+ALL_DIGITS = 12
+"""Significant digits of a quantity at most."""
 
 OF_THE_FILE = ("babbitt", "name", "notes", "source")
 """Fields of a whole file that describe nothing."""
@@ -60,7 +61,8 @@ class ChangedInput:
         texts = self.values
         for digits in (FEW_DIGITS, ALL_DIGITS) if self.kind is not None else ():
             texts = tuple(
-                ABSENT if one is None else _text(one, self.kind, digits, written_in_system) for one in self.numbers
+                ABSENT if one is None else short_quantity(one, self.kind, digits, written_in_system)
+                for one in self.numbers
             )
             if len(set(texts)) == len(set(self.values)):
                 break
@@ -153,7 +155,9 @@ def changed_inputs(cases: Sequence[CaseFile]) -> tuple[ChangedInput, ...]:
         {path: leaf for path, leaf in _inputs(case, ()) if path.partition(".")[0] not in OF_THE_FILE}
         for case in cases
     ]
-    rows = (_row(path, [one.get(path) for one in inputs]) for path in dict.fromkeys(p for one in inputs for p in one))
+    rows = (
+        _row(path, [one.get(path) for one in inputs]) for path in dict.fromkeys(p for one in inputs for p in one)
+    )
     return tuple(row for row in rows if len(set(row.values)) > 1)
 
 
@@ -173,7 +177,7 @@ def _row(path: str, leaves: Sequence[_Leaf | None]) -> ChangedInput:
 def _said_of(leaf: _Leaf) -> str:
     """A leaf in units of the SI."""
     value, kind = leaf
-    return value if isinstance(value, str) or kind is None else _text(value, kind)
+    return value if isinstance(value, str) or kind is None else short_quantity(value, kind, ALL_DIGITS)
 
 
 def _inputs(part: Part, path: tuple[str, ...]) -> Iterator[tuple[str, _Leaf]]:
@@ -200,23 +204,15 @@ def _leaves(value: Any, path: tuple[str, ...], kind: Kind | None) -> Iterator[tu
             yield ".".join(path), (f"{value:.12g}" if isinstance(value, float) else str(value), None)
 
 
-def _text(value: float, kind: Kind, digits: int = ALL_DIGITS, written: Callable[[str], str] = str) -> str:
-    """A quantity in the first of its everyday units in which its number reads well, or in what is `written` for it."""
-    if not kind.everyday:
-        return f"{value:.{digits}g} {'' if kind.unit == '1' else kind.unit}".rstrip()
-    numbers = {unit: kind.from_si(value, unit) for unit in kind.everyday}
-    fitting = (unit for unit, number in numbers.items() if number == 0.0 or 0.1 <= abs(number) < 1e5)
-    unit = written(next(fitting, next(iter(numbers))))
-    return f"{kind.from_si(value, unit):.{digits}g} {'' if unit == '1' else unit}".rstrip()
-
-
 def _matched(machines: Sequence[MachineResult]) -> Iterator[ComparedBearing]:
     """Bearings of equal name, point and clearance; in designs of one bearing each, whatever they are called.
 
     Beside a design of which all clearances are solved, one that is solved at one stands for its mean.
     """
     single, several = _single(machines), _clearances(machines) - {""}
-    tables = [{_key(one, single, "mean" if several else ""): one for one in machine.results} for machine in machines]
+    tables = [
+        {_key(one, single, "mean" if several else ""): one for one in machine.results} for machine in machines
+    ]
     for key in dict.fromkeys(key for table in tables for key in table):
         results = tuple(table.get(key) for table in tables)
         first = next(one for one in results if one is not None)

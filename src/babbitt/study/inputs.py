@@ -39,6 +39,9 @@ __all__ = ["CASES", "Input", "inputs_of"]
 CASES = "clearance_cases"
 """Field of kinds that compute all clearances by themselves."""
 
+FEW = 3
+"""Places of a quantity that is varied everywhere, which are named one by one."""
+
 VG_SCATTER = 0.1
 """Share by which nu40 may differ from that of its viscosity grade (ISO 3448)."""
 
@@ -70,7 +73,8 @@ class Input:
         ``viscosity`` (nu40 of the oil) or ``share`` (of what the case has in several fields).
     given : mapping
         By the word of a choice, what stands in the case for it; of an oil, its data but nu40; of a share, by the
-        path of each field what the case has there, in SI; of a clearance, by its path each field that goes with it.
+        path of each field what the case has there, in SI; of a clearance, by its path each field that goes with
+        it.
     """
 
     path: str
@@ -176,7 +180,8 @@ def _share(case: CaseFile, path: str, given: Vary) -> Input:
     if not places:
         raise refused(path, f"the case gives no {' or '.join(SHARED[name])}")
     law, reason = _law(case, path, given, "1")
-    meaning = f"Share of {', '.join(places)} of the case"
+    where = ", ".join(places) if len(places) <= FEW else f"{name} in {len(places)} places"
+    meaning = f"Share of {where} of the case"
     return Input(path, path, law, "", meaning, reason, given.table or "", "share", places)
 
 
