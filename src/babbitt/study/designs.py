@@ -58,10 +58,12 @@ class ChangedInput:
     @property
     def shown(self) -> tuple[str, ...]:
         """The texts in the units that are spoken, short as long as they tell what differs."""
-        texts = self.values
-        for digits in (FEW_DIGITS, ALL_DIGITS) if self.kind is not None else ():
+        texts, kind = self.values, self.kind
+        if kind is None:
+            return texts
+        for digits in (FEW_DIGITS, ALL_DIGITS):
             texts = tuple(
-                ABSENT if one is None else short_quantity(one, self.kind, digits, written_in_system)
+                ABSENT if one is None else short_quantity(one, kind, digits, written_in_system)
                 for one in self.numbers
             )
             if len(set(texts)) == len(set(self.values)):
@@ -177,7 +179,10 @@ def _row(path: str, leaves: Sequence[_Leaf | None]) -> ChangedInput:
 def _said_of(leaf: _Leaf) -> str:
     """A leaf in units of the SI."""
     value, kind = leaf
-    return value if isinstance(value, str) or kind is None else short_quantity(value, kind, ALL_DIGITS)
+    if isinstance(value, str):
+        return value
+    assert kind is not None, "a number is one of a quantity"
+    return short_quantity(value, kind, ALL_DIGITS)
 
 
 def _inputs(part: Part, path: tuple[str, ...]) -> Iterator[tuple[str, _Leaf]]:
