@@ -128,7 +128,7 @@ def test_what_has_no_band_or_no_temperature_is_refused():
 
 
 def test_panels_and_curves_say_what_they_show():
-    """A legend had bare numbers, a figure no name of its clearance, the last panel above an empty place no numbers."""
+    """A legend had bare numbers, a figure no clearance, the panel above an empty place no numbers."""
     case = journal(clearance=FIT, clearance_cases="all")
     outputs = ("minimum_film_thickness", "friction_power")  # each with that of the film short of oil
     vary = {"load": ["10 kN", "20 kN"], "speed": ["1000 rpm", "1500 rpm"]}
