@@ -496,7 +496,7 @@ def test_a_sweep_leaves_cells_empty_where_there_is_no_film(run, tmp_path):
     assert row["minimum_film_thickness_m"] == ""
 
 
-def test_a_sweep_of_a_machine_names_its_bearings(run):
+def test_a_sweep_and_a_size_of_a_machine_name_its_bearings(run, tmp_path):
     gear = EXAMPLES / "marine_reverse_gear.yaml"
     status, out, _ = run("sweep", gear, "supply.temperature", "45 degC, 50 degC")
     assert status == 0
@@ -504,6 +504,10 @@ def test_a_sweep_of_a_machine_names_its_bearings(run):
     status, out, _ = run("sweep", gear, "load", "300 kN, 350 kN", "--bearing", "Output wheel")
     assert status == 0
     assert "First-stage" not in out
+    status, out, _ = run("size", gear, "load", "--bearing", "Output wheel", "--points", 5, "--json", "a.json")
+    assert status == 0
+    assert "bearings.Output wheel.load within all limits" in out
+    assert json.loads((tmp_path / "a.json").read_text())["field"] == "bearings.Output wheel.load"
 
 
 def test_a_sweep_of_two_fields_by_two_processes_with_columns_of_choice(run, tmp_path):
@@ -649,3 +653,15 @@ def test_commands_without_a_place_of_their_own_follow_in_the_order_they_have(mon
     names = [*others, *program.FIRST]
     monkeypatch.setattr(program, "get_command", lambda _: SimpleNamespace(commands=dict.fromkeys(names)))
     assert list(program._command.__wrapped__().commands) == [*program.FIRST, *others]
+
+
+def test_no_help_loses_words_to_markup():
+    """Brackets of a unit are no markup: `diameter [mm]` read `diameter`."""
+    from rich.text import Text
+    from typer.main import get_command
+
+    from babbitt.cli.program import app
+
+    for command in get_command(app).commands.values():
+        for said in (command.help, *(getattr(one, "help", None) for one in command.params)):
+            assert Text.from_markup(said or "").plain == (said or "").replace("\\[", "[")

@@ -7,6 +7,7 @@ from dataclasses import replace
 import gear_cases
 import pytest
 
+from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result_name import ResultName
 from babbitt.kinds.journal.iso7902 import check
 from babbitt.kinds.journal.iso7902.model import PrescribedLoad
@@ -68,12 +69,18 @@ def test_the_pump_delivers_what_returns_unused_too_and_not_what_the_sides_draw_i
     found = totals(results)
     assert found.values["total_flow"] == pytest.approx(7e-5, rel=1e-12)
     assert found.values["pump_flow"] == pytest.approx(8e-5, rel=1e-12)
-    assert "oil flow Q = 4.2 L/min, pump flow Q_pump = 4.8 L/min" in found.sentence
+    assert "oil flow Q = 4.2 L/min, flow wanted of the pump Q_pump = 4.8 L/min" in found.sentence
     (surplus,) = (column for column in columns_of(results) if column.heading == "Q_over")
     assert surplus.cells(results) == ["1.2", "–"]
+
+
+def test_the_flow_of_the_pump_is_called_what_the_films_want_and_roundoff_of_a_pressure_nothing():
+    """It stood as the flow of a pump that delivers less; a tube without loss read 1.09e-14 kPa."""
+    assert QUANTITIES["pump_flow"].meaning == "Oil flow that all bearings of a machine want of its pump"
+    assert QUANTITIES["element_pressure"].format(1.09e-11) == "0"
 
 
 def test_one_flow_is_shown_where_the_pump_delivers_what_leaves_the_films():
     found = totals((fed("a", total_flow=3e-5, side_inflow=0.0), fed("b", total_flow=4e-5, side_inflow=0.0)))
     assert found.values["pump_flow"] == found.values["total_flow"]
-    assert "pump flow" not in found.sentence
+    assert "of the pump" not in found.sentence

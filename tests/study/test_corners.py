@@ -9,6 +9,7 @@ from studied_cases import block, journal
 from babbitt.case import parse_case, template
 from babbitt.core.notices import InputError
 from babbitt.report.study_content import study_tables
+from babbitt.report.study_figures import _sweep
 from babbitt.solving import solve
 from babbitt.study.plan import plan
 from babbitt.study.study import case_of, run_study
@@ -124,3 +125,19 @@ def test_what_has_no_band_or_no_temperature_is_refused():
     dry = journal(method="film", clearance=FIT, lubricant=constant, **without)
     with pytest.raises(InputError, match="no oil is cold or hot"):
         plan(dry, block(kind="corners"))
+
+
+def test_panels_and_curves_say_what_they_show():
+    """A legend had bare numbers, a figure no clearance, the panel above an empty place no numbers."""
+    case = journal(clearance=FIT, clearance_cases="all")
+    outputs = ("minimum_film_thickness", "friction_power")  # each with that of the film short of oil
+    vary = {"load": ["10 kN", "20 kN"], "speed": ["1000 rpm", "1500 rpm"]}
+    study = run_study(plan(case, block(kind="sweep", vary=vary, outputs=outputs)))
+    titles = []
+    for _, _, figure in _sweep(study):
+        (legend,) = figure.legends
+        assert [one.get_text() for one in legend.get_texts()] == ["speed 1000 rpm", "speed 1500 rpm"]
+        titles.append(legend.get_title().get_text())
+        shown = [one.xaxis.get_tick_params()["labelbottom"] for one in figure.axes if one.axison]
+        assert shown == [False, True, True, True]
+    assert titles == [f"Textbook bearing ({one} clearance)" for one in ("minimum", "mean", "maximum")]

@@ -228,6 +228,29 @@ def test_the_command_proposes_writes_and_reports(run, tmp_path):
     ((one, _),) = designs_of(open_study("fan.study")).proposals
     assert bb.load_case("fan/proposal-1.yaml").width == one.fields["width"]
 
+    proposal, own = tmp_path / "fan" / "proposal-1.yaml", tmp_path / "fan" / "proposal-10-final.yaml"
+    written = proposal.read_bytes()
+    (tmp_path / "fan" / "proposal-7.yaml").write_bytes(written)  # as an earlier run with more proposals left it
+    own.write_text("mine")
+    assert run("design", *DUTY, *options, "--out-dir", "fan")[0] == 0
+    assert proposal.read_bytes() == written
+    assert [path.name for path in sorted((tmp_path / "fan").iterdir())] == [proposal.name, own.name]
+    for stored in (proposal, tmp_path / "fan.study" / "designs" / "proposal-1.yaml"):
+        stored.write_bytes(written.replace(b"12 kN\n", b"13 kN\n"))
+    for where in ("--out-dir", "fan"), ("--out", "fan.study"):
+        status, out, err = run("design", *DUTY, *options, *where)
+        assert (status, out) == (2, "")
+        assert f"proposal-1.yaml there was edited or is no output of Babbitt; nothing was written. Name another folder for {where[0]}" in err  # fmt: skip # noqa: E501
+    assert "13 kN" in proposal.read_text()
+
+
+@pytest.mark.parametrize("option", ["--out-dir", "--plots"])
+def test_a_file_where_a_folder_is_named_is_refused_before_anything_is_computed(run, tmp_path, option):
+    (tmp_path / "taken").write_text("mine")
+    status, out, err = run("design", *DUTY, option, "taken")
+    assert (status, out) == (2, "")
+    assert f"cannot write taken: it is a file; {option} names a folder" in err
+
 
 def test_a_design_is_a_study_of_a_case(run, tmp_path):
     case = {

@@ -173,3 +173,44 @@ def test_python_compares_objects():
         bb.compare(first)
     with pytest.raises(TypeError, match="load_case"):
         bb.compare(first, "b.yaml")
+
+
+FIT = FIRST.replace("clearance: {kind: relative, mean: 1.12 permille}", "clearance: H7/e7")
+
+
+@pytest.mark.parametrize("turned", [False, True])
+def test_one_clearance_stands_beside_the_mean_of_several(turned):
+    several = FIT + "\nclearance_cases: all\n"
+    assert several != FIRST + "\nclearance_cases: all\n"
+    found = designs(*([FIT, several] if turned else [several, FIT]))
+    both = [one for one in found.bearings if None not in one.results]
+    assert [one.name for one in both] == ["Textbook bearing (mean clearance)"]
+    first, second = both[0].results
+    assert first.minimum_film_thickness == pytest.approx(second.minimum_film_thickness, rel=1e-12)
+
+
+def test_designs_of_one_bearing_without_a_common_point_are_told_what_to_name():
+    slow, full = (f"{FIRST}\noperating_points: [{{name: {one}, speed: 900 rpm}}]\n" for one in ("slow", "full"))
+    with pytest.raises(InputError, match="Their bearings match: give their operating points the same names"):
+        designs(slow, full)
+
+
+def test_changed_inputs_are_shown_in_us_units_as_they_were_given(run, tmp_path):
+    """Kept in SI, they read 43.3333333333 degC; JSON stays in SI."""
+    other = FIRST.replace("load: 24 kN", "load: 3000 lbf").replace("width: 60 mm", "width: 2.5 in")
+    (tmp_path / "first.yaml").write_text(FIRST)
+    (tmp_path / "other.yaml").write_text(other)
+    status, out, _ = run("compare", "first.yaml", "other.yaml", "--units", "us", "--json", "d.json")
+    assert status == 0
+    cells = [[one.strip() for one in line.split("│")[1:-1]] for line in out.splitlines()]
+    assert ["load", "5395.41 lbf", "3000 lbf"] in cells
+    assert ["width", "2.3622 in", "2.5 in"] in cells
+    recorded = {
+        one["path"]: one["values"] for one in json.loads((tmp_path / "d.json").read_text())["changed_inputs"]
+    }
+    assert recorded["load"] == {"first": "24 kN", "other": "13.3446648458 kN"}
+
+
+def test_inputs_that_differ_in_late_digits_are_shown_with_them():
+    (row,) = changed_inputs([parse_case(FIRST), parse_case(FIRST.replace("load: 24 kN", "load: 24.0000001 kN"))])
+    assert row.shown == ("24 kN", "24.0000001 kN")

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 import babbitt as bb
 from babbitt.core.notices import InputError
+from babbitt.core.quantities import displayed_in
 from babbitt.report.size_output import size_json
 from babbitt.report.size_table import rounded
 from babbitt.study.permitted import TOLERANCE, Trial, find_permitted
@@ -278,3 +279,46 @@ def test_bad_input_is_one_message(run, tmp_path, arguments):
     assert not out
     assert "E0" in err
     assert [path.name for path in tmp_path.iterdir()] == ["pump.yaml"]
+
+
+def test_reasons_are_told_in_us_units(bearing):
+    """They were composed in SI when the rows were solved."""
+    study = bearing.study("size", {"load": {"log_range": ["1 kN", "9000 kN", 8]}})
+    with displayed_in("us"):
+        said = study.summary()
+    assert " psi > " in said
+    assert "less than the load of" in said
+    for unit in (" kN", " MPa", " °C"):
+        assert unit not in said
+
+
+def test_what_is_refused_is_told_in_everyday_units(bearing):
+    with pytest.raises(InputError, match=r"begins at 500 kN and ends at 120 kN; give a larger end"):
+        bearing.size("load", within=("500 kN", None))
+    with pytest.raises(InputError, match=r"with supply.flow: 0.5 L/min: .*given together with pressure"):
+        bearing.size("supply.flow", within=("0.5 L/min", "8 L/min"), points=3)
+    with pytest.raises(InputError, match=r"there are: babbitt, .* more \(`babbitt schema` lists them\)"):
+        bearing.size("qqq")
+
+
+def test_a_width_that_is_refused_is_told_with_the_digits_that_pass_its_limit(bearing):
+    """B/D 1.5 was refused where 0.1 to 1.5 are allowed; the reason began with a colon for want of a bearing."""
+    study = bearing.study("size", {"width": {"range": ["60 mm", "180.01 mm", 5]}})
+    said = " ".join(study.summary().split())
+    assert "for a bearing of B/D 1.5001; allowed" in said
+    assert " : " not in said
+
+
+def test_a_quantity_in_many_places_is_told_by_their_number():
+    gear = bb.load_case("examples/marine_reverse_gear.yaml")
+    assert (
+        "Share of speed in 11 places of the case"
+        in gear.study("size", {"*.speed": {"range": [0.9, 1.0, 2]}}).summary()
+    )
+
+
+def test_the_fit_of_the_case_is_among_those_that_are_tried(bearing):
+    own = bearing.replace(clearance="H7/c8")
+    assert list(own.size("clearance.journal").choices)[:2] == ["c8", "g6"]
+    assert "e7" in bearing.size("clearance.journal").choices
+    assert list(own.size("clearance.bore").choices).count("H7") == 1

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+import yaml
 from studied_cases import JOURNAL, block, journal
 
+import babbitt as bb
 from babbitt import load_case, parse_case
 from babbitt.case.loading import case_from_dict
 from babbitt.core.notices import InputError
@@ -52,6 +54,20 @@ def test_a_clearance_is_read_as_the_kind_that_the_case_has(kind):
     assert one.meaning == f"Mean {kind} clearance"
     with pytest.raises(InputError, match="a length"):
         inputs_of(case, block(kind="tolerance", vary={"clearance.mean": ["1.2 permille"]}))
+
+
+def test_a_fit_that_varies_gives_each_row_one_clearance():
+    fit = {"clearance": {"fit": "H7/c8"}}
+    (one,) = inputs_of(journal(clearance="H7/c8", clearance_cases="all"), block(kind="tolerance", vary=fit))
+    assert "clearance_cases: mean" in one.reason
+    film = "minimum_film_thickness"
+    of_all, of_mean = (
+        bb.parse_case(yaml.safe_dump({**JOURNAL, "clearance": "H7/c8", "clearance_cases": asked}))
+        .study("tolerance", fit, samples=30)
+        .table[film]
+        for asked in ("all", "mean")
+    )
+    assert np.array_equal(of_all, of_mean)
 
 
 def test_a_million_million_samples_are_refused_with_their_size():

@@ -249,3 +249,26 @@ def test_a_table_in_us_units(run, case, tmp_path):
     assert f"{held / 25.4e-6:.3f}" in out
     gap = min(one.gap for one in alone.result.limits if one.code == "C104")
     assert float(read["kelvin_C104 [°F]"]) == pytest.approx(1.8 * gap)
+
+
+def test_a_column_without_unit_is_refused_once_with_its_remedy(run, case, tmp_path):
+    for cells in ("12\n14", "12\nabc\n0"):
+        table = in_file(tmp_path / "t.csv", f"load\n{cells}\n")
+        status, out, err = run("solve", case, "--table", table)
+        assert (status, out) == (2, "")
+        assert "t.csv: column 'load' has no unit; write 'load [kN]', or a unit behind each number" in err
+    mixed = in_file(tmp_path / "t.csv", "load\n12 kN\n14\n")
+    assert list(babbitt.load_case(case).solve_table(mixed).table["status"]) == ["converged", "refused"]
+
+
+def test_reasons_of_rows_name_the_table_and_end_with_a_word(case, tmp_path):
+    cells = [f"{'long ' * 80}", "ISO VG 32"]
+    table = in_file(
+        tmp_path / "t.csv", "width [mm],lubricant\n-50,ISO VG 46\n" + f"60,{cells[0]}\n60,{cells[1]}\n"
+    )
+    thin, strange, good = babbitt.load_case(case).solve_table(table).table["message"]
+    assert thin.startswith("t.csv: width: '-50 mm' is too small")
+    assert strange.startswith("t.csv: lubricant: ")
+    assert strange.endswith((" ...", "]"))
+    assert len(strange) <= 300
+    assert good == ""

@@ -21,7 +21,7 @@ from babbitt.core.optional_package import how_to_install, optional_package
 from babbitt.core.result import Verdict
 from babbitt.core.units import AS_WRITTEN, KINDS, SiField
 from babbitt.study import study as engine
-from babbitt.study.best_designs import write_designs
+from babbitt.study.best_designs import require_stored_designs, write_designs
 from babbitt.study.design import Designs, designs_of
 from babbitt.study.engine import InterruptedStudyError
 from babbitt.study.fields import types_at
@@ -214,6 +214,7 @@ def run(
 ) -> Study:
     """Compute a study that is planned, keep it if asked to, and write its designs."""
     folder = None if out is None else Path(out)
+    require_stored_designs(folder)
     try:
         found = engine.run_study(made, workers=_workers(workers), folder=folder)
     except InterruptedStudyError as error:

@@ -29,7 +29,7 @@ def side_by_side(first: str, other: str) -> tuple[tuple[Fault, ...], tuple[Table
 
 
 def _inputs(found: Designs) -> Table:
-    rows = tuple((one.path, *one.values) for one in found.changed)
+    rows = tuple((one.path, *one.shown) for one in found.changed)
     said = kinds_said(found)
     return Table("Changed inputs", ("field", *found.labels), rows, (said,) if said else ())
 

@@ -133,7 +133,7 @@ def _asked(meant: str) -> str:
     return f"did you mean '{meant}'?" if meant else ""
 
 
-def _listed(names: Iterable[str]) -> str:
+def listed(names: Iterable[str]) -> str:
     """List names, the first of many only."""
     every = list(names)
     if len(every) <= MOST_LISTED:
@@ -153,7 +153,7 @@ def _say(cls: type[Part], path: Path, details: ErrorDetails) -> tuple[str, str, 
             hint = cls.hints.get(name) or _asked(f"method.{meant}" if meant in moved else meant)
             return (
                 "is not a field here",
-                "" if hint else _listed(n for n in cls.model_fields if n not in moved),
+                "" if hint else listed(n for n in cls.model_fields if n not in moved),
                 hint,
             )
         case "union_tag_not_found" | "union_tag_invalid":

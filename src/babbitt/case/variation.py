@@ -59,6 +59,9 @@ class CaseVariation:
         Where in the file the path begins.
     reach : Reach
         Where the case may name other files.
+    inputs : tuple of Path
+    bearing : str, optional
+        Name of the bearing of a machine at which the path starts.
 
     Attributes
     ----------
@@ -76,8 +79,10 @@ class CaseVariation:
         start: tuple[str, ...] = (),
         reach: Reach = Reach.FOLDER,
         inputs: tuple[Path, ...] = (),
+        bearing: str | None = None,
     ) -> None:
         self.file, self.path, self.reach, self.inputs = file, path, reach, inputs
+        self._bearing = bearing
         self.field = ".".join((*start, path))
         self._model, steps = KINDS[given["kind"]], (*start, *path.split("."))
         self.given: dict[str, Any] = in_todays_words(self._model, given)
@@ -94,8 +99,10 @@ class CaseVariation:
 
     @property
     def whole_path(self) -> str:
-        """The path of the field from the top of the case, in words of today."""
-        return ".".join(self._steps)
+        """The path of the field from the top of the case, in words of today, a bearing by its name."""
+        if self._bearing is None:
+            return ".".join(self._steps)
+        return ".".join(("bearings", self._bearing, *self._steps[2:]))
 
     @property
     def unchanged(self) -> CaseFile:
@@ -254,7 +261,7 @@ def case_variation(
     if "bearings" not in given:
         return CaseVariation(file, given, path, reach=reach, inputs=inputs)
     alone = given | {"bearings": [given["bearings"][names.index(bearing)]]}
-    return CaseVariation(file, alone, path, ("bearings", "0"), reach, inputs)
+    return CaseVariation(file, alone, path, ("bearings", "0"), reach, inputs, bearing)
 
 
 def variation_of(case: CaseFile, path: str) -> CaseVariation:

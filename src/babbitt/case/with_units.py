@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
 from babbitt.case.field_types import expanded, quantity_in
 from babbitt.case.part import Part
 from babbitt.core.units import Kind, read
 
-__all__ = ["case_text", "quantity_text", "with_units"]
+__all__ = ["FEW_DIGITS", "case_text", "quantity_text", "short_quantity", "with_units"]
+
+FEW_DIGITS = 6
+"""Significant digits of a quantity that is read by people."""
 
 
 def with_units(given: Mapping[str, Any], part: Part) -> dict[str, Any]:
@@ -43,6 +46,21 @@ def quantity_text(value: float, kind: Kind) -> str | float:
         if read(short, kind.key) == value:
             return short
     return f"{value!r} {kind.unit}"
+
+
+def short_quantity(value: float, kind: Kind, digits: int = FEW_DIGITS, written: Callable[[str], str] = str) -> str:
+    """Write an SI value to read, in the first everyday unit that suits it, or what is `written` for that one.
+
+    >>> from babbitt.core.units import KINDS
+    >>> short_quantity(0.5e-3 / 60.0, KINDS["m3/s"]), short_quantity(4e-6, KINDS["m"])
+    ('0.5 L/min', '4 um')
+    """
+    if not kind.everyday:
+        return f"{value:.{digits}g} {'' if kind.unit == '1' else kind.unit}".rstrip()
+    numbers = {unit: kind.from_si(value, unit) for unit in kind.everyday}
+    fitting = (unit for unit, number in numbers.items() if number == 0.0 or 0.1 <= abs(number) < 1e5)
+    unit = written(next(fitting, next(iter(numbers))))
+    return f"{kind.from_si(value, unit):.{digits}g} {'' if unit == '1' else unit}".rstrip()
 
 
 def case_text(given: Mapping[str, Any]) -> str:

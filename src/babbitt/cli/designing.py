@@ -57,10 +57,12 @@ def design(
     from babbitt.core.units import QuantityError, read
     from babbitt.report.study_output import require_study_outputs, write_study
     from babbitt.report.study_table import print_study
-    from babbitt.study.best_designs import write_designs
+    from babbitt.study.best_designs import require_designs, write_designs
     from babbitt.study.design import designs_of, duty_study
 
     require_study_outputs({}, xlsx, report, plots)
+    if out_dir is not None:
+        require_designs(out_dir, "--out-dir")
     try:
         least = read(reserve, "1")
     except QuantityError as error:

@@ -55,8 +55,8 @@ def solve(
         Path | None,
         typer.Option(
             metavar="ROWS",
-            help="Solve the bearings in the rows of a CSV file or workbook: columns such as 'diameter [mm]' take "
-            "the place of fields of FILE.",
+            help="Solve the bearings in the rows of a CSV file or workbook: columns such as 'diameter \\[mm]' "
+            "take the place of fields of FILE.",
         ),
     ] = None,
     csv: Annotated[

@@ -129,11 +129,12 @@ def computed(
 ) -> Study:
     """Plan and compute a study; nothing is written before all of it was found possible."""
     from babbitt.report.study_progress import StudyProgress
-    from babbitt.study.best_designs import write_designs
+    from babbitt.study.best_designs import require_stored_designs, write_designs
     from babbitt.study.engine import InterruptedStudyError
     from babbitt.study.plan import plan
     from babbitt.study.study import run_study
 
+    require_stored_designs(out)
     made = plan(case, block)
     count = workers or os.cpu_count() or 1
     if out is None and made.work / count > LONG:

@@ -18,6 +18,7 @@ from babbitt.report.designs_table import bearing_rows, kinds_said
 from babbitt.report.document import GENERATOR_TAG, TEMPLATES
 from babbitt.report.sweep_output import require_ending
 from babbitt.report.text import plain_text
+from babbitt.report.us_words import in_us_units
 from babbitt.study.designs import ComparedBearing, Designs
 
 __all__ = ["designs_page", "designs_record", "designs_rows", "require_designs_outputs", "write_designs_outputs"]
@@ -53,7 +54,7 @@ def write_designs_outputs(designs: Designs, record: Path | None, table: Path | N
         rows = designs_rows(designs)
         if table.suffix.lower() == ".xlsx":
             changed: list[Sequence[Cell]] = [("field", *designs.labels)]
-            changed += [(one.path, *one.values) for one in designs.changed]
+            changed += [(one.path, *one.shown) for one in designs.changed]
             write_file(table, workbook({"Results": rows, "Changed inputs": changed}, str(table)))
         else:
             write_file(table, rows_text(rows).encode())
@@ -153,7 +154,7 @@ def _body(designs: Designs) -> Iterator[str]:
         yield f'<p class="finding"><b>{_text(said)}</b></p>'
     yield "<h3>Changed inputs</h3>"
     if designs.changed:
-        yield from _table(("field",), designs.labels, ((one.path, *one.values) for one in designs.changed))
+        yield from _table(("field",), designs.labels, ((one.path, *one.shown) for one in designs.changed))
     else:
         yield "<p>No input differs.</p>"
     differences = tuple(f"{label} against {designs.labels[0]}" for label in designs.labels[1:])
@@ -166,9 +167,9 @@ def _body(designs: Designs) -> Iterator[str]:
                 yield f'<p class="finding"><b>{_text(label)}</b> has no such bearing.</p>'
                 continue
             if not result.outcome.solved:
-                yield f'<p class="finding"><b>{_text(label)}</b>: {_text(result.message)}</p>'
+                yield f'<p class="finding"><b>{_text(label)}</b>: {_text(in_us_units(result.message))}</p>'
             for warning in result.warnings:
-                said = f"{warning.code} {warning.message}"
+                said = f"{warning.code} {in_us_units(warning.message)}"
                 yield f'<p class="finding"><b>{_text(label)}</b>: {_text(said)}</p>'
 
 

@@ -20,6 +20,7 @@ from babbitt.report.meanings import meaning
 from babbitt.report.table import PIPED_WIDTH, console
 from babbitt.report.text import counted, plain_text
 from babbitt.report.units_of_matrices import suited_among
+from babbitt.report.us_words import in_us_units
 from babbitt.study.designs import ABSENT, ComparedBearing, Designs
 
 __all__ = ["DesignRow", "bearing_rows", "difference", "kinds_said", "print_designs", "short_designs"]
@@ -150,7 +151,7 @@ def _print(to: Console, designs: Designs) -> None:
     if said := kinds_said(designs):
         to.print(said, markup=False)
     if designs.changed:
-        to.print(_table("Changed inputs", ("field",), designs.labels, ((one.path, *one.values)
+        to.print(_table("Changed inputs", ("field",), designs.labels, ((one.path, *one.shown)
                                                                       for one in designs.changed)))  # fmt: skip
     else:
         to.print("No input differs.", markup=False)
@@ -165,7 +166,7 @@ def _print(to: Console, designs: Designs) -> None:
             to.print(f"  left out: {counted(left, 'result')} that no design changes", markup=False)
         for label, result in zip(designs.labels, bearing.results, strict=True):
             if result is not None and not result.outcome.solved:
-                to.print(f"  {label}: {result.outcome.value}; {result.message}", markup=False)
+                to.print(f"  {label}: {result.outcome.value}; {in_us_units(result.message)}", markup=False)
 
 
 def _table(title: str, words: Sequence[str], numbers: Sequence[str], rows: Iterator[tuple[str, ...]]) -> Table:

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from babbitt.core.files.printing import printable, takes_all_letters
-from babbitt.core.files.writing import require_distinct, require_writable, write_file
+from babbitt.core.files.writing import require_distinct, require_folder, require_writable, write_file
 from babbitt.core.language import written_in
 from babbitt.core.notices import InputError
 from babbitt.core.quantities import displayed_in
@@ -118,11 +118,7 @@ def outputs(
         for path in target.files():
             require_writable(path)
         if target.plots is not None:
-            require_writable(target.plots / "figure" if target.plots.is_dir() else target.plots)
-            if target.plots.is_file():
-                raise InputError(
-                    "E007", f"cannot write {printable(target.plots)}: it is a file; --plots names a folder"
-                )
+            require_folder(target.plots, "--plots")
     return Outputs(tuple(targets), json == STANDARD_OUTPUT)
 
 

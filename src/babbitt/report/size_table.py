@@ -9,6 +9,7 @@ from itertools import groupby
 from babbitt.core.check_text import distance
 from babbitt.report.study_values import DASH, MARGIN_DECIMALS, Scale, StudyTable, input_scale
 from babbitt.report.text import plain_text
+from babbitt.report.us_words import in_us_units
 from babbitt.study.appraisal import ALL_LIMITS, RECOMMENDED
 from babbitt.study.permitted import Trial
 from babbitt.study.size import LOGARITHMIC_FROM, Size, size_of
@@ -41,7 +42,7 @@ def size_tables(study: Study) -> Iterator[StudyTable]:
         yield from _remarks(size, scale)
     else:
         miss = size.nearest_miss or size.scan[0]
-        row = (scale.text(miss.value), plain_text(f"{miss.bearing}: {miss.reason}"), _margin(miss))
+        row = (scale.text(miss.value), _reason(miss, alone=False), _margin(miss))
         heads = ((size.path, scale.unit), ("nearest miss", ""), ("margin", ""))
         title = f"No value of the scan is {_limits(size)}"
         yield StudyTable(title, heads, (row,), 2, (_scanned(size, scale),))
@@ -91,7 +92,7 @@ def _tried(title: str, first: str, trials: Mapping[str, Trial]) -> StudyTable:
         (
             plain_text(choice),
             "yes" if one.permitted else "no",
-            plain_text(one.reason or " ".join(one.remarks)),
+            _reason(one, alone=True) or " ".join(one.remarks),
             one.code or DASH,
             _margin(one),
         )
@@ -122,7 +123,13 @@ def _said(outside: Trial | None, alone: bool) -> str:
     """Why a value next to an interval is not permitted."""
     if outside is None:
         return "end of the scan"
-    return plain_text(outside.reason if alone else f"{outside.bearing}: {outside.reason}")
+    return _reason(outside, alone=alone)
+
+
+def _reason(one: Trial, *, alone: bool) -> str:
+    """Why a value is not permitted, in the units that are spoken, behind its bearing where there are others."""
+    said: str = in_us_units(one.reason)
+    return plain_text(said if alone or not one.bearing else f"{one.bearing}: {said}")
 
 
 def rounded(value: float, *, upward: bool) -> str:

@@ -31,6 +31,7 @@ from babbitt.report.study_values import (
     significant,
 )
 from babbitt.report.text import counted, plain_text
+from babbitt.report.us_words import in_us_units
 from babbitt.study.held_film import WITH_LIMITED_FLOW, as_read
 from babbitt.study.indices import indices_of, slopes_of
 from babbitt.study.optimum import Optimum, optimum_of
@@ -139,7 +140,7 @@ def _reasons(study: Study) -> StudyTable | None:
     for message in messages:
         counts[message] = counts.get(message, 0) + 1
     most = sorted(counts.items(), key=lambda pair: -pair[1])[:5]
-    rows = tuple((plain_text(message), str(count)) for message, count in most)
+    rows = tuple((plain_text(in_us_units(message)), str(count)) for message, count in most)
     return StudyTable("Why rows have no solution", (("reason, the most frequent ones", ""), ("rows", "")), rows)
 
 
@@ -225,7 +226,7 @@ def _refused(study: Study) -> Iterator[StudyTable]:
     rows = tuple(
         (
             *(plain_text(names[place]), str(study.lines[place]), str(columns["status"][place])),
-            plain_text(str(columns["message"][place])),
+            plain_text(in_us_units(str(columns["message"][place]))),
         )
         for place in without
     )

@@ -204,7 +204,7 @@ def _sweep(study: Study) -> Iterator[Drawn]:
         yield (
             file_name("sweep", bearing, bearings),
             f"{caption}. Open circles: beyond a limit.",
-            _curves(study, along, others, own),
+            _curves(study, along, others, own, "" if len(bearings) == 1 else bearing),
         )
 
 
@@ -227,7 +227,10 @@ def _corners(study: Study) -> Iterator[Drawn]:
         )
 
 
-def _curves(study: Study, along: Mapping[str, Any], others: list[dict[str, Any]], own: Columns) -> Figure:
+def _curves(
+    study: Study, along: Mapping[str, Any], others: list[dict[str, Any]], own: Columns, title: str = ""
+) -> Figure:
+    """Each output over a field, a curve for each value of the others; `title` names the bearing, if of several."""
     names = [name for name in study.outputs if np.isfinite(own[name]).any()][:MOST_PANELS]
     figure, panels = panels_for(max(1, len(names)), sharex=True)
     keys = list(zip(*(own[one["path"]] for one in others), strict=True)) if others else [()] * own["row"].size
@@ -239,7 +242,7 @@ def _curves(study: Study, along: Mapping[str, Any], others: list[dict[str, Any]]
             x, values = scaled(along, own)[chosen], scale.shown(own[name][chosen])
             order = np.argsort(x)
             colour = str(0.7 * place / max(1, len(curves) - 1))
-            said = ", ".join(input_scale(one).text(part) for one, part in zip(others, key, strict=True))
+            said = ", ".join(_named(one, part) for one, part in zip(others, key, strict=True))
             panel.plot(x[order], values[order], "-", color=colour, linewidth=0.9, label=said)
             missed = ~np.isin(own["verdict"][chosen], WITHIN)
             panel.plot(x[missed], values[missed], "o", color=colour, markerfacecolor="white", markersize=2.5)
@@ -249,11 +252,22 @@ def _curves(study: Study, along: Mapping[str, Any], others: list[dict[str, Any]]
         handles, labels = panels[0].get_legend_handles_labels()
         high = figure.get_figheight() * MM_PER_INCH
         columns = legend_columns(labels, figure.get_figwidth() * MM_PER_INCH, 6.0)
-        figure.subplots_adjust(top=1.0 - (6.0 + LEGEND_LINE * math.ceil(len(labels) / columns)) / high)
+        lines = math.ceil(len(labels) / columns) + bool(title)
+        figure.subplots_adjust(top=1.0 - (6.0 + LEGEND_LINE * lines) / high)
         figure.legend(
-            handles, labels, loc="upper left", ncols=columns, frameon=False, fontsize=6, handlelength=2.0
-        )
+            handles, labels, loc="upper left", ncols=columns, frameon=False, fontsize=6, handlelength=2.0,
+            title=plain_text(title) or None, title_fontsize=7, alignment="left",
+        )  # fmt: skip
+    elif title:
+        figure.text(0.01, 0.99, plain_text(title), fontsize=7, va="top")
     return figure
+
+
+def _named(one: Mapping[str, Any], value: Any) -> str:
+    """A value of a field in a legend: words alone, numbers with the field and its unit."""
+    scale = input_scale(one)
+    text = scale.text(value)
+    return text if isinstance(value, str) else f"{scale.name} {text} {scale.unit}".rstrip()
 
 
 def _sensitivity(study: Study) -> Iterator[Drawn]:

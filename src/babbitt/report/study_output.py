@@ -7,7 +7,7 @@ from pathlib import Path
 
 from babbitt.core.files.printing import printable
 from babbitt.core.files.spreadsheet import openpyxl_library, rows_text
-from babbitt.core.files.writing import require_distinct, require_writable, write_file
+from babbitt.core.files.writing import require_distinct, require_folder, require_writable, write_file
 from babbitt.core.notices import InputError
 from babbitt.report.outputs import STANDARD_OUTPUT
 from babbitt.report.study_workbook import study_rows, study_workbook
@@ -46,6 +46,8 @@ def require_study_outputs(
         if report.suffix.lower() not in FORMATS:
             raise InputError("E007", f"cannot write {printable(report)}: a report ends in .pdf or .html")
         require_writable(report)
+    if plots is not None:
+        require_folder(plots, "--plots")
     if report is not None or plots is not None:
         from babbitt.report.drawing import require_extra
 

@@ -78,6 +78,8 @@ def panels_for(count: int, height: float = 46.0, **settings: Any) -> tuple[Figur
     panels = list(axes.ravel())
     for panel in panels[count:]:
         panel.set_axis_off()
+    for panel in panels[max(0, count - across) : count]:
+        panel.tick_params(labelbottom=True)  # which panels that share an axis have in the last row alone
     return figure, panels[:count]
 
 

@@ -3,19 +3,32 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator
 from pathlib import Path
 
 from babbitt.case.with_units import case_text
 from babbitt.core.check_text import distance
-from babbitt.core.files.writing import replace_synced
+from babbitt.core.files.marks import is_output, sealed
+from babbitt.core.files.printing import printable
+from babbitt.core.files.writing import replace_synced, require_folder
+from babbitt.core.notices import InputError
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Verdict
 from babbitt.study import design, optimum
 from babbitt.study.candidates import Candidate
 from babbitt.study.study import Study, case_of
 
-__all__ = ["DESIGNS", "edges", "reasons_of", "recommendation", "verdict_said", "write_designs"]
+__all__ = [
+    "DESIGNS",
+    "edges",
+    "reasons_of",
+    "recommendation",
+    "require_designs",
+    "require_stored_designs",
+    "verdict_said",
+    "write_designs",
+]
 
 SAME = 1e-6
 """Relative difference of what counts as one value."""
@@ -24,6 +37,38 @@ ALL_KEPT = "keeps every recommendation and usual rule"
 
 DESIGNS = "designs"
 """Folder of the best designs, in that of their study."""
+
+_NAMES = re.compile(r"(?:proposal|design-row)-\d+\.yaml")
+
+
+def require_designs(folder: Path, option: str) -> None:
+    """Find out before any work is done whether designs can be written into a folder, which need not exist.
+
+    Raises
+    ------
+    InputError
+        E007 if it is a file, or holds a case file of the name of a design that Babbitt did not write, or that was
+        edited; `option` is named in it.
+    """
+    require_folder(folder, option)
+    theirs = sorted(path.name for path in _designs_in(folder) if not is_output(path))
+    if theirs:
+        says = f"{printable(', '.join(theirs))} there was edited or is no output of Babbitt; nothing was written"
+        raise InputError(
+            "E007",
+            f"cannot write designs into {printable(folder)}: {says}. "
+            f"Name another folder for {option}, or move these files away.",
+        )
+
+
+def _designs_in(folder: Path) -> list[Path]:
+    return [path for path in folder.glob("*.yaml") if _NAMES.fullmatch(path.name)]
+
+
+def require_stored_designs(study: Path | None) -> None:
+    """`require_designs` of the folder in which a study is kept, where there is one."""
+    if study is not None and (study / DESIGNS).is_dir():
+        require_designs(study / DESIGNS, "--out")
 
 
 def write_designs(study: Study, folder: Path | None = None) -> tuple[Path, ...]:
@@ -34,20 +79,28 @@ def write_designs(study: Study, folder: Path | None = None) -> tuple[Path, ...]:
     study : Study
         Nothing is written of kinds that seek no designs.
     folder : Path, optional
-        By default `DESIGNS` in the folder of the study; nothing is written where it is not stored.
+        By default `DESIGNS` in the folder of the study; nothing is written where it is not stored. Designs of an
+        earlier run that nobody has edited are replaced.
+
+    Raises
+    ------
+    InputError
+        E007 as `require_designs`.
     """
     rows = _best_rows(study)
+    option = "--out" if folder is None else "--out-dir"
     folder = folder or (None if study.folder is None else study.folder / DESIGNS)
     if folder is None or rows is None:
         return ()
+    require_designs(folder, option)
     folder.mkdir(parents=True, exist_ok=True)
-    for left in (one for name in rows for one in folder.glob(f"{name.rpartition('-')[0]}-*.yaml")):
-        left.unlink(missing_ok=True)
+    for earlier in _designs_in(folder):
+        earlier.unlink()
     for name, (row, said) in rows.items():
         case = case_of(study, row)
         assert case.origin is not None, "it was read just now"
         heads = "".join(f"# {line}\n" for line in (f"Row {row} of the study of {case.name}", *said))
-        replace_synced(folder / f"{name}.yaml", f"{heads}{case_text(case.origin.given)}".encode())
+        replace_synced(folder / f"{name}.yaml", sealed(f"{heads}{case_text(case.origin.given)}"))
     return tuple(folder / f"{name}.yaml" for name in rows)
 
 

@@ -14,7 +14,7 @@ from babbitt.core.files.printing import printable
 from babbitt.core.notices import InputError
 from babbitt.core.units import SiNumber
 from babbitt.study.fields import present_quantity
-from babbitt.study.inputs import Input
+from babbitt.study.inputs import CASES, Input
 from babbitt.study.laws import Choices
 
 __all__ = ["CASES", "CORNER_RESULTS", "at_all_clearances", "clearance_input", "default_oil"]
@@ -24,9 +24,6 @@ OIL = ("supply.temperature", "cooling.ambient_temperature")
 
 COLDER, HOTTER = 10.0, 10.0
 """K to each side of what the case gives (assumption: how far a cooler and the seasons let it wander)."""
-
-CASES = "clearance_cases"
-"""Field of kinds that compute all clearances by themselves."""
 
 CORNER_RESULTS = (
     "minimum_film_thickness",

@@ -10,9 +10,11 @@ from typing import Any
 from babbitt.case.case_file import CaseFile
 from babbitt.case.field_types import quantity_in
 from babbitt.case.part import Part
+from babbitt.case.with_units import FEW_DIGITS, short_quantity
 from babbitt.core.notices import InputError
 from babbitt.core.progress import ProgressCallback, no_progress
 from babbitt.core.quantities import QUANTITIES
+from babbitt.core.quantities.display import written_in_system
 from babbitt.core.result import Result
 from babbitt.core.result_name import ResultName
 from babbitt.core.units import Kind
@@ -23,6 +25,9 @@ __all__ = ["ABSENT", "ChangedInput", "ComparedBearing", "Designs", "changed_inpu
 ABSENT = "–"
 """In place of what a design does not have."""
 
+ALL_DIGITS = 12
+"""Significant digits of a quantity at most."""
+
 OF_THE_FILE = ("babbitt", "name", "notes", "source")
 """Fields of a whole file that describe nothing."""
 
@@ -32,10 +37,38 @@ NOT_COMPARED = ("wall_time", "iterations")
 
 @dataclass(frozen=True)
 class ChangedInput:
-    """A field in which designs differ: its path, and its text in each design."""
+    """A field in which designs differ.
+
+    Attributes
+    ----------
+    path : str
+    values : tuple of str
+        Its text in each design, in units of the SI.
+    numbers : tuple of float or None
+        In SI, None where a design does not have it; of a field that takes no quantity nothing.
+    kind : Kind or None
+        Of the quantity.
+    """
 
     path: str
     values: tuple[str, ...]
+    numbers: tuple[float | None, ...] = ()
+    kind: Kind | None = None
+
+    @property
+    def shown(self) -> tuple[str, ...]:
+        """The texts in the units that are spoken, short as long as they tell what differs."""
+        texts, kind = self.values, self.kind
+        if kind is None:
+            return texts
+        for digits in (FEW_DIGITS, ALL_DIGITS):
+            texts = tuple(
+                ABSENT if one is None else short_quantity(one, kind, digits, written_in_system)
+                for one in self.numbers
+            )
+            if len(set(texts)) == len(set(self.values)):
+                break
+        return texts
 
 
 @dataclass(frozen=True)
@@ -114,27 +147,51 @@ def compare_designs(
     if not any(sum(one is not None for one in bearing.results) > 1 for bearing in bearings):
         names = "; ".join(", ".join(one.name for one in machine.results) for machine in machines)
         says = f"the designs have no bearing, operating point and clearance in common: {names}"
-        raise InputError("E004", f"{says}. Give bearings and operating points the same names.")
+        raise InputError("E004", f"{says}. {_remedy(machines)}")
     return Designs(_each_once(labels), kinds, machines, changed_inputs(cases), bearings)
 
 
 def changed_inputs(cases: Sequence[CaseFile]) -> tuple[ChangedInput, ...]:
     """Every field in which cases differ, with the values that count, whether given or by default."""
     inputs = [
-        dict(one for one in _inputs(case, ()) if one[0].partition(".")[0] not in OF_THE_FILE) for case in cases
+        {path: leaf for path, leaf in _inputs(case, ()) if path.partition(".")[0] not in OF_THE_FILE}
+        for case in cases
     ]
-    paths = dict.fromkeys(path for one in inputs for path in one)
-    rows = (ChangedInput(path, tuple(one.get(path, ABSENT) for one in inputs)) for path in paths)
+    rows = (
+        _row(path, [one.get(path) for one in inputs]) for path in dict.fromkeys(p for one in inputs for p in one)
+    )
     return tuple(row for row in rows if len(set(row.values)) > 1)
 
 
-def _inputs(part: Part, path: tuple[str, ...]) -> Iterator[tuple[str, str]]:
+_Leaf = tuple[str | float, Kind | None]
+"""A text, or a number in SI with the kind of its quantity."""
+
+
+def _row(path: str, leaves: Sequence[_Leaf | None]) -> ChangedInput:
+    """A field with what each design has in it."""
+    texts = tuple(ABSENT if one is None else _said_of(one) for one in leaves)
+    kind, *others = dict.fromkeys(one[1] for one in leaves if one is not None)
+    if kind is None or others:
+        return ChangedInput(path, texts)
+    return ChangedInput(path, texts, tuple(None if one is None else float(one[0]) for one in leaves), kind)
+
+
+def _said_of(leaf: _Leaf) -> str:
+    """A leaf in units of the SI."""
+    value, kind = leaf
+    if isinstance(value, str):
+        return value
+    assert kind is not None, "a number is one of a quantity"
+    return short_quantity(value, kind, ALL_DIGITS)
+
+
+def _inputs(part: Part, path: tuple[str, ...]) -> Iterator[tuple[str, _Leaf]]:
     for name, field in type(part).model_fields.items():
         quantity = quantity_in(field.rebuild_annotation())
         yield from _leaves(getattr(part, name), (*path, name), None if quantity is None else quantity.kind)
 
 
-def _leaves(value: Any, path: tuple[str, ...], kind: Kind | None) -> Iterator[tuple[str, str]]:
+def _leaves(value: Any, path: tuple[str, ...], kind: Kind | None) -> Iterator[tuple[str, _Leaf]]:
     match value:
         case None:
             return
@@ -145,42 +202,60 @@ def _leaves(value: Any, path: tuple[str, ...], kind: Kind | None) -> Iterator[tu
                 own = getattr(one, "name", None) if isinstance(one, Part) else None
                 yield from _leaves(one, (*path, own if isinstance(own, str) else str(index)), kind)
         case float() if kind is not None:
-            yield ".".join(path), _text(value, kind)
+            yield ".".join(path), (value, kind)
         case bool():
-            yield ".".join(path), "yes" if value else "no"
+            yield ".".join(path), ("yes" if value else "no", None)
         case _:
-            yield ".".join(path), f"{value:.12g}" if isinstance(value, float) else str(value)
-
-
-def _text(value: float, kind: Kind) -> str:
-    """A quantity in the first of its everyday units in which its number reads well."""
-    if not kind.everyday:
-        return f"{value:.12g} {'' if kind.unit == '1' else kind.unit}".rstrip()
-    numbers = {unit: kind.from_si(value, unit) for unit in kind.everyday}
-    fitting = (unit for unit, number in numbers.items() if number == 0.0 or 0.1 <= abs(number) < 1e5)
-    unit = next(fitting, next(iter(numbers)))
-    return f"{numbers[unit]:.12g} {'' if unit == '1' else unit}".rstrip()
+            yield ".".join(path), (f"{value:.12g}" if isinstance(value, float) else str(value), None)
 
 
 def _matched(machines: Sequence[MachineResult]) -> Iterator[ComparedBearing]:
-    """Bearings of equal name, point and clearance; in designs of one bearing each, whatever they are called."""
-    single = all(len({_bearing(one) for one in machine.results}) == 1 for machine in machines)
-    tables = [{_key(one, single): one for one in machine.results} for machine in machines]
+    """Bearings of equal name, point and clearance; in designs of one bearing each, whatever they are called.
+
+    Beside a design of which all clearances are solved, one that is solved at one stands for its mean.
+    """
+    single, several = _single(machines), _clearances(machines) - {""}
+    tables = [
+        {_key(one, single, "mean" if several else ""): one for one in machine.results} for machine in machines
+    ]
     for key in dict.fromkeys(key for table in tables for key in table):
         results = tuple(table.get(key) for table in tables)
         first = next(one for one in results if one is not None)
-        yield ComparedBearing(first.name, results, _quantities([one for one in results if one is not None]))
+        name: str = first.name
+        if several and isinstance(name, ResultName) and not name.member:
+            name = ResultName(name.bearing, name.point, "mean")
+        yield ComparedBearing(name, results, _quantities([one for one in results if one is not None]))
+
+
+def _single(machines: Sequence[MachineResult]) -> bool:
+    """Whether each design is of one bearing."""
+    return all(len({_bearing(one) for one in machine.results}) == 1 for machine in machines)
+
+
+def _clearances(machines: Sequence[MachineResult]) -> set[str]:
+    """Words for the clearances at which bearings are solved; an empty one where one alone is."""
+    names = (one.name for machine in machines for one in machine.results)
+    return {name.clearance for name in names if isinstance(name, ResultName)}
+
+
+def _remedy(machines: Sequence[MachineResult]) -> str:
+    """What to do about designs with nothing in common, by what of their names is not the same."""
+    shared = set.intersection(*({_bearing(one) for one in machine.results} for machine in machines))
+    if shared or _single(machines):
+        return "Their bearings match: give their operating points the same names, or none."
+    return "Give bearings and operating points the same names."
 
 
 def _bearing(result: Result) -> str:
     return result.name.bearing if isinstance(result.name, ResultName) else result.name
 
 
-def _key(result: Result, single: bool) -> tuple[str, str, str]:
+def _key(result: Result, single: bool, alone: str) -> tuple[str, str, str]:
+    """Bearing, point and member; `alone` is the word for the clearance of a bearing that is solved at one."""
     name = result.name
     if not isinstance(name, ResultName):
         return ("" if single else name, "", "")
-    return ("" if single else name.bearing, name.point, name.member)
+    return ("" if single else name.bearing, name.point, name.member or alone)
 
 
 def _quantities(results: Sequence[Result]) -> tuple[str, ...]:

@@ -8,6 +8,7 @@ from typing import Any
 
 from babbitt.case.aliases import in_todays_words
 from babbitt.case.case_file import CaseFile
+from babbitt.case.error_messages import listed
 from babbitt.case.field_types import attributes_of_field, field_annotations, names_within, quantity_in
 from babbitt.case.part import Part
 from babbitt.case.parts.fields import WholeNumber
@@ -132,7 +133,7 @@ def unknown_field(case: CaseFile, field: str) -> str:
     hint = (
         f"did you mean '{meant}'?"
         if meant
-        else f"there are: {', '.join(names)}"
+        else f"there are: {listed(names)}"
         if names
         else f"'{'.'.join(steps[:known])}' holds one value"
     )

@@ -34,7 +34,13 @@ from babbitt.study.fields import (
 from babbitt.study.laws import CUT, Choices, Difference, HalfNormal, Law, Listed, Normal, Triangular, Uniform
 from babbitt.study.shares import EVERYWHERE, SHARED, places_of, require_buildable, share_of
 
-__all__ = ["Input", "inputs_of"]
+__all__ = ["CASES", "Input", "inputs_of"]
+
+CASES = "clearance_cases"
+"""Field of kinds that compute all clearances by themselves."""
+
+FEW = 3
+"""Places of a quantity that is varied everywhere, which are named one by one."""
 
 VG_SCATTER = 0.1
 """Share by which nu40 may differ from that of its viscosity grade (ISO 3448)."""
@@ -67,7 +73,8 @@ class Input:
         ``viscosity`` (nu40 of the oil) or ``share`` (of what the case has in several fields).
     given : mapping
         By the word of a choice, what stands in the case for it; of an oil, its data but nu40; of a share, by the
-        path of each field what the case has there, in SI.
+        path of each field what the case has there, in SI; of a clearance, by its path each field that goes with
+        it.
     """
 
     path: str
@@ -109,6 +116,8 @@ class Input:
             yield from ((field, share_of(one, float(value))) for field, one in (self.given or {}).items())
         else:
             yield self.field, self.in_case(value)
+            if self.form == "clearance":
+                yield from (self.given or {}).items()
 
     def in_case(self, value: Any) -> Any:
         """What stands in the case for a value of the column."""
@@ -171,7 +180,8 @@ def _share(case: CaseFile, path: str, given: Vary) -> Input:
     if not places:
         raise refused(path, f"the case gives no {' or '.join(SHARED[name])}")
     law, reason = _law(case, path, given, "1")
-    meaning = f"Share of {', '.join(places)} of the case"
+    where = ", ".join(places) if len(places) <= FEW else f"{name} in {len(places)} places"
+    meaning = f"Share of {where} of the case"
     return Input(path, path, law, "", meaning, reason, given.table or "", "share", places)
 
 
@@ -259,11 +269,21 @@ def _fit(case: CaseFile, path: str, field: str, given: Vary, meaning: str) -> In
             laws.append(Uniform(zone.lower, zone.upper))
         else:
             laws.append(Normal(0.5 * (zone.lower + zone.upper), (zone.upper - zone.lower) / (2.0 * CUT)))
+    mean = _mean_alone(case, field)
     law = Difference(laws[0], laws[1], f"fit {given.fit}, both sizes {given.law} in their zones")
     reason = "ISO 286 zones; sizes uniform in them (assumption)"
     if given.law == "normal":
         reason = "ISO 286 zones; sizes normal about their middle with the zone ±3σ wide (assumption: Cp = 1)"
-    return Input(path, field, law, "m", f"{meaning}, on the diameter", reason, "", "clearance")
+    if mean:
+        reason += "; clearance_cases: mean, since each row has one clearance"
+    return Input(path, field, law, "m", f"{meaning}, on the diameter", reason, "", "clearance", mean)
+
+
+def _mean_alone(case: CaseFile, field: str) -> dict[str, str]:
+    """What lets a bearing whose case asks for all clearances be solved at the one of a row, by its path."""
+    way = field.split(".")[:-1]
+    asked = getattr(part_in(case, way), CASES, None) or getattr(case, CASES, None)
+    return {".".join((*way, CASES)): "mean"} if asked == "all" else {}
 
 
 def _oil(case: CaseFile, path: str, field: str) -> Input:

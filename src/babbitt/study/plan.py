@@ -184,7 +184,7 @@ def plan_table(case: CaseFile, table: BearingTable, outputs: Sequence[str] = ())
 def _plan_of_table(case: CaseFile, block: StudyBlock, table: BearingTable) -> Plan:
     found = rows_of_table(case, table)
     grids.require_bearable(table.count, 12 + len(found.inputs) + len(block.outputs))
-    task = replace(task_of(case, block, found.inputs), refused=found.refused)
+    task = replace(task_of(case, block, found.inputs), refused=found.refused, table=table.short_name)
     made = _planned(case, block, task, table.count, first_solved(case, task, found.values))
     return replace(made, given=found.values, lines=table.lines)
 

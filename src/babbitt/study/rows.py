@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
+from textwrap import shorten
 from typing import Any, Protocol, TypeAlias
 
 import numpy as np
@@ -84,6 +85,8 @@ class RowTask:
         Of `codes` those whose margins are kept in K, too.
     refused : mapping of int to str
         Rows that are no case, by their numbers, and why.
+    table : str
+        Name of the table in which the rows stand, which messages name in place of the file; empty without one.
     """
 
     kind: str
@@ -97,6 +100,7 @@ class RowTask:
     limits: tuple[str, ...] = ()
     temperatures: tuple[str, ...] = ()
     refused: Mapping[int, str] = field(default_factory=dict)
+    table: str = ""
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -126,7 +130,7 @@ class RowTask:
         for one in self.inputs:
             if not is_empty(values[one.path]):
                 given = given_with(one, given, self.file, self.reach, values[one.path])
-        name = f"{printable(self.file)}{title}" if title else self.file.name
+        name = f"{printable(self.file)}{title}" if title else self.table or self.file.name
         return build_case(given, name, NamedFiles(self.file.parent, self.reach))
 
     def answers(self, rows: Columns) -> Columns:
@@ -235,8 +239,12 @@ def _lines(task: RowTask, cases: PatchedCases, row: Mapping[str, Any]) -> Iterat
 
 def _without_answer(status: str, why: str) -> dict[str, Any]:
     """What stands in the line of a row that has no result."""
-    message = " ".join(why.split())[:LONGEST_MESSAGE]
-    return {"status": status, "verdict": Verdict.NO_SOLUTION.key, "message": message}
+    return {"status": status, "verdict": Verdict.NO_SOLUTION.key, "message": _message(why)}
+
+
+def _message(text: str) -> str:
+    """A text on one line, cut between words where it is long."""
+    return shorten(text, LONGEST_MESSAGE, placeholder=" ...")
 
 
 def _answer(task: RowTask, result: Result) -> dict[str, Any]:
@@ -261,7 +269,7 @@ def _answer(task: RowTask, result: Result) -> dict[str, Any]:
         "governing_check": governing.code if governing is not None else "",
         "failed_checks": " ".join(found.failed),
         "codes": " ".join(found.codes),
-        "message": " ".join(explained.split())[:LONGEST_MESSAGE],
+        "message": _message(explained),
     }
 
 

@@ -11,9 +11,10 @@ from babbitt.case.field_types import field_annotations, quantity_in
 from babbitt.case.loading import build_case
 from babbitt.case.named_files import NamedFiles
 from babbitt.case.variation import CaseVariation
+from babbitt.case.with_units import short_quantity
 from babbitt.core.files.printing import printable
 from babbitt.core.files.reading import Reach
-from babbitt.core.units import QuantityError, SiField, SiNumber, read
+from babbitt.core.units import KINDS, QuantityError, SiField, SiNumber, read
 
 if TYPE_CHECKING:
     from babbitt.study.inputs import Input
@@ -100,5 +101,6 @@ def given_with(one: Input, given: dict[str, Any], file: Path, reach: Reach, valu
 def require_buildable(variation: CaseVariation, one: Input, value: Any) -> None:
     """Build the case with a value of an input; what it is refused for is raised."""
     given = given_with(one, variation.given, variation.file, variation.reach, value)
-    title = f"{printable(variation.file)} with {one.path}: {value}"
+    shown = short_quantity(value, KINDS[one.unit]) if one.unit else value
+    title = f"{printable(variation.file)} with {one.path}: {shown}"
     build_case(given, title, NamedFiles(variation.file.parent, variation.reach))

@@ -13,10 +13,12 @@ import numpy as np
 from babbitt.case.case_file import CaseFile
 from babbitt.case.loading import case_from_dict
 from babbitt.case.parts.study import StudyBlock, Vary
+from babbitt.case.variation import variation_of
+from babbitt.case.with_units import short_quantity
 from babbitt.core.notices import InputError
 from babbitt.core.result import Verdict
 from babbitt.study.appraisal import ALL_LIMITS
-from babbitt.study.fields import numbers_of, present_quantity
+from babbitt.study.fields import numbers_of, path_in, present_quantity
 from babbitt.study.permitted import Interval, Trial, find_permitted
 from babbitt.study.rows import Columns, RowTask, joined, kelvin_name
 from babbitt.study.size_choices import preferred_numbers, standard_choices
@@ -145,7 +147,12 @@ def scan_of(case: CaseFile, path: str, first: Any = None, last: Any = None, poin
         given if isinstance(given, str) else f"{value!r}{unit}" for given, value in ((first, low), (last, high))
     )
     if not low < high:
-        raise InputError("E003", f"'{path}': the range begins at {begin} and ends at {end}; give a larger end")
+        said = [
+            short_quantity(each, kind) if given is None else given for given, each in ((first, low), (last, high))
+        ]
+        raise InputError(
+            "E003", f"'{path}': the range begins at {said[0]} and ends at {said[1]}; give a larger end"
+        )
     name = "log_range" if low > 0.0 and high >= LOGARITHMIC_FROM * low else "range"
     return Vary.model_validate({name: (begin, end, points)})
 
@@ -169,11 +176,18 @@ def size_block(
         As `scan_of`.
     """
     ranged = first is not None or last is not None
-    words = among or (() if ranged else standard_choices(path))
+    words = among or (() if ranged else _choices(case, path))
     vary = Vary(values=tuple(words)) if words else scan_of(case, path, first, last, points)
     return StudyBlock(
         kind="size", vary={path: vary}, limits=tuple(limits), over_tolerance=over_tolerance, preferred=preferred
     )
+
+
+def _choices(case: CaseFile, path: str) -> tuple[str, ...]:
+    """What people choose among in a field, with what the case itself has there."""
+    usual = standard_choices(path)
+    own = variation_of(case, path_in(case, path)).present if usual else None
+    return usual if own in usual or not isinstance(own, str) else (own, *usual)
 
 
 def searched(task: RowTask, block: StudyBlock, engine: Engine) -> Columns:

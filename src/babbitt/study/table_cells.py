@@ -8,7 +8,7 @@ import re
 import zipfile
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from pathlib import Path
+from pathlib import Path, PurePath
 from typing import Any
 
 from babbitt.core.files.printing import printable
@@ -62,6 +62,11 @@ class BearingTable:
     def count(self) -> int:
         """Rows."""
         return len(self.lines)
+
+    @property
+    def short_name(self) -> str:
+        """Its name without folders, for reasons of single rows."""
+        return PurePath(self.name).name
 
     def refused(self, says: str) -> InputError:
         """What to raise of the table."""

@@ -18,6 +18,7 @@ from babbitt.case.variation import variation_of
 from babbitt.case.with_units import quantity_text
 from babbitt.core.notices import InputError
 from babbitt.core.units import KINDS, QuantityError, SiField, SiNumber, read
+from babbitt.core.units.reading import bare_number
 from babbitt.study.fields import meaning_of, numeric_field, path_in, types_at, unknown_field
 from babbitt.study.inputs import Input
 from babbitt.study.laws import Choices, Listed
@@ -139,9 +140,11 @@ def _column(
     meaning = meaning_of(case, path, field)
     written = [_written(cell, unit, quantity) for cell in cells]
     numbers, strange = _numbers(written, quantity) if form else ([], {})
+    if strange and quantity is not None and not unit:
+        _require_unit(table, path, quantity, written, strange)
     lost: dict[int, str] = {}
     if strange and len(strange) < sum(map(bool, written)):
-        why = {text: _refusal(case, field, text) for text in dict.fromkeys(strange.values())}
+        why = {text: _refusal(case, table, field, text) for text in dict.fromkeys(strange.values())}
         lost = {row: why[text] for row, text in strange.items() if why[text]}
     if form and len(lost) == len(strange):
         si = "" if quantity is None or quantity.unit == "1" else KINDS[quantity.unit].unit
@@ -151,6 +154,17 @@ def _column(
     words = Choices(tuple(known), "column of a table")
     as_words = Input(path, field, words, "", meaning, reason, table.name, "choice", known)
     return as_words, np.array(written, object), {}
+
+
+def _require_unit(
+    table: BearingTable, path: str, quantity: SiField, written: Sequence[str], strange: Mapping[int, str]
+) -> None:
+    """Refuse a column without unit in its heading or any of its cells, once for all rows."""
+    if any(text and bare_number(text) is None and row not in strange for row, text in enumerate(written)):
+        return
+    if any(bare_number(text) is not None for text in strange.values()):
+        unit = quantity.kind.example.partition(" ")[2]
+        raise table.refused(f"column '{path}' has no unit; write '{path} [{unit}]', or a unit behind each number")
 
 
 def _numbers(written: Sequence[str], quantity: SiField | None) -> tuple[list[float], dict[int, str]]:
@@ -165,12 +179,12 @@ def _numbers(written: Sequence[str], quantity: SiField | None) -> tuple[list[flo
     return numbers, strange
 
 
-def _refusal(case: CaseFile, field: str, text: str) -> str:
+def _refusal(case: CaseFile, table: BearingTable, field: str, text: str) -> str:
     """Why a case does not take a word in a field; empty where it does."""
     try:
         variation = variation_of(case, field)
         files = NamedFiles(variation.file.parent, variation.reach)
-        build_case(variation.given_with(text), variation.file.name, files)
+        build_case(variation.given_with(text), table.short_name, files)
     except InputError as error:
         return error.message
     return ""

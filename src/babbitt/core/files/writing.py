@@ -18,6 +18,7 @@ __all__ = [
     "discard_unfinished",
     "replace_synced",
     "require_distinct",
+    "require_folder",
     "require_writable",
     "write_file",
     "write_files",
@@ -175,6 +176,22 @@ def require_writable(path: Path) -> None:
         )
     if not os.access(path, os.W_OK):
         raise InputError("E007", f"cannot write {printable(path)}: the file is read-only")
+
+
+def require_folder(folder: Path, option: str) -> None:
+    """Find out before any work is done whether files can be written into a folder, which need not exist.
+
+    Raises
+    ------
+    InputError
+        E007 if a file stands there, or nothing can be written; `option` is named in it.
+    """
+    if folder.exists() and not folder.is_dir():
+        raise InputError("E007", f"cannot write {printable(folder)}: it is a file; {option} names a folder")
+    found = folder
+    while not found.exists() and found != found.parent:
+        found = found.parent
+    _require_folder(found / "file")
 
 
 def require_distinct(targets: Iterable[Path], inputs: Mapping[Path, str]) -> None:

@@ -121,7 +121,9 @@ JOURNAL: tuple[Quantity, ...] = (
     ),
     quantity("given_flow", "Q_given", "m3/s", "L/min", 3, "Oil flow that the supplies are given"),
     quantity("surplus_flow", "Q_over", "m3/s", "L/min", 3, "Given flow that returns without passing the film"),
-    quantity("pump_flow", "Q_pump", "m3/s", "L/min", 3, "Oil flow that the pump of a machine has to deliver"),
+    quantity(
+        "pump_flow", "Q_pump", "m3/s", "L/min", 3, "Oil flow that all bearings of a machine want of its pump"
+    ),
     quantity("least_fill", "θ_min", "1", "", 3, "Least share of the gap that a supply fills"),
     quantity("full_film_share", "A_f", "1", "", 3, "Share of the bearing surface that carries a full film"),
     quantity("turbulent_share", "A_t", "1", "", 3, "Share of the bearing surface where the film is not laminar"),

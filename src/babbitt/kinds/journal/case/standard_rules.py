@@ -37,7 +37,9 @@ def width_is_in_the_tables(bearing: JournalBearing) -> Iterator[Issue]:
     """Complain about a bearing wider than those whose characteristics are included."""
     width = bearing.actual_width
     if width is not None and LARGEST_TABULATED_RATIO < width / bearing.diameter <= LARGEST_WIDTH_RATIO:
-        says = f"ISO 7902 has no characteristics for a bearing of B/D {width / bearing.diameter:.3g}"
+        texts = (f"{width / bearing.diameter:.{digits}g}" for digits in range(3, 18))
+        ratio = next(text for text in texts if float(text) > LARGEST_TABULATED_RATIO)
+        says = f"ISO 7902 has no characteristics for a bearing of B/D {ratio}"
         allowed = f"{_widths(bearing, LARGEST_TABULATED_RATIO)}, or method: film, or long_film from B/D 2"
         yield Issue(("width" if bearing.width is not None else "width_ratio",), says, allowed)
 
