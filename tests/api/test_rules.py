@@ -61,7 +61,7 @@ REGISTRY = own_registry()
         (np.float32(0.05), False),
         (pint.Quantity(50, "mm"), True),
         (REGISTRY.Quantity(np.float64(50.0), "millimeter"), True),
-        (REGISTRY.Quantity(50.0, "mm").to("inch"), True),
+        (REGISTRY.Quantity(50.0, "mm").to("inch"), False),  # the nearest number of inches is not 50 mm
     ],
     ids=str,
 )

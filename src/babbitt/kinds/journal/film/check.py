@@ -99,9 +99,7 @@ LIMITING_SPEEDS = {
 SPEED_NOT_ASKED = "not looked for, as limiting_speeds: false asks"
 """Why such a speed is missing."""
 
-NO_THRESHOLD = (
-    "at no speed from a tenth to ten times that of the case does the rotor begin to whirl, as far as looked"
-)
+NO_THRESHOLD = "at no speed with a film, from a tenth to ten times that of the case, does the rotor begin to whirl"
 """Why it is missing where it was looked for."""
 
 NO_CALM_FILM = "no film was found at this position without the supply pressure; only their sum is known"
