@@ -18,7 +18,7 @@ __all__ = ["Notice", "quantity_shown"]
 
 
 COMPARED = re.compile(rf"({PLACEHOLDER.pattern}) [<>] ({PLACEHOLDER.pattern})")
-"""Two values of which one is told to be beyond the other."""
+"""Two values of which one lies beyond the other."""
 
 PLAIN = Quantity("", "", "", SI[""], 4, "")
 """As which numbers without a measure are shown."""

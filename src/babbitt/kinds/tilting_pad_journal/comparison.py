@@ -164,7 +164,7 @@ def spread(assumption: Assumption, low: Variant | None, asked: Variant, high: Va
             continue
         quantity = QUANTITIES[name].suited(*(one for one in known if one is not None))
         unit = quantity.display.label
-        between = f" {unit}, " if None in known else ", "  # of a number alone, beside a dash, the unit is told
+        between = f" {unit}, " if None in known else ", "  # a number alone, next to a dash, has its unit
         cells = between.join("–" if one is None else quantity.format(one) for one in known)
         said.append(f"{quantity.symbol} {cells} {unit}")
     yield f"{assumption.label} {assumption.written(*(value for value, _ in columns))}: {'; '.join(said)}."

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -98,11 +98,11 @@ def orbit_checks(checks: tuple[Check, ...], values: dict[str, float]) -> Iterato
             yield replace(check, quantity=name, value=values[name])
 
 
-def orbit_warnings(case: FilmCase, orbit: Orbit) -> Iterator[Notice]:
+def orbit_warnings(case: FilmCase, orbit: Orbit, values: Mapping[str, float]) -> Iterator[Notice]:
     """Where the orbit leaves the ground on which it stands."""
     if orbit.load_error > GRID_REPORTED_FROM:
         yield Notice("W133", values={"orbit_load_error": orbit.load_error})
-    yield from _about_shocks(case, orbit_values(case, orbit)["orbit_specific_load"])
+    yield from _about_shocks(case, values["orbit_specific_load"])
     yield from warnings_about_pressure(float(orbit.maximum_pressure.max()), "orbit")
     depth = 1.0 - float(orbit.film_thickness.min()) / orbit.clearance
     if depth > RIGID_FILM_UP_TO:
