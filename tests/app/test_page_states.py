@@ -35,7 +35,7 @@ class Recorder:
 def service(monkeypatch):
     made = Service()
     asked = []
-    for solver in (made.solver, made.slow):
+    for solver in (made.solver, made.drafts, made.slow):
         monkeypatch.setattr(solver, "start", lambda *_, **__: asked.append(Future()) or asked[-1])
     made.load_kernels()
     yield made, asked
@@ -59,7 +59,24 @@ def test_a_page_waits_for_no_kernels_that_are_there(service):
     made, asked = service
     asked[0].set_result(True)
     assert made.is_ready
+    assert made.compiling is None
+
+
+def test_processes_load_kernels_one_after_the_other(service):
+    """Two at once would share two cores with the server, and the first answer would come behind them."""
+    _, asked = service
     assert len(asked) == 1
+    asked[0].set_result(True)
+    assert len(asked) == 2
+    asked[1].set_result(None)
+    assert len(asked) == 3
+
+
+def test_a_server_that_closes_starts_nothing_more(service):
+    _, asked = service
+    asked[0].set_result(True)
+    asked[1].cancel()
+    assert len(asked) == 2
 
 
 @pytest.mark.parametrize(

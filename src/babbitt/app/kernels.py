@@ -6,7 +6,7 @@ from typing import Any
 
 from babbitt.app.progress import FileWatch
 
-__all__ = ["ABOUT", "kernels_compiled", "kernels_loaded"]
+__all__ = ["ABOUT", "kernels_are_compiled", "kernels_compiled", "kernels_loaded"]
 
 ABOUT = 70
 """Compilations that `kernels_compiled` needs, counted once; a few more or less do no harm."""
@@ -15,14 +15,23 @@ THERMAL = ("global", "adiabatic")
 """Films with these temperatures between them need most kernels."""
 
 
-def kernels_loaded() -> bool:
-    """Load what is compiled; False, and nothing done, where this installation has compiled nothing yet."""
+def kernels_are_compiled() -> bool:
+    """Whether this installation has compiled kernels yet."""
     from babbitt.reynolds._compiling import FOLDER
 
-    if FOLDER is None or next(FOLDER.rglob("*.nbi"), None) is None:
-        return False
-    _solve_films()
-    return True
+    return FOLDER is not None and next(FOLDER.rglob("*.nbi"), None) is not None
+
+
+def kernels_loaded() -> None:
+    """Load the kernels of films, compiled where they are not."""
+    from babbitt.app.answer import answer
+    from babbitt.app.document import CaseDocument
+    from babbitt.core.kind import kinds
+
+    document = CaseDocument(kinds()["journal"].read_template())
+    for thermal in THERMAL:
+        document.change(("method",), {"kind": "film", "thermal": thermal})
+        answer(document.text)
 
 
 def kernels_compiled(progress: str) -> None:
@@ -50,15 +59,4 @@ def kernels_compiled(progress: str) -> None:
                 watch.advances(1, 0)
 
     with event.install_listener("numba:compile", Count()):
-        _solve_films()
-
-
-def _solve_films() -> None:
-    from babbitt.app.answer import answer
-    from babbitt.app.document import CaseDocument
-    from babbitt.core.kind import kinds
-
-    document = CaseDocument(kinds()["journal"].read_template())
-    for thermal in THERMAL:
-        document.change(("method",), {"kind": "film", "thermal": thermal})
-        answer(document.text)
+        kernels_loaded()

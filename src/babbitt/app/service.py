@@ -6,7 +6,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from babbitt.app.kernels import ABOUT, kernels_compiled, kernels_loaded
+from babbitt.app.kernels import ABOUT, kernels_are_compiled, kernels_compiled, kernels_loaded
 from babbitt.app.progress import Progress, progress_in
 from babbitt.app.solver import LONGEST_STUDY, Solver
 
@@ -50,16 +50,25 @@ class Service:
         return str(Path(self._folder.name) / "kernels")
 
     def load_kernels(self) -> None:
-        """Have the kernels loaded, or compiled where there are none, so that no question of a visitor waits."""
-        self.drafts.start(kernels_loaded)
-        self.solver.start(kernels_loaded).add_done_callback(self._compile_missing)
+        """Have the kernels loaded, or compiled where there are none, so that no question of a visitor waits.
 
-    def _compile_missing(self, loaded: Any) -> None:
-        if loaded.cancelled() or loaded.exception() is not None or loaded.result():
+        One process begins after the other: the first answer, which seldom needs kernels, does not wait for them.
+        """
+        self.solver.start(kernels_are_compiled).add_done_callback(self._load_or_compile)
+
+    def _load_or_compile(self, compiled: Any) -> None:
+        if not _succeeded(compiled):
             self.is_ready = True
-            return
-        self._compiling = self.slow.start(kernels_compiled, self._file, longest=LONGEST_STUDY)
-        self._compiling.add_done_callback(self._end_compiling)
+        elif compiled.result():
+            self.is_ready = True
+            self.drafts.start(kernels_loaded).add_done_callback(self._load_behind)
+        else:
+            self._compiling = self.slow.start(kernels_compiled, self._file, longest=LONGEST_STUDY)
+            self._compiling.add_done_callback(self._end_compiling)
+
+    def _load_behind(self, loaded: Any) -> None:
+        if _succeeded(loaded):
+            self.solver.start(kernels_loaded)
 
     def _end_compiling(self, _: Any) -> None:
         self.is_ready = True
@@ -70,6 +79,10 @@ class Service:
         self.solver.close()
         self.slow.close()
         self._folder.cleanup()
+
+
+def _succeeded(future: Any) -> bool:
+    return not future.cancelled() and future.exception() is None
 
 
 def started() -> Service:
