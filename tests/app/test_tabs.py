@@ -1,12 +1,14 @@
 """What the tabs show: fields of the film, oils, metals, two designs, published cases, the case as Python."""
 
+import json
 import math
+import re
 
 import numpy as np
 import pytest
 
 from babbitt import parse_case, solve
-from babbitt.app.answer import read
+from babbitt.app.answer import answer, json_of, read
 from babbitt.app.catalogue import ADDITIVE, field_for, metals, oils, on_chart, viscosity_chart
 from babbitt.app.designs import side_by_side
 from babbitt.app.document import CaseDocument
@@ -14,7 +16,7 @@ from babbitt.app.figures import all_figures
 from babbitt.app.maps import chart_of, maps_of
 from babbitt.app.published import published, scoreboard
 from babbitt.app.python_text import python_of
-from babbitt.app.units import shown_in
+from babbitt.app.units import shown_in, spoken
 from babbitt.core.kind import kinds
 from babbitt.solving import solve as solve_case
 
@@ -169,7 +171,7 @@ def test_published_cases_run_here(tmp_path):
     ],
 )
 def test_inch_units(number, unit, units, shown):
-    assert shown_in("inch", number, unit, units) == shown
+    assert shown_in("us", number, unit, units) == shown
     assert shown_in("si", number, unit, units) == (number, unit)
 
 
@@ -185,3 +187,34 @@ def test_a_text_is_read_once():
     assert document.items == before
     assert CaseDocument("- a list").items == ()
     assert CaseDocument("kind: [unhashable]").items == ()
+
+
+SI_UNITS = re.compile(r"\d (mm|µm|N|kN|MPa|kPa|Pa|°C|K|L/min|kW|W|m/s|kg|mPa s|MN/m|kN s/m)(?![\w/²³])")
+
+
+@pytest.mark.parametrize("kind", TEMPLATES)
+def test_an_answer_in_us_units_says_nothing_in_others(kind):
+    for one in spoken("us", answer, TEMPLATES[kind]).bearings:
+        said = [f"{card.value} {card.limit} {card.margin}" for card in one.cards]
+        said += [finding.message for finding in one.findings] + [one.governing]
+        said += [f"{value} {unit}" for _, _, value, unit in one.rows]
+        assert [text for text in said if SI_UNITS.search(text)] == []
+
+
+def test_a_field_of_a_film_is_the_same_in_us_units(film_maps):
+    """One of 25.4 um is one of a mil; one MPa are 145.0377 psi."""
+    film = {one.name: one for one in spoken("us", maps_of, FILM)}
+    mil, psi = film["film_thickness"], film["pressure"]
+    assert (mil.unit, psi.unit, mil.width_unit) == ("mil", "psi", "in")
+    for name, factor in (("film_thickness", 25.4), ("pressure", 1.0 / 145.0377)):
+        for ours, theirs in zip(film[name].sheets, film_maps[name].sheets, strict=True):
+            assert factor * np.array(ours.values, float) == pytest.approx(
+                np.array(theirs.values, float), rel=1e-4, nan_ok=True
+            )
+            assert 25.4 * np.array(ours.widths) == pytest.approx(np.array(theirs.widths))
+
+
+def test_numbers_for_other_programs_stay_in_si():
+    ours, theirs = (json.loads(text)["bearings"] for text in (spoken("us", json_of, JOURNAL), json_of(JOURNAL)))
+    for one, other in zip(ours, theirs, strict=True):
+        assert {**one["results"], "wall_time": 0.0} == {**other["results"], "wall_time": 0.0}

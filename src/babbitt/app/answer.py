@@ -25,6 +25,7 @@ from babbitt.report.labels import label
 from babbitt.report.meanings import meaning, remark_on_zero
 from babbitt.report.text import plain_text
 from babbitt.report.units_of_matrices import suited_among
+from babbitt.report.us_words import OF_RESULTS, in_us_units
 from babbitt.report.view import view_of
 from babbitt.solving import MachineResult, solve
 
@@ -313,7 +314,7 @@ def findings_of(result: Result) -> Iterable[Finding]:
 def _finding(code: str, message: str, grave: bool) -> Finding:
     known = explanations().get(code)
     title, remedy = (known.title, known.remedy) if known is not None else ("", "")
-    return Finding(code, title, plain_text(message), remedy, grave)
+    return Finding(code, title, in_us_units(plain_text(message), OF_RESULTS), remedy, grave)
 
 
 def rows_of(result: Result) -> Iterable[tuple[str, str, str, str]]:
@@ -324,7 +325,7 @@ def rows_of(result: Result) -> Iterable[tuple[str, str, str, str]]:
         if name in QUANTITIES and math.isfinite(value) and name != "wall_time":
             said = meaning(name, result.kind) + remark_on_zero(name, value) + temperature_remark(name, result)
             quantity = suited_among(name, result.values)
-            yield said, quantity.symbol, quantity.format(value), quantity.display.label
+            yield in_us_units(said), quantity.symbol, quantity.format(value), quantity.display.label
 
 
 def figures(text: str) -> tuple[Figure, ...]:

@@ -11,7 +11,7 @@ from nicegui import ui
 from babbitt.app.coefficients import FEWEST, CoefficientFile, Speeds, coefficient_file, first_speeds
 from babbitt.app.document import CaseDocument
 from babbitt.app.parts import LongWork, Question, show_faults
-from babbitt.app.solver import Solver
+from babbitt.app.solver import Questions
 from babbitt.app.words import word
 from babbitt.export import FORMATS
 
@@ -24,13 +24,13 @@ class CoefficientsView:
     Parameters
     ----------
     document : CaseDocument
-    solver : Solver
+    solver : Questions
         Of long work.
     bearing : callable
         Name of the bearing that is shown, None where there is one alone.
     """
 
-    def __init__(self, document: CaseDocument, solver: Solver, bearing: Callable[[], str | None]) -> None:
+    def __init__(self, document: CaseDocument, solver: Questions, bearing: Callable[[], str | None]) -> None:
         self._document, self._bearing = document, bearing
         self._format = next(iter(FORMATS))
         self._first: Speeds | None = None

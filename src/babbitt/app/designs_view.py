@@ -9,7 +9,7 @@ from nicegui import ui
 from babbitt.app.answer import Answer, Shown
 from babbitt.app.designs import side_by_side
 from babbitt.app.parts import on_request, show_faults, show_table
-from babbitt.app.solver import Solver
+from babbitt.app.solver import Questions
 from babbitt.app.words import word
 
 __all__ = ["DesignsView"]
@@ -20,7 +20,7 @@ class DesignsView:
 
     Parameters
     ----------
-    solver : Solver
+    solver : Questions
     page : callable
         Text and answer of the case as they stand.
     replace : callable
@@ -31,7 +31,7 @@ class DesignsView:
 
     def __init__(
         self,
-        solver: Solver,
+        solver: Questions,
         page: Callable[[], tuple[str, Answer]],
         replace: Callable[[str], None],
         kept: Callable[[], None],

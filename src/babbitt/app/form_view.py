@@ -22,12 +22,17 @@ PAUSE = 300
 
 
 class FormView:
-    """Controls of a case; `changed` is called when one of them changed the document.
+    """Controls of a case; `changed` is called when one of them changed the document, or how it shows.
 
     Parameters
     ----------
     document : CaseDocument
     changed : callable
+
+    Attributes
+    ----------
+    system : str
+        Of the units in which values show; the case keeps those in which it was written.
     """
 
     def __init__(self, document: CaseDocument, changed: Callable[[], None]) -> None:
@@ -35,7 +40,7 @@ class FormView:
         self._inputs: dict[Path, Any] = {}
         self._shows: dict[Path, Callable[[Entry], None]] = {}
         self._open = set(list(sections())[:1])
-        self._system = SYSTEMS[0]
+        self.system = SYSTEMS[0]
         self._box = ui.column().classes("form")
         self.draw()
 
@@ -64,16 +69,17 @@ class FormView:
             self.draw()
 
     def _units(self) -> None:
-        """Whether values show in units of SI or of inches; the case keeps those in which it was written."""
+        """Choose the system of units."""
         names = {system: word(f"units_{system}") for system in SYSTEMS}
-        found = ui.toggle(names, value=self._system, on_change=self._shown_in).props(
+        found = ui.toggle(names, value=self.system, on_change=self._shown_in).props(
             "dense no-caps unelevated toggle-color=grey-8"
         )
         found.props(f'aria-label="{word("unit_system")}"').classes("units")
 
     def _shown_in(self, event: Any) -> None:
-        self._system = event.value
+        self.system = event.value
         self.draw()
+        self._changed()
 
     def blame(self, faults: Iterable[Fault]) -> None:
         """Show what is wrong under the fields that are to blame."""
@@ -165,7 +171,7 @@ class FormView:
     def _number_and_unit(self, entry: Entry) -> tuple[str, str]:
         """As they stand in the form, in the system of units that was chosen."""
         number, unit = split(as_text(entry.value), entry.units)
-        return shown_in(self._system, number, unit or entry.units[0], entry.units)
+        return shown_in(self.system, number, unit or entry.units[0], entry.units)
 
     def _known(self, entry: Entry, control: Any) -> None:
         control.props("dense" + (f" debounce={PAUSE}" if isinstance(control, ui.input) else ""))

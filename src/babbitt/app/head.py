@@ -14,7 +14,7 @@ from babbitt.app.document import CaseDocument
 from babbitt.app.link import link_of
 from babbitt.app.parts import icon_button, tell_ended
 from babbitt.app.python_text import python_of
-from babbitt.app.solver import Ended, Solver
+from babbitt.app.solver import Ended, Questions
 from babbitt.app.words import word
 from babbitt.case.loading import LARGEST_FILE
 from babbitt.core.kind import kinds
@@ -32,12 +32,12 @@ class Head:
     Parameters
     ----------
     document : CaseDocument
-    solver : Solver
+    solver : Questions
     replaced : callable
         Called when the whole case is another one.
     """
 
-    def __init__(self, document: CaseDocument, solver: Solver, replaced: Callable[[], None]) -> None:
+    def __init__(self, document: CaseDocument, solver: Questions, replaced: Callable[[], None]) -> None:
         self.document, self._solver, self._replaced = document, solver, replaced
         with ui.header().classes("head"):
             ui.link(word("skip"), "#answer").classes("skip")
@@ -90,7 +90,10 @@ class Head:
         if len(content) > LARGEST_FILE:
             ui.notify(word("too_large"), type="negative")
             return
-        self._replace(content.decode("utf-8", errors="replace"))
+        try:
+            self._replace(content.decode("utf-8"))
+        except UnicodeDecodeError:
+            ui.notify(word("no_text"), type="negative")
 
     async def _python(self) -> None:
         try:

@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from babbitt.app.answer import solved
+from babbitt.app.units import from_si
 from babbitt.core.notices import InputError
-from babbitt.core.units import KINDS
+from babbitt.core.quantities.display import written_in_system
 from babbitt.report.text import plain_text
 from babbitt.report.view import view_of
 
@@ -21,8 +22,8 @@ if TYPE_CHECKING:
 
 __all__ = ["Map", "Sheet", "chart_of", "fields_file", "maps_of"]
 
-SHOWN = {"Pa": ("MPa", "MPa"), "m": ("um", "µm"), "K": ("degC", "°C"), "rad": ("deg", "°")}
-"""Unit of a chart for one of SI, and how it is written."""
+SHOWN = {"Pa": "MPa", "m": "um", "K": "degC", "rad": "deg"}
+"""Unit of a chart for one of SI."""
 
 AROUND, ACROSS = "theta", "z"
 """Names of the places in the fields of every kind: angle, and place along the shaft."""
@@ -46,7 +47,7 @@ class Sheet:
     angles : tuple of float
         Degrees, rising.
     widths : tuple of float
-        mm along the shaft; empty for what is known over the angle alone.
+        Along the shaft; empty for what is known over the angle alone.
     values : tuple of tuple of float or None
         A row for each width (one row without widths), None where there is no value.
     """
@@ -58,12 +59,13 @@ class Sheet:
 
 @dataclass(frozen=True)
 class Map:
-    """One field of one bearing."""
+    """One field of one bearing, and the unit of places along the shaft."""
 
     bearing: str
     name: str
     meaning: str
     unit: str
+    width_unit: str
     sheets: tuple[Sheet, ...]
 
 
@@ -107,15 +109,13 @@ def _maps(fields: xarray.Dataset, bearing: str) -> Iterator[Map]:
         over_width = set(one.dims) == set(film) and len(film) > len(around.dims)
         if not over_width and one.dims != around.dims:
             continue
-        unit, said = SHOWN.get(one.attrs["units"], ("", "" if one.attrs["units"] == "1" else one.attrs["units"]))
-        values = _in_unit(one.attrs["units"], one.transpose(*film).values if over_width else one.values, unit)
-        sheets = tuple(_sheets(around.values, across.values if over_width else None, values))
-        yield Map(bearing, str(name), one.attrs["long_name"], said, sheets)
-
-
-def _in_unit(si: str, values: Any, unit: str) -> Any:
-    kind = KINDS[si] if unit else None
-    return np.asarray(values, float) if kind is None else kind.from_si(np.asarray(values, float), unit)  # type: ignore[arg-type]
+        si, width_unit = one.attrs["units"], written_in_system("mm")
+        unit = written_in_system(SHOWN[si]) if si in SHOWN else ""
+        said = unit.replace("deg", "°").replace("um", "µm") or ("" if si == "1" else si)
+        values = from_si(np.asarray(one.transpose(*film) if over_width else one, float), unit)
+        places = from_si(across.values, width_unit) if over_width else None
+        sheets = tuple(_sheets(around.values, places, values))
+        yield Map(bearing, str(name), one.attrs["long_name"], said, width_unit, sheets)
 
 
 def _sheets(around: Any, across: Any, values: Any) -> Iterator[Sheet]:
@@ -133,7 +133,7 @@ def _sheet(angles: Any, widths: Any, values: Any) -> Sheet:
     if widths is None:
         return Sheet(tuple(map(float, angles)), (), (_finite(values),))
     rows = tuple(_finite(row) for row in np.atleast_2d(values).T)
-    return Sheet(tuple(map(float, angles)), tuple(1e3 * float(place) for place in widths), rows)
+    return Sheet(tuple(map(float, angles)), tuple(map(float, widths)), rows)
 
 
 def _finite(row: Any) -> tuple[float | None, ...]:
@@ -144,7 +144,7 @@ def chart_of(found: Map, as_surface: bool) -> dict[str, Any]:
     """A field as a chart for Plotly: a line over the angle, colours over the unrolled film, or a surface."""
     over_width = bool(found.sheets[0].widths)
     title = f"{found.name.replace('_', ' ')} {found.unit}".strip()
-    angle, width = {"title": {"text": "φ °"}}, {"title": {"text": "z mm"}}
+    angle, width = {"title": {"text": "φ °"}}, {"title": {"text": f"z {found.width_unit}"}}
     base = {
         "paper_bgcolor": "rgba(0,0,0,0)", "plot_bgcolor": "rgba(0,0,0,0)", "font": {"color": INK},
         "margin": {"l": 60, "r": 20, "t": 30, "b": 50}, "showlegend": False,

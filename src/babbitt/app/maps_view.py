@@ -9,7 +9,7 @@ from nicegui import ui
 
 from babbitt.app.maps import Map, chart_of, fields_file, maps_of
 from babbitt.app.parts import on_request
-from babbitt.app.solver import Solver
+from babbitt.app.solver import Questions
 from babbitt.app.words import word
 
 __all__ = ["MapsView"]
@@ -20,12 +20,12 @@ class MapsView:
 
     Parameters
     ----------
-    solver : Solver
+    solver : Questions
     text : callable
         The case as it stands.
     """
 
-    def __init__(self, solver: Solver, text: Callable[[], str]) -> None:
+    def __init__(self, solver: Questions, text: Callable[[], str]) -> None:
         self._solver, self._text = solver, text
         self._maps: dict[tuple[str, str], Map] = {}
         self._as_surface = True

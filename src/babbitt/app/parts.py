@@ -11,7 +11,7 @@ from nicegui import ElementFilter, context, ui
 
 from babbitt.app.answer import Fault, Figure, Table
 from babbitt.app.progress import progress_in
-from babbitt.app.solver import LONGEST, LONGEST_STUDY, Ended, Solver, outcome_of
+from babbitt.app.solver import LONGEST, LONGEST_STUDY, Ended, Questions, outcome_of
 from babbitt.app.words import word
 from babbitt.core.notices import InputError
 
@@ -132,7 +132,7 @@ class LongWork:
 
     Parameters
     ----------
-    solver : Solver
+    solver : Questions
         Of long work.
     says : str
         On the button.
@@ -147,7 +147,7 @@ class LongWork:
 
     def __init__(
         self,
-        solver: Solver,
+        solver: Questions,
         says: str,
         question: Callable[[], Question | None],
         show: Callable[[Any], None],

@@ -7,7 +7,7 @@ from nicegui import ui
 from babbitt.app.answer import Table
 from babbitt.app.parts import LongWork, Question, plain_box, show_table
 from babbitt.app.published import published, scoreboard
-from babbitt.app.solver import Solver
+from babbitt.app.solver import Questions
 from babbitt.app.words import word
 
 __all__ = ["PublishedView"]
@@ -18,11 +18,11 @@ class PublishedView:
 
     Parameters
     ----------
-    solver : Solver
+    solver : Questions
         Of long work.
     """
 
-    def __init__(self, solver: Solver) -> None:
+    def __init__(self, solver: Questions) -> None:
         ui.label(word("validation_help")).classes("small")
         found = published()
         self._chosen = ui.select([row[0] for row in found.rows], multiple=True, label=word("choose_cases"))

@@ -6,6 +6,7 @@ import asyncio
 import math
 import os
 import time
+from abc import ABC, abstractmethod
 from collections.abc import Callable
 from concurrent.futures import BrokenExecutor, CancelledError
 from dataclasses import dataclass
@@ -17,9 +18,10 @@ from typing import Any
 
 from pebble import ProcessExpired, ProcessFuture, ProcessPool
 
+from babbitt.app.units import spoken
 from babbitt.core.picklable_error import PicklableError
 
-__all__ = ["LONGEST", "LONGEST_STUDY", "Ended", "Latest", "Solver", "outcome_of"]
+__all__ = ["LONGEST", "LONGEST_STUDY", "Ended", "InUnits", "Latest", "Questions", "Solver", "outcome_of"]
 
 LONGEST = 30.0
 """Seconds that an answer may take."""
@@ -52,7 +54,27 @@ class Ended(PicklableError):  # noqa: N818 - not an error of the program
         self.why = why
 
 
-class Solver:
+class Questions(ABC):
+    """What takes questions."""
+
+    @abstractmethod
+    def start(self, function: Callable[..., Any], *given: Any, longest: float = LONGEST) -> ProcessFuture[Any]:
+        """Ask; the answer comes by the future."""
+
+    async def ask(self, function: Callable[..., Any], *given: Any, longest: float = LONGEST) -> Any:
+        """Ask and wait.
+
+        Raises
+        ------
+        Ended
+        """
+        try:
+            return await outcome_of(self.start(function, *given, longest=longest))
+        except BrokenExecutor:  # a process died before it took the question
+            return await outcome_of(self.start(function, *given, longest=longest))
+
+
+class Solver(Questions):
     """Processes that answer the questions of all sessions.
 
     Parameters
@@ -95,21 +117,27 @@ class Solver:
             future.cancel()  # type: ignore[no-untyped-call]
         Thread(target=_ended, args=(lost,), daemon=True).start()
 
-    async def ask(self, function: Callable[..., Any], *given: Any, longest: float = LONGEST) -> Any:
-        """Ask and wait.
-
-        Raises
-        ------
-        Ended
-        """
-        try:
-            return await outcome_of(self.start(function, *given, longest=longest))
-        except BrokenExecutor:  # a process died before it took the question
-            return await outcome_of(self.start(function, *given, longest=longest))
-
     def close(self) -> None:
         """End all processes."""
         _ended(self._pool)
+
+
+class InUnits(Questions):
+    """Asks a solver for answers in the units of one page.
+
+    Parameters
+    ----------
+    solver : Solver
+    system : callable
+        The system of units that the page shows now.
+    """
+
+    def __init__(self, solver: Solver, system: Callable[[], str]) -> None:
+        self._solver, self._system = solver, system
+
+    def start(self, function: Callable[..., Any], *given: Any, longest: float = LONGEST) -> ProcessFuture[Any]:
+        """Ask; the answer comes by the future."""
+        return self._solver.start(spoken, self._system(), function, *given, longest=longest)
 
 
 def _ended(pool: ProcessPool) -> None:
@@ -147,10 +175,10 @@ class Latest:
 
     Parameters
     ----------
-    solver : Solver
+    solver : Questions
     """
 
-    def __init__(self, solver: Solver) -> None:
+    def __init__(self, solver: Questions) -> None:
         self._solver = solver
         self._waiting: _Question | None = None
         self._running: ProcessFuture[Any] | None = None

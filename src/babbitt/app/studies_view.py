@@ -10,7 +10,7 @@ from nicegui import ui
 
 from babbitt.app.document import CaseDocument
 from babbitt.app.parts import LongWork, Question, show_faults, show_figures, show_table, tell_ended
-from babbitt.app.solver import Ended, Solver
+from babbitt.app.solver import Ended, Questions
 from babbitt.app.studies import (
     NEEDS,
     Axis,
@@ -44,13 +44,13 @@ class StudiesView:
     Parameters
     ----------
     document : CaseDocument
-    solver : Solver
+    solver : Questions
         Of long work.
     changed : callable
         Called when the study was put into the case.
     """
 
-    def __init__(self, document: CaseDocument, solver: Solver, changed: Callable[[], None]) -> None:
+    def __init__(self, document: CaseDocument, solver: Questions, changed: Callable[[], None]) -> None:
         self.document, self._solver, self._changed = document, solver, changed
         self._kind, self._samples = "sweep", 1000
         self._known: dict[str, Axis] = {}

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from typing import Any
 
-from babbitt.core.quantities.display import us_partner
+from babbitt.core.quantities.display import SYSTEMS, displayed_in, us_partner
 from babbitt.core.units import KINDS
 
-__all__ = ["SYSTEMS", "from_si", "in_unit", "is_number", "shown_in", "split"]
-
-SYSTEMS = ("si", "inch")
-"""Systems of units of the form."""
+__all__ = ["SYSTEMS", "from_si", "in_unit", "is_number", "shown_in", "spoken", "split"]
 
 
 def split(text: str, units: Sequence[str]) -> tuple[str, str]:
@@ -41,8 +39,8 @@ def in_unit(number: str, unit: str, other: str) -> str:
     return number
 
 
-def from_si(value: float, unit: str) -> float:
-    """A value in SI in an everyday unit; as it is where there is no such unit.
+def from_si(value: Any, unit: str) -> Any:
+    """A value, or an array of values, in SI in an everyday unit; as it is where there is no such unit.
 
     >>> from_si(0.12, "mm"), round(from_si(323.15, "degC"), 9), from_si(3.0, "")
     (120.0, 50.0, 3.0)
@@ -54,13 +52,19 @@ def from_si(value: float, unit: str) -> float:
 def shown_in(system: str, number: str, unit: str, units: Sequence[str]) -> tuple[str, str]:
     """A quantity as a system of units shows it; as it is where the system has no other unit for it.
 
-    >>> shown_in("inch", "120", "mm", ["mm", "in"]), shown_in("si", "120", "mm", ["mm", "in"])
+    >>> shown_in("us", "120", "mm", ["mm", "in"]), shown_in("si", "120", "mm", ["mm", "in"])
     (('4.72441', 'in'), ('120', 'mm'))
     """
-    other = us_partner(unit) if system == "inch" else unit
+    other = us_partner(unit) if system == "us" else unit
     if other == unit or other not in units:
         return number, unit
     return in_unit(number, unit, other) if is_number(number) else number, other
+
+
+def spoken(system: str, function: Callable[..., Any], *given: Any) -> Any:
+    """What a function says, in the units of a system."""
+    with displayed_in(system):
+        return function(*given)
 
 
 def is_number(text: str) -> bool:

@@ -26,7 +26,7 @@ from babbitt.app.parts import LongWork, on_request, outdate, show_faults, show_f
 from babbitt.app.published_view import PublishedView
 from babbitt.app.service import Service
 from babbitt.app.slider import Slider
-from babbitt.app.solver import Ended, Latest
+from babbitt.app.solver import Ended, InUnits, Latest
 from babbitt.app.studies_view import StudiesView
 from babbitt.app.words import word
 
@@ -48,7 +48,8 @@ class Workbench:
 
     def __init__(self, service: Service, text: str) -> None:
         self.service = service
-        self._drafts, self._settled = Latest(service.drafts), Latest(service.solver)
+        self._solver, self._slow = (InUnits(one, self._system) for one in (service.solver, service.slow))
+        self._drafts, self._settled = Latest(InUnits(service.drafts, self._system)), Latest(self._solver)
         self._questions, self._shown = count(1), 0
         self.document = CaseDocument(text)
         self.found = Answer()
@@ -56,10 +57,13 @@ class Workbench:
         self._computed: dict[str, Any] = {}
         self._key = f"babbitt:{hashlib.sha256(text.encode()).hexdigest()[:16]}"
 
+    def _system(self) -> str:
+        return self._form.system
+
     def build(self) -> None:
         """Draw the page."""
         self._client = context.client
-        Head(self.document, self.service.solver, self._replaced)
+        Head(self.document, self._solver, self._replaced)
         with ui.element("div").classes("bench"):
             with ui.element("section").classes("case").props(f'aria-label="{word("form")}"'):
                 self._case()
@@ -90,7 +94,7 @@ class Workbench:
         drawn: dict[str, Callable[[], Any]] = {
             "explore": self._sliders,
             "results": self._result_table,
-            "maps": lambda: MapsView(self.service.solver, lambda: self.document.text),
+            "maps": lambda: MapsView(self._solver, lambda: self.document.text),
             "figures": self._figures,
             "compare": lambda: on_request(word("run_comparison"), self._compare),
             "designs": self._designs_tab,
@@ -115,20 +119,18 @@ class Workbench:
     def _figures(self) -> None:
         on_request(word("draw_figures"), self._draw_figures)
         ui.label(word("all_figures_help")).classes("small")
-        LongWork(
-            self.service.slow, word("all_figures"), lambda: (all_figures, (self.document.text,)), _figures_shown
-        )
+        LongWork(self._slow, word("all_figures"), lambda: (all_figures, (self.document.text,)), _figures_shown)
 
     def _designs_tab(self) -> None:
         self._designs = DesignsView(
-            self.service.solver, lambda: (self.document.text, self.found), self._replace, self._show
+            self._solver, lambda: (self.document.text, self.found), self._replace, self._show
         )
 
     def _studies_tab(self) -> None:
-        self._studies = StudiesView(self.document, self.service.slow, self._set_elsewhere)
+        self._studies = StudiesView(self.document, self._slow, self._set_elsewhere)
 
     def _coefficients_tab(self) -> None:
-        self._coefficients = CoefficientsView(self.document, self.service.slow, self._bearing_shown)
+        self._coefficients = CoefficientsView(self.document, self._slow, self._bearing_shown)
 
     def _bearing_shown(self) -> str | None:
         """Name of the bearing that is shown; None where the case has one alone."""
@@ -288,13 +290,13 @@ class Workbench:
         self._show()
 
     async def _draw_figures(self, box: ui.column) -> None:
-        found = await self.service.solver.ask(figures, self.document.text)
+        found = await self._solver.ask(figures, self.document.text)
         box.clear()
         with box:
             show_figures(found)
 
     async def _compare(self, box: ui.column) -> None:
-        found = await self.service.solver.ask(compared, self.document.text)
+        found = await self._solver.ask(compared, self.document.text)
         box.clear()
         with box:
             for table in found:
