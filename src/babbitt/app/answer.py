@@ -272,7 +272,7 @@ def cards_of(result: Result) -> tuple[Card, ...]:
         value = result.values.get(name, math.nan)
         if name not in found and name in QUANTITIES and math.isfinite(value):
             quantity = suited_among(name, result.values)
-            found[name] = Card(label(name, result.kind), quantity.symbol, quantity.with_unit(value))
+            found[name] = Card(in_us_units(label(name, result.kind)), quantity.symbol, quantity.with_unit(value))
     return tuple(found.values())[:MOST_CARDS]
 
 
@@ -280,7 +280,7 @@ def _checked(check: Check, result: Result) -> Card:
     value, limit = value_and_limit(check)
     sign = "≤" if check.bound is Bound.AT_MOST else "≥"
     return Card(
-        label(check.quantity, result.kind),
+        in_us_units(label(check.quantity, result.kind)),
         QUANTITIES[check.quantity].symbol,
         value,
         f"{sign} {limit}",

@@ -11,7 +11,7 @@ from nicegui import context, ui
 
 from babbitt.app.document import CaseDocument
 from babbitt.app.form import Entry, Path, as_text, quantities
-from babbitt.app.units import split
+from babbitt.app.units import shown_in, split
 from babbitt.app.words import word
 
 __all__ = ["Slider"]
@@ -36,12 +36,18 @@ class Slider:
     document : CaseDocument
     moving, stopped : callable
         Called while a value moves, and with the paths of those that moved when they stopped.
+    system : callable
+        The system of units that the page shows now: a value moves in its unit, and is written in it.
     """
 
     def __init__(
-        self, document: CaseDocument, moving: Callable[[], None], stopped: Callable[[set[Path]], None]
+        self,
+        document: CaseDocument,
+        moving: Callable[[], None],
+        stopped: Callable[[set[Path]], None],
+        system: Callable[[], str],
     ) -> None:
-        self.document, self._moving, self._stopped = document, moving, stopped
+        self.document, self._moving, self._stopped, self._system = document, moving, stopped, system
         self._picked: list[Path] = []
         self._moved: set[Path] = set()
         self._held = False
@@ -70,7 +76,7 @@ class Slider:
         self.draw()
 
     def _slider(self, entry: Entry) -> None:
-        number, unit = split(as_text(entry.value), entry.units)
+        number, unit = shown_in(self._system(), *split(as_text(entry.value), entry.units), entry.units)
         value = float(number)
         first, last = sorted((value / SPAN, value * SPAN)) if value else (-1.0, 1.0)
         says = f"{' '.join(map(str, entry.path)).replace('_', ' ')}"

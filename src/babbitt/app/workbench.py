@@ -111,7 +111,7 @@ class Workbench:
                     draw()
 
     def _sliders(self) -> None:
-        self._slider = Slider(self.document, self._slid, self._stopped)
+        self._slider = Slider(self.document, self._slid, self._stopped, self._system)
 
     def _result_table(self) -> None:
         self._results = ResultsView()
