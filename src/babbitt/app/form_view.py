@@ -144,9 +144,11 @@ class FormView:
             select.props(f'aria-label="{word("unit")}: {entry.label}"')
 
         def show(moved: Entry) -> None:
-            nonlocal shown, chosen
-            shown = number, chosen = self._number_and_unit(moved)
-            field.value, select.value = number, chosen
+            """In the unit that is picked: number and unit, set one after the other, would be a case of their own."""
+            nonlocal shown
+            number, unit = self._number_and_unit(moved)
+            shown = number if unit == chosen else in_unit(number, unit, chosen), chosen
+            field.value = shown[0]
 
         def taken() -> None:
             nonlocal shown

@@ -57,7 +57,8 @@ class Slider:
         self.draw()
 
     def draw(self) -> None:
-        """Draw the sliders anew."""
+        """Draw the sliders anew; a hand that held one holds none of these."""
+        self._held = False
         self._box.clear()
         entries = {one.path: one for one in quantities(self.document.items)}
         if not entries:

@@ -34,8 +34,7 @@ def in_unit(number: str, unit: str, other: str) -> str:
     """
     for kind in KINDS.values():
         if unit in kind.everyday and other in kind.everyday:
-            si = float(number) * kind.everyday[unit] + kind.offsets.get(unit, 0.0)
-            return f"{kind.from_si(si, other):.6g}"
+            return f"{kind.from_si(kind.to_si(float(number), unit), other):.6g}"
     return number
 
 

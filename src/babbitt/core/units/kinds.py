@@ -1,7 +1,8 @@
 """The kinds of quantities a case may ask for, each with the units that engineers write every day.
 
 The everyday units stand here as plain factors, so that a case file is read without loading pint; every other
-unit goes through pint. A test holds the factors to those of pint.
+unit goes through pint. A test holds the factors to those of pint. They are exact: as a fraction, or as a decimal
+that is written so.
 """
 
 from __future__ import annotations
@@ -9,19 +10,22 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
-from decimal import Decimal
+from fractions import Fraction
+from functools import cached_property
 
-ZERO_CELSIUS = 273.15
+FREEZING = Fraction("273.15")
+ZERO_CELSIUS = float(FREEZING)
 """K."""
 
-INCH, POUND_FORCE, KILOGRAM_FORCE, FAHRENHEIT = 0.0254, 4.4482216152605, 9.80665, 5.0 / 9.0
-GALLON = 231.0 * INCH**3
+INCH, POUND_FORCE, KILOGRAM_FORCE = Fraction("0.0254"), Fraction("4.4482216152605"), Fraction("9.80665")
+FAHRENHEIT, LITRE = Fraction(5, 9), Fraction(1, 1000)
+GALLON = 231 * INCH**3
 """m3, of the US."""
 
-HORSEPOWER = 550.0 * 12.0 * INCH * POUND_FORCE
+HORSEPOWER = 550 * 12 * INCH * POUND_FORCE
 """W, the mechanical one."""
 
-TURN = 2.0 * math.pi
+TURN = Fraction(2.0 * math.pi)
 
 RADIANS_OR_TURNS = "standards write angular speed so, others turns; write 'rad/s', or 'rev/s' or 'rpm'"
 GAUGE = "write 'psi'; pressures of films and supplies stand above that of the surroundings"
@@ -40,9 +44,9 @@ class Kind:
         With its article, for messages.
     example : str
         How an engineer writes one.
-    everyday : Mapping[str, float]
+    factors : Mapping[str, Fraction or float]
         Factor to SI of each everyday unit, most usual first.
-    offsets : Mapping[str, float]
+    offsets : Mapping[str, Fraction]
         What is added after the factor, for temperatures.
     open_to_pint : bool
         Whether units outside `everyday` are tried with pint. Not where pint cannot tell kinds apart: it
@@ -61,8 +65,8 @@ class Kind:
     unit: str
     phrase: str
     example: str
-    everyday: Mapping[str, float]
-    offsets: Mapping[str, float] = field(default_factory=dict)
+    factors: Mapping[str, Fraction | float]
+    offsets: Mapping[str, Fraction] = field(default_factory=dict)
     open_to_pint: bool = True
     name: str = ""
     ambiguous: Mapping[str, str] = field(default_factory=dict)
@@ -74,16 +78,27 @@ class Kind:
         """Under which `KINDS` holds it."""
         return self.name or self.unit
 
-    def to_si(self, number: float, unit: str) -> float:
-        """Convert from an everyday unit, in decimals: what is written in two units is one number.
+    @cached_property
+    def everyday(self) -> Mapping[str, float]:
+        """Factors to SI, rounded."""
+        return {unit: float(factor) for unit, factor in self.factors.items()}
 
-        >>> KINDS["K"].to_si(50.0, "degC"), KINDS["m"].to_si(268.36, "mm")
-        (323.15, 0.26836)
+    @cached_property
+    def _exact(self) -> Mapping[str, Fraction]:
+        return {unit: as_written(factor) for unit, factor in self.factors.items()}
+
+    def to_si(self, number: float, unit: str) -> float:
+        """Convert from an everyday unit, exactly but for one rounding: what is written in two units is one number.
+
+        >>> KINDS["K"].to_si(50.0, "degC"), KINDS["m"].to_si(268.36, "mm"), KINDS["m"].to_si(1.0, "ft")
+        (323.15, 0.26836, 0.3048)
         """
-        factor, offset = self.everyday[unit], self.offsets.get(unit, 0.0)
         if not math.isfinite(number):
-            return number * factor + offset
-        return float(Decimal(repr(float(number))) * Decimal(repr(factor)) + Decimal(repr(offset)))
+            return number
+        try:
+            return float(as_written(number) * self._exact[unit] + self.offsets.get(unit, 0))
+        except OverflowError:
+            return math.copysign(math.inf, number)
 
     def from_si(self, value: float, unit: str) -> float:
         """Convert to an everyday unit.
@@ -91,7 +106,12 @@ class Kind:
         >>> KINDS["m"].from_si(0.25, "mm")
         250.0
         """
-        return (value - self.offsets.get(unit, 0.0)) / self.everyday[unit]
+        return (value - float(self.offsets.get(unit, 0))) / self.everyday[unit]
+
+
+def as_written(number: Fraction | float) -> Fraction:
+    """A number exactly: of a float the shortest decimal that is it, which is what was written."""
+    return number if isinstance(number, Fraction) else Fraction(repr(float(number)))
 
 
 _ALL = (
@@ -100,7 +120,7 @@ _ALL = (
         "a length",
         "120 mm",
         {"mm": 1e-3, "m": 1.0, "um": 1e-6, "cm": 1e-2, "micron": 1e-6, "nm": 1e-9, "in": INCH, "inch": INCH}
-        | {"mil": INCH / 1000.0, "mils": INCH / 1000.0, "thou": INCH / 1000.0, "ft": 12.0 * INCH},
+        | {"mil": INCH / 1000, "mils": INCH / 1000, "thou": INCH / 1000, "ft": 12 * INCH},
     ),
     Kind("m2", "an area", "0.3 m2", {"m2": 1.0, "mm2": 1e-6, "cm2": 1e-4, "dm2": 1e-2}),
     Kind(
@@ -113,7 +133,7 @@ _ALL = (
         "rad",
         "an angle",
         "75 deg",
-        {"deg": TURN / 360.0, "°": TURN / 360.0, "degree": TURN / 360.0, "degrees": TURN / 360.0, "rad": 1.0}
+        {"deg": TURN / 360, "°": TURN / 360, "degree": TURN / 360, "degrees": TURN / 360, "rad": 1.0}
         | {"mrad": 1e-3, "turn": TURN, "rev": TURN},
     ),
     Kind("s", "a time", "2 min", {"s": 1.0, "min": 60.0, "h": 3600.0, "ms": 1e-3}),
@@ -123,14 +143,14 @@ _ALL = (
         "a force",
         "36 kN",
         {"kN": 1e3, "N": 1.0, "MN": 1e6, "mN": 1e-3, "kgf": KILOGRAM_FORCE, "kp": KILOGRAM_FORCE}
-        | {"kilopond": KILOGRAM_FORCE, "lbf": POUND_FORCE, "klbf": 1e3 * POUND_FORCE},
+        | {"kilopond": KILOGRAM_FORCE, "lbf": POUND_FORCE, "klbf": 1000 * POUND_FORCE},
     ),
     Kind(
         "Pa",
         "a pressure",
         "0.2 MPa",
         {"MPa": 1e6, "bar": 1e5, "kPa": 1e3, "Pa": 1.0, "GPa": 1e9, "mbar": 1e2, "N/mm2": 1e6, "N/m2": 1.0}
-        | {"psi": POUND_FORCE / INCH**2, "atm": 101325.0, "kgf/cm2": KILOGRAM_FORCE * 1e4},
+        | {"psi": POUND_FORCE / INCH**2, "atm": 101325.0, "kgf/cm2": KILOGRAM_FORCE * 10000},
         ambiguous={"psig": GAUGE, "psia": GAUGE},
     ),
     Kind(
@@ -139,18 +159,18 @@ _ALL = (
         "50 degC",
         {"degC": 1.0, "°C": 1.0, "C": 1.0, "celsius": 1.0, "K": 1.0}
         | {"degF": FAHRENHEIT, "°F": FAHRENHEIT, "F": FAHRENHEIT},
-        {"degC": ZERO_CELSIUS, "°C": ZERO_CELSIUS, "C": ZERO_CELSIUS, "celsius": ZERO_CELSIUS}
-        | dict.fromkeys(("degF", "°F", "F"), ZERO_CELSIUS - 32.0 * FAHRENHEIT),
+        dict.fromkeys(("degC", "°C", "C", "celsius"), FREEZING)
+        | dict.fromkeys(("degF", "°F", "F"), FREEZING - 32 * FAHRENHEIT),
         guesses=("degC", "degF", "K"),
     ),
     Kind(
         "rad/s",
         "a rotational speed",
         "3000 rpm",
-        {"rpm": TURN / 60.0, "1/min": TURN / 60.0, "min-1": TURN / 60.0, "/min": TURN / 60.0}
-        | {"r/min": TURN / 60.0, "rev/min": TURN / 60.0, "turn/min": TURN / 60.0, "U/min": TURN / 60.0}
-        | {"rad/s": 1.0, "Hz": TURN, "kHz": 1e3 * TURN, "r/s": TURN, "rev/s": TURN, "rps": TURN, "turn/s": TURN}
-        | {"rad/min": 1.0 / 60.0, "deg/s": TURN / 360.0},
+        {"rpm": TURN / 60, "1/min": TURN / 60, "min-1": TURN / 60, "/min": TURN / 60}
+        | {"r/min": TURN / 60, "rev/min": TURN / 60, "turn/min": TURN / 60, "U/min": TURN / 60}
+        | {"rad/s": 1.0, "Hz": TURN, "kHz": 1000 * TURN, "r/s": TURN, "rev/s": TURN, "rps": TURN, "turn/s": TURN}
+        | {"rad/min": Fraction(1, 60), "deg/s": TURN / 360},
         open_to_pint=False,
         ambiguous=dict.fromkeys(("1/s", "s-1", "/s"), RADIANS_OR_TURNS),
     ),
@@ -158,8 +178,8 @@ _ALL = (
         "rad/s",
         "a frequency",
         "100 Hz",
-        {"Hz": TURN, "kHz": 1e3 * TURN, "rad/s": 1.0, "MHz": 1e6 * TURN, "1/s": TURN, "s-1": TURN, "/s": TURN}
-        | {"rpm": TURN / 60.0, "1/min": TURN / 60.0, "min-1": TURN / 60.0, "/min": TURN / 60.0},
+        {"Hz": TURN, "kHz": 1000 * TURN, "rad/s": 1.0, "MHz": 1000000 * TURN, "1/s": TURN, "s-1": TURN, "/s": TURN}
+        | {"rpm": TURN / 60, "1/min": TURN / 60, "min-1": TURN / 60, "/min": TURN / 60},
         open_to_pint=False,
         name="frequency",
     ),
@@ -167,14 +187,18 @@ _ALL = (
         "m/s",
         "a speed",
         "45 m/s",
-        {"m/s": 1.0, "mm/s": 1e-3, "m/min": 1.0 / 60.0, "km/h": 1.0 / 3.6, "ft/s": 12.0 * INCH},
+        {"m/s": 1.0, "mm/s": 1e-3, "m/min": Fraction(1, 60), "km/h": Fraction(10, 36), "ft/s": 12 * INCH},
     ),
     Kind(
         "N/m",
         "a stiffness",
         "200 MN/m",
         {"N/m": 1.0, "kN/m": 1e3, "MN/m": 1e6, "GN/m": 1e9, "N/mm": 1e3, "kN/mm": 1e6, "N/um": 1e6}
-        | {"lbf/in": POUND_FORCE / INCH, "klbf/in": 1e3 * POUND_FORCE / INCH, "Mlbf/in": 1e6 * POUND_FORCE / INCH},
+        | {
+            "lbf/in": POUND_FORCE / INCH,
+            "klbf/in": 1000 * POUND_FORCE / INCH,
+            "Mlbf/in": 1000000 * POUND_FORCE / INCH,
+        },
     ),
     Kind(
         "Pa s",
@@ -199,9 +223,8 @@ _ALL = (
         "m3/s",
         "a flow rate",
         "26 L/min",
-        {"L/min": 1e-3 / 60.0, "l/min": 1e-3 / 60.0, "m3/s": 1.0, "m3/h": 1.0 / 3600.0, "L/s": 1e-3}
-        | {"l/s": 1e-3, "cm3/s": 1e-6, "L/h": 1e-3 / 3600.0, "l/h": 1e-3 / 3600.0}
-        | {"gpm": GALLON / 60.0},
+        {"L/min": LITRE / 60, "l/min": LITRE / 60, "m3/s": 1.0, "m3/h": Fraction(1, 3600), "L/s": LITRE}
+        | {"l/s": LITRE, "cm3/s": 1e-6, "L/h": LITRE / 3600, "l/h": LITRE / 3600, "gpm": GALLON / 60},
     ),
     Kind(
         "W/(m2 K)",
@@ -287,7 +310,7 @@ _ALL = (
         "a damping",
         "80 kN s/m",
         {"kN s/m": 1e3, "N s/m": 1.0, "MN s/m": 1e6}
-        | {"lbf s/in": POUND_FORCE / INCH, "klbf s/in": 1e3 * POUND_FORCE / INCH},
+        | {"lbf s/in": POUND_FORCE / INCH, "klbf s/in": 1000 * POUND_FORCE / INCH},
     ),
     Kind(
         "kg m2", "a moment of inertia", "0.06 kg m2", {"kg m2": 1.0, "g m2": 1e-3, "kg cm2": 1e-4, "kg mm2": 1e-6}
@@ -296,7 +319,7 @@ _ALL = (
         "N m",
         "a moment",
         "200 N m",
-        {"N m": 1.0, "kN m": 1e3} | {"lbf ft": 12.0 * INCH * POUND_FORCE, "lbf in": INCH * POUND_FORCE},
+        {"N m": 1.0, "kN m": 1e3} | {"lbf ft": 12 * INCH * POUND_FORCE, "lbf in": INCH * POUND_FORCE},
     ),
     Kind("N m/rad", "a stiffness against tilt", "40 kN m/rad", {"N m/rad": 1.0, "kN m/rad": 1e3, "MN m/rad": 1e6}),
     Kind("N m s/rad", "a damping of tilt", "5 N m s/rad", {"N m s/rad": 1.0, "kN m s/rad": 1e3}),
@@ -304,7 +327,12 @@ _ALL = (
         "m3/(s Pa)",
         "a conductance",
         "0.06 L/(min MPa)",
-        {"L/(min MPa)": 1e-9 / 60.0, "L/(min bar)": 1e-8 / 60.0, "m3/(s Pa)": 1.0, "cm3/(s MPa)": 1e-12},
+        {
+            "L/(min MPa)": LITRE / 60 / 1000000,
+            "L/(min bar)": LITRE / 60 / 100000,
+            "m3/(s Pa)": 1.0,
+            "cm3/(s MPa)": 1e-12,
+        },
     ),
     Kind("W", "a power", "31 kW", {"kW": 1e3, "W": 1.0, "MW": 1e6, "hp": HORSEPOWER}),
     Kind(
