@@ -278,16 +278,21 @@ def test_load_capacity_of_a_journal_is_the_load_at_the_least_gap(method, speed):
     assert loaded.minimum_film_thickness == pytest.approx(20e-6, rel=5e-3)
 
 
-@pytest.mark.parametrize("moment", [0.0, 200.0])
-def test_load_capacity_is_that_of_the_grid_of_the_case(moment):
+@pytest.mark.parametrize(
+    "made",
+    [
+        case(RING, OperatingConditions(20e3), "film", "hydrostatic_thrust_ring", RING_FEEDING),
+        case(RING, OperatingConditions(20e3, moments=(200.0, 0.0)), "film", "hydrostatic_thrust_ring", RING_FEEDING),
+        case(duty=OperatingConditions(10e3, -0.3 * math.pi, angular_speed=SPEED)),
+    ],
+    ids=["ring", "ring with a moment", "journal"],
+)
+def test_load_capacity_is_that_of_the_grid_of_the_case(made):
     """A draft alone is off by a third of a per cent, which a load just below the capacity feels as an overload."""
-    made = case(
-        RING, OperatingConditions(20e3, moments=(moment, 0.0)), "film", "hydrostatic_thrust_ring", RING_FEEDING,
-        least_gap=15e-6,
-    )  # fmt: skip
+    made = replace(made, accuracy="engineering", least_gap=15e-6)
     capacity = hydrostatic_check(made).load_capacity
     loaded = hydrostatic_check(replace(made, duty=replace(made.duty, load=capacity)))
-    assert loaded.minimum_film_thickness == pytest.approx(15e-6, rel=1e-4)
+    assert loaded.minimum_film_thickness == pytest.approx(15e-6, rel=2e-5)
 
 
 @pytest.mark.parametrize("method", METHODS)

@@ -144,7 +144,7 @@ class FormView:
             select.props(f'aria-label="{word("unit")}: {entry.label}"')
 
         def show(moved: Entry) -> None:
-            """In the unit that is picked: number and unit, set one after the other, would be a case of their own."""
+            """In the unit that is picked: set one after the other, number and unit would make another case."""
             nonlocal shown
             number, unit = self._number_and_unit(moved)
             shown = number if unit == chosen else in_unit(number, unit, chosen), chosen

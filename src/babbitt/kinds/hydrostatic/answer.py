@@ -21,7 +21,7 @@ from babbitt.kinds.hydrostatic.state import RecessState, SearchOutcome, ending_o
 from babbitt.kinds.hydrostatic.surfaces import FilmOil, journal_surface, pad_surface, ring_surface
 from babbitt.reynolds.recess.recess_film import RecessResponse, RecessSurface
 
-__all__ = ["GRIDS", "HALF_REFERENCE", "Answer", "answer", "answer_at", "load_vector"]
+__all__ = ["GRIDS", "HALF_REFERENCE", "Answer", "answer", "answer_at", "load_vector", "thinnest_film"]
 
 Array = NDArray[np.float64]
 HALF_REFERENCE = "half of reference"
@@ -128,6 +128,13 @@ def answer_at(case: HydrostaticCase, at: Array, gap: float) -> Answer:
         return Answer(state.response, state.network, at, gap, state.ending, lumps.thinnest(at), 1)
     pad = pad_at(lands_of(shape), case.feeding, case.oil.viscosity, gap + float(at[0]))
     return Answer(pad.response, pad.network, at[:1], gap, ending_of(pad.network), pad.gap, 1)
+
+
+def thinnest_film(case: HydrostaticCase, found: Answer) -> float:
+    """Minimum film thickness, m: of a round journal between the nodes of the grid, too."""
+    if isinstance(case.shape, RecessedJournal):
+        return case.shape.clearance - float(np.hypot(*found.at))
+    return found.minimum_gap
 
 
 def of_film(state: RecessState, gap: float) -> Answer:

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from babbitt.kinds.hydrostatic.answer import MOST_OPEN, Answer, answer, answer_at
+from babbitt.kinds.hydrostatic.answer import MOST_OPEN, Answer, answer, answer_at, thinnest_film
 from babbitt.kinds.hydrostatic.geometry import RecessedJournal, RectangularPad, ThrustRing
 from babbitt.kinds.hydrostatic.model import HydrostaticCase, OperatingConditions
 from babbitt.kinds.hydrostatic.pumping import held_pressure, highest_pressure, is_pumped
@@ -141,7 +141,7 @@ def margin(case: HydrostaticCase, load: float) -> float:
         return 1.0
     if found.ending is not SearchOutcome.SOLVED:
         return CONTACT
-    gap = (found.minimum_gap - (case.least_gap or 0.0)) / case.rest_gap
+    gap = (thinnest_film(case, found) - (case.least_gap or 0.0)) / case.rest_gap
     return min(gap, -excess_pressure(case, found)) if is_pumped(case) else gap
 
 

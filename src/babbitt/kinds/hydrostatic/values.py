@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.core.result import Matrix
-from babbitt.kinds.hydrostatic.answer import Answer
+from babbitt.kinds.hydrostatic.answer import Answer, thinnest_film
 from babbitt.kinds.hydrostatic.friction import friction_power, friction_torque, land_friction_power
 from babbitt.kinds.hydrostatic.geometry import RecessedJournal
 from babbitt.kinds.hydrostatic.heat_balance import temperature_rise
@@ -102,12 +102,12 @@ def place(case: HydrostaticCase, found: Answer) -> dict[str, float]:
             "specific_load": float(np.hypot(*force)) / (case.shape.diameter * case.shape.width),
             "eccentricity_ratio": size / case.shape.clearance,
             "attitude_angle": angle,
-            "minimum_film_thickness": case.shape.clearance - size,
+            "minimum_film_thickness": thinnest_film(case, found),
         }
     named = {
         "load": float(found.response.force[0]),
         "gap": mean_gap(found),
-        "minimum_film_thickness": found.minimum_gap,
+        "minimum_film_thickness": thinnest_film(case, found),
     }
     if found.at.size == 3 and case.kind == "hydrostatic_thrust_ring":
         named |= {
