@@ -164,13 +164,18 @@ def test_an_assumption_without_film_questions_the_verdict():
     found = result_of(TIGHT, speed="5000 rpm", assumption_sensitivity=True, **JUDGED)
     assert (plain.verdict, found.verdict) == (Verdict.PASS, Verdict.REMARKS)
     (message,) = said(found)
-    assert "Carry-over: 0.9 in place of 0.7 leaves no solution: the clearance closes" in message
-    assert "Housing: 30 in place of 40 °C leaves no solution" in message
+    assert "Carry-over: 0.900 in place of 0.700 leaves no solution: the clearance closes" in message
+    assert "Housing: 30.0 °C in place of 40.0 °C leaves no solution" in message
     hot = result_of(TIGHT, speed="5000 rpm", carry_over=0.9, **JUDGED)
     assert hot.outcome is Outcome.NO_CLEARANCE
     page = io.StringIO()
     Console(file=page, width=160).print(render("Pads", [found], 160))
     assert "a dash where it has no film, or its pads starve" in " ".join(page.getvalue().split())
+    page = io.StringIO()
+    with displayed_in("us"):
+        Console(file=page, width=160).print(render("Pads", [found], 160))
+    assert "Housing: 86.0 °F in place of 104.0 °F leaves no solution" in " ".join(page.getvalue().split())
+    assert "°C" not in page.getvalue()
 
 
 def test_an_assumption_that_misses_a_limit_questions_the_verdict(result):
@@ -182,8 +187,8 @@ def test_an_assumption_that_misses_a_limit_questions_the_verdict(result):
     found = result_of(assumption_sensitivity=True, limits=limits, **GROWING)
     (message,) = said(found)
     numbers = f"C404 with {hotter - 273.15:.1f} °C, limit {alarm - 273.15:.1f} °C"
-    assert f"Carry-over: 0.9 in place of 0.7 misses {numbers}" in message
-    assert "Carry-over: 0.5" not in message
+    assert f"Carry-over: 0.900 in place of 0.700 misses {numbers}" in message
+    assert "Carry-over: 0.500" not in message
     assert not said(result)
 
 
@@ -195,4 +200,4 @@ def test_an_end_that_draws_more_than_is_given_has_no_numbers_and_leaves_no_verdi
     assert math.isnan(found.arrays[HOTTEST][0][0])
     assert math.isfinite(found.arrays[HOTTEST][0][2])
     (message,) = said(found)
-    assert message == "Carry-over: 0.5 in place of 0.7 leaves no verdict (W405)"
+    assert message == "Carry-over: 0.500 in place of 0.700 leaves no verdict (W405)"

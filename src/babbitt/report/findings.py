@@ -13,6 +13,7 @@ from babbitt.core.result import Check, Result
 from babbitt.report.meanings import remark_on_zero
 from babbitt.report.names import listed, shortened
 from babbitt.report.text import plain_text
+from babbitt.report.us_words import OF_RESULTS, in_us_units
 
 
 @dataclass(frozen=True)
@@ -133,7 +134,8 @@ def missing_values(results: Sequence[Result]) -> tuple[Group, ...]:
             names.append(result.name)
     return tuple(
         Group(
-            "", ", ".join(dict.fromkeys(symbols)), tuple(dict.fromkeys(names)), _names(results), translated(reason)
+            "", ", ".join(dict.fromkeys(symbols)), tuple(dict.fromkeys(names)), _names(results),
+            in_us_units(translated(reason), OF_RESULTS),
         )
         for reason, (symbols, names) in found.items()
     )
@@ -160,7 +162,7 @@ def _gathered(results: Sequence[Result], notices_of: Callable[[Result], Iterable
     found: dict[str, list[tuple[Result, str]]] = {}
     for result in results:
         for notice in notices_of(result):
-            found.setdefault(notice.code, []).append((result, plain_text(notice.message)))
+            found.setdefault(notice.code, []).append((result, in_us_units(plain_text(notice.message), OF_RESULTS)))
     groups = []
     for code, notices in sorted(found.items()):
         messages = list(dict.fromkeys(message for _, message in notices))

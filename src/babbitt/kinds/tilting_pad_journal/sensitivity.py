@@ -126,12 +126,15 @@ class End:
     value : float
         SI; nan where there is no less or no more.
     result : Result or None
-        None without a value, and where the supply does not even make up for what leaves by the sides of the pads.
+        None without a value, and where the bearing is refused.
+    refusal : str
+        Why, where it is: the supply does not even make up for what leaves by the sides of the pads.
     """
 
     assumption: Assumption
     value: float
     result: Result | None
+    refusal: str = ""
 
     @property
     def moved(self) -> dict[str, float]:
@@ -181,8 +184,8 @@ def end_of(assumption: Assumption, value: float, solve: Callable[[PadCase], Resu
         return End(assumption, value, None)
     try:
         return End(assumption, value, solve(replace(assumption.at(value), assumption_sensitivity=False)))
-    except InputError:  # the supply is less than leaves by the sides
-        return End(assumption, value, None)
+    except InputError as error:
+        return End(assumption, value, None, error.message)
 
 
 def about_assumptions(result: Result, ends: Sequence[End]) -> Iterator[Notice]:
@@ -194,16 +197,17 @@ def about_assumptions(result: Result, ends: Sequence[End]) -> Iterator[Notice]:
 
 def worse(base: Result, end: End) -> Iterator[Notice]:
     """What is worse with another number of an assumption than as calculated."""
-    said = end_in_words(end.assumption.name, end.value, end.assumption.base)
+    said = Notice("W419", end.assumption.name, {"value": end.value, "base": end.assumption.base})
     found = end.result
     if found is None:
-        yield Notice("W419", "refused", {"end": said})
+        yield Notice("W419", "refused", {"end": said, "why": end.refusal})
         return
     if not found.outcome.solved:
         yield Notice("W419", "unsolved", {"end": said, "outcome": found.outcome.value})
         return
     missed = [one for one in found.limits if not one.ok]
-    lost = tuple(limit_missed(one) for one in missed if all(of.ok for of in base.limits if of.code == one.code))
+    kept = {one.code for one in base.limits if one.ok} - {one.code for one in base.limits if not one.ok}
+    lost = tuple(limit_missed(one) for one in missed if one.code in kept)
     if lost:
         yield Notice("W419", "missed", {"end": said, "limits": lost})
     if codes := tuple(one for one in found.invalidating_codes if one not in base.invalidating_codes):
