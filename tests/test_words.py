@@ -151,6 +151,23 @@ def test_a_failure_ends_with_the_remedy_of_its_code():
     assert Outcome.of(None) is Outcome.CONVERGED
 
 
+@pytest.mark.parametrize(
+    ("code", "values", "said"),
+    [
+        ("W109", {"surface_speed": 20.0004, "limit": 20.0}, "surface speed 20.0004 m/s > 20 m/s"),
+        ("W109", {"surface_speed": 25.0, "limit": 20.0}, "surface speed 25.00 m/s > 20 m/s"),
+        (
+            "W200",
+            {"orbit_specific_load": 1.0001e7, "limit": 1e7, "metal": "tin"},
+            "10.001 MPa > 10.000 MPa of tin",
+        ),
+    ],
+)
+def test_a_value_beyond_its_limit_never_reads_as_the_limit(code, values, said):
+    """One of them may be a number before a unit of the sentence: the other still shows the digits that tell so."""
+    assert said in Notice(code, values=values).message
+
+
 def test_notices_are_compared_hashed_and_pickled():
     one, same = (Notice("W169", values={"starts": 5, "least": 20}) for _ in range(2))
     assert one == same == pickle.loads(pickle.dumps(one))

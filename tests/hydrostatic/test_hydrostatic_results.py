@@ -282,7 +282,9 @@ def test_load_capacity_of_a_journal_is_the_load_at_the_least_gap(method, speed):
     "made",
     [
         case(RING, OperatingConditions(20e3), "film", "hydrostatic_thrust_ring", RING_FEEDING),
-        case(RING, OperatingConditions(20e3, moments=(200.0, 0.0)), "film", "hydrostatic_thrust_ring", RING_FEEDING),
+        case(
+            RING, OperatingConditions(20e3, moments=(200.0, 0.0)), "film", "hydrostatic_thrust_ring", RING_FEEDING
+        ),
         case(duty=OperatingConditions(10e3, -0.3 * math.pi, angular_speed=SPEED)),
     ],
     ids=["ring", "ring with a moment", "journal"],

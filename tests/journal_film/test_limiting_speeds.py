@@ -48,5 +48,9 @@ def test_transition_is_judged_by_the_film_thickness_as_by_the_speed():
 def test_a_threshold_beyond_the_search_is_told():
     light = film_bearings.answer(rotor_mass="1 kg", load="60 kN", speed="1000 rpm")
     assert "threshold_speed" not in light.values
-    assert "ten times" in light.missing["threshold_speed"]
+    assert "stable at this speed" in light.missing["threshold_speed"]
+    heavy = film_bearings.answer(rotor_mass="100 t", load="1 kN", speed="9000 rpm")
+    assert "threshold_speed" not in heavy.values
+    assert "whirls at this speed" in heavy.missing["threshold_speed"]
+    assert "W120" in {one.code for one in heavy.warnings}
     assert "threshold_speed" not in film_bearings.answer(speed="9000 rpm", load="10 kN").missing

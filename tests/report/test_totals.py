@@ -69,7 +69,7 @@ def test_the_pump_delivers_what_returns_unused_too_and_not_what_the_sides_draw_i
     found = totals(results)
     assert found.values["total_flow"] == pytest.approx(7e-5, rel=1e-12)
     assert found.values["pump_flow"] == pytest.approx(8e-5, rel=1e-12)
-    assert "oil flow Q = 4.2 L/min, flow wanted of the pump Q_pump = 4.8 L/min" in found.sentence
+    assert "oil flow Q = 4.2 L/min, required pump flow Q_pump = 4.8 L/min" in found.sentence
     (surplus,) = (column for column in columns_of(results) if column.heading == "Q_over")
     assert surplus.cells(results) == ["1.2", "–"]
 

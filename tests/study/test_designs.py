@@ -189,6 +189,16 @@ def test_one_clearance_stands_beside_the_mean_of_several(turned):
     assert first.minimum_film_thickness == pytest.approx(second.minimum_film_thickness, rel=1e-12)
 
 
+def test_a_bearing_that_is_solved_at_one_clearance_keeps_its_name_beside_one_solved_at_several():
+    several = MACHINE.replace(
+        "1.2 permille},\n     span: 360 deg, load: 10 kN",
+        "1.2 permille, minimum: 1 permille, maximum: 1.4 permille},\n     clearance_cases: all, span: 360 deg, load: 10 kN",
+    )
+    assert several != MACHINE
+    names = {one.name for one in designs(several, several).bearings}
+    assert names == {"Wheel", *(f"Pinion ({one} clearance)" for one in ("minimum", "mean", "maximum"))}
+
+
 def test_designs_of_one_bearing_without_a_common_point_are_told_what_to_name():
     slow, full = (f"{FIRST}\noperating_points: [{{name: {one}, speed: 900 rpm}}]\n" for one in ("slow", "full"))
     with pytest.raises(InputError, match="Their bearings match: give their operating points the same names"):

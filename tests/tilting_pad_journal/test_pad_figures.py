@@ -83,4 +83,4 @@ def test_starved_points_of_a_sweep_are_crossed_out(tmp_path):
     for panel in figure.axes[:2]:
         (crosses,) = [line.get_ydata() for line in panel.lines if line.get_marker() == "x"]
         assert list(np.isfinite(crosses)) == [True, False, False]
-    assert [one.get_text() for one in figure.texts] == ["×: no verdict, the model does not hold there (W405)."]
+    assert [one.get_text() for one in figure.texts] == ["×: the model does not hold there (W405)."]

@@ -134,7 +134,10 @@ def missing_values(results: Sequence[Result]) -> tuple[Group, ...]:
             names.append(result.name)
     return tuple(
         Group(
-            "", ", ".join(dict.fromkeys(symbols)), tuple(dict.fromkeys(names)), _names(results),
+            "",
+            ", ".join(dict.fromkeys(symbols)),
+            tuple(dict.fromkeys(names)),
+            _names(results),
             in_us_units(translated(reason), OF_RESULTS),
         )
         for reason, (symbols, names) in found.items()

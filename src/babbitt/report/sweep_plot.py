@@ -61,7 +61,7 @@ NOTE_LINE = 3.5
 
 LESS_OIL = "Where the supply delivers less oil than the film wants: the film with what it delivers, as judged."
 
-NO_VERDICT: dict[str, Any] = {"color": INK, "linestyle": "", "marker": "x", "markersize": 4.0, "zorder": 3}
+NOT_VALID: dict[str, Any] = {"color": INK, "linestyle": "", "marker": "x", "markersize": 4.0, "zorder": 3}
 """Where a model does not hold, though its curve goes on."""
 
 NOT_STABLE: dict[str, Any] = {"linestyle": (0, (3.5, 1.5))}
@@ -129,7 +129,7 @@ def sweep_figure(sweep: CaseSweep, chosen: Sequence[str] = ()) -> Figure:
     if codes := sorted(
         {code for curve in curves for one in curve.results.values() for code in one.invalidating_codes}
     ):
-        notes.append(f"×: no verdict, the model does not hold there ({', '.join(codes)}).")
+        notes.append(f"×: the model does not hold there ({', '.join(codes)}).")
     below = NOTE_LINE * len(notes)
     rows = math.ceil(len(shown) / 2)
     height = ROW * rows + legend + below
@@ -210,7 +210,7 @@ def _panel(
     for curve, (y, _) in zip(curves, drawn, strict=True):
         holds = [place not in curve.results or not curve.results[place].invalidating_codes for place in order]
         if not all(holds):
-            panel.plot(x[order], np.where(holds, np.nan, y), **NO_VERDICT)
+            panel.plot(x[order], np.where(holds, np.nan, y), **NOT_VALID)
     if present is not None and x.min() <= present <= x.max():
         panel.axvline(present, color=GREY, linewidth=0.6, linestyle=(0, (1, 2)), zorder=0)
         if titled:

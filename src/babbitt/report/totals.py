@@ -18,7 +18,7 @@ from babbitt.report.text import counted
 
 NAMES = {
     "total_flow": "oil flow",
-    "pump_flow": "flow wanted of the pump",
+    "pump_flow": "required pump flow",
     "friction_power": "friction power",
     "heat_to_oil": "heat to the oil",
     "heat_to_surroundings": "heat to the surroundings",
@@ -67,7 +67,7 @@ class Totals:
         """The sums in one line.
 
         >>> Totals(2, {"total_flow": 6e-4, "pump_flow": 8e-4}).sentence
-        'Total of 2 bearings: oil flow Q = 36.0 L/min, flow wanted of the pump Q_pump = 48.0 L/min'
+        'Total of 2 bearings: oil flow Q = 36.0 L/min, required pump flow Q_pump = 48.0 L/min'
         """
         return f"{self.heading}: " + ", ".join(f"{s.name} {s.symbol} = {s.value} {s.unit}" for s in self.sums)
 

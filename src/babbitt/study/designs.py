@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import count
 from typing import Any
@@ -212,17 +212,16 @@ def _leaves(value: Any, path: tuple[str, ...], kind: Kind | None) -> Iterator[tu
 def _matched(machines: Sequence[MachineResult]) -> Iterator[ComparedBearing]:
     """Bearings of equal name, point and clearance; in designs of one bearing each, whatever they are called.
 
-    Beside a design of which all clearances are solved, one that is solved at one stands for its mean.
+    Beside a bearing of which all clearances are solved, one that is solved at one stands for its mean.
     """
-    single, several = _single(machines), _clearances(machines) - {""}
-    tables = [
-        {_key(one, single, "mean" if several else ""): one for one in machine.results} for machine in machines
-    ]
+    single = _single(machines)
+    several = {_known_as(one, single) for machine in machines for one in machine.results if _clearance(one)}
+    tables = [{_key(one, single, several): one for one in machine.results} for machine in machines]
     for key in dict.fromkeys(key for table in tables for key in table):
         results = tuple(table.get(key) for table in tables)
         first = next(one for one in results if one is not None)
         name: str = first.name
-        if several and isinstance(name, ResultName) and not name.member:
+        if isinstance(name, ResultName) and not name.member and key[2]:
             name = ResultName(name.bearing, name.point, "mean")
         yield ComparedBearing(name, results, _quantities([one for one in results if one is not None]))
 
@@ -230,12 +229,6 @@ def _matched(machines: Sequence[MachineResult]) -> Iterator[ComparedBearing]:
 def _single(machines: Sequence[MachineResult]) -> bool:
     """Whether each design is of one bearing."""
     return all(len({_bearing(one) for one in machine.results}) == 1 for machine in machines)
-
-
-def _clearances(machines: Sequence[MachineResult]) -> set[str]:
-    """Words for the clearances at which bearings are solved; an empty one where one alone is."""
-    names = (one.name for machine in machines for one in machine.results)
-    return {name.clearance for name in names if isinstance(name, ResultName)}
 
 
 def _remedy(machines: Sequence[MachineResult]) -> str:
@@ -250,12 +243,21 @@ def _bearing(result: Result) -> str:
     return result.name.bearing if isinstance(result.name, ResultName) else result.name
 
 
-def _key(result: Result, single: bool, alone: str) -> tuple[str, str, str]:
-    """Bearing, point and member; `alone` is the word for the clearance of a bearing that is solved at one."""
-    name = result.name
+def _clearance(result: Result) -> str:
+    """At which clearance a bearing is solved of which several are; empty where one alone is."""
+    return result.name.clearance if isinstance(result.name, ResultName) else ""
+
+
+def _known_as(result: Result, single: bool) -> str:
+    return "" if single else _bearing(result)
+
+
+def _key(result: Result, single: bool, several: Collection[str]) -> tuple[str, str, str]:
+    """Bearing, point and member; bearings in `several` are solved at several clearances in some design."""
+    name, bearing = result.name, _known_as(result, single)
     if not isinstance(name, ResultName):
-        return ("" if single else name, "", "")
-    return ("" if single else name.bearing, name.point, name.member or alone)
+        return (bearing, "", "")
+    return (bearing, name.point, name.member or ("mean" if bearing in several else ""))
 
 
 def _quantities(results: Sequence[Result]) -> tuple[str, ...]:

@@ -78,8 +78,8 @@ def is_output(path: Path) -> bool:
                 return False
             if start.startswith(b"PK"):
                 return _is_workbook(path)
-            if _SEAL.startswith(start):
-                return _is_sealed(path)
+            if start == _SEAL[: len(start)] and _is_sealed(path):
+                return True
             if start == b"\x89HDF\r\n\x1a\n":
                 return _is_netcdf(path)
             with mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as content:

@@ -81,13 +81,11 @@ class Notice:
         """Placeholders beside < or > whose numbers read alike, with the digits that show the difference."""
         for found in COMPARED.finditer(said):
             values = [self.values[name] for name in found.group(2, 5)]
-            measures = [measure or name for name, measure in (found.group(2, 3), found.group(5, 6))]
-            if (
-                all(isinstance(one, int | float) for one in values)
-                and len(set(map(_shown, values, measures))) == 1
-            ):
-                quantity = next(filter(None, map(quantity_shown, measures)), PLAIN)
-                yield from zip(found.group(1, 4), quantity.told_apart(*values), strict=True)
+            first, second = (measure or name for name, measure in (found.group(2, 3), found.group(5, 6)))
+            if all(isinstance(one, int | float) for one in values) and _alike(*values, first):
+                texts = (quantity_shown(first) or PLAIN).told_apart(*values)
+                alike = second == first or quantity_shown(second) is not None
+                yield from zip(found.group(1, 4)[: 1 + alike], texts, strict=False)
 
     def sentence(self, chosen: str = ENGLISH) -> str:
         """The same in a language of its own."""
@@ -97,6 +95,10 @@ class Notice:
     def plain_values(self) -> dict[str, Any]:
         """The values for JSON: clauses as their values, several as a list, null for what is not finite."""
         return {name: _plain(value) for name, value in self.values.items()}
+
+
+def _alike(value: float, other: float, measure: str) -> bool:
+    return _shown(value, measure) == _shown(other, measure)
 
 
 def quantity_shown(measure: str) -> Quantity | None:

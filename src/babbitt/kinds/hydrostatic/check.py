@@ -23,7 +23,12 @@ from babbitt.kinds.hydrostatic.rest import warnings_about_rest
 from babbitt.kinds.hydrostatic.validity import warnings_of_solution
 from babbitt.kinds.hydrostatic.values import arrays, values
 from babbitt.kinds.hydrostatic.whirl import whirl_of
-from babbitt.reynolds.stability.whirl_checks import warnings_about_whirl, whirl_checks, whirl_values
+from babbitt.reynolds.stability.whirl_checks import (
+    missing_thresholds,
+    warnings_about_whirl,
+    whirl_checks,
+    whirl_values,
+)
 
 __all__ = ["hydrostatic_check"]
 
@@ -111,6 +116,7 @@ def hydrostatic_solution(case: HydrostaticCase) -> Solution:
         assumptions=case.assumptions,
         settings=settings,
         arrays=several,
+        missing=missing_thresholds(whirl) if whirl else {},
     )
     return Solution(asked, result, state)
 

@@ -12,7 +12,19 @@ from babbitt.core.notices import Notice
 from babbitt.core.result import Bound, Check
 from babbitt.reynolds.stability.whirl_limits import Whirl
 
-__all__ = ["CarriesRotor", "warnings_about_whirl", "whirl_checks", "whirl_values", "without_critical_mass"]
+__all__ = [
+    "CarriesRotor",
+    "missing_thresholds",
+    "warnings_about_whirl",
+    "whirl_checks",
+    "whirl_values",
+    "without_critical_mass",
+]
+
+
+STABLE = "the rotor is stable at this speed, and at every one up to ten times it as far as a film was found"
+WHIRLING = "the rotor whirls at this speed, and at every one down to a tenth of it as far as a film was found"
+"""Why no threshold speed is told."""
 
 
 class CarriesRotor(Protocol):
@@ -50,6 +62,18 @@ def whirl_checks(case: CarriesRotor, whirl: Whirl | None) -> Iterator[Check]:
     for name, mass in _bounds(whirl).items():
         bound = Bound.AT_MOST if name == "least_stable_mass" else Bound.AT_LEAST
         yield Check("C115", name, mass, whirl.rotor_mass, bound, source, not own)
+
+
+def missing_thresholds(whirl: Whirl) -> dict[str, str]:
+    """Threshold speeds that were sought and not found, each with the reason."""
+    found = {"threshold_speed": (whirl.stable, whirl.threshold_speed)}
+    if whirl.elastic is not None:
+        found["threshold_speed_elastic"] = (whirl.elastic.stable, whirl.elastic.threshold_speed)
+    return {
+        name: STABLE if stable.reserve(whirl.rotor_mass) >= 1.0 else WHIRLING
+        for name, (stable, speed) in found.items()
+        if speed is None
+    }
 
 
 def without_critical_mass(whirl: Whirl | None) -> Notice | None:

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from babbitt.core.solution import Solution
-from babbitt.kinds.hydrostatic.answer import Answer, load_vector
+from babbitt.kinds.hydrostatic.answer import Answer, load_vector, thinnest_film
 from babbitt.kinds.hydrostatic.geometry import RecessedJournal, pitches_around
 from babbitt.kinds.hydrostatic.jacking import BOTTOM
 from babbitt.kinds.hydrostatic.jacking_model import JackingCase
@@ -35,7 +35,7 @@ def recessed_journal_picture(solution: Solution) -> Picture:
         _bearing(picture, shape, np.zeros(2))
         return picture
     found: Answer = solution.state.found
-    picture = Picture(REACH, f"{solution.result.name} seen along the shaft: {_said(found)}")
+    picture = Picture(REACH, f"{solution.result.name} seen along the shaft: {_said(case, found)}")
     if found.film is not None:
         _pressure(picture, solution.state.case, found)
     _bearing(picture, shape, found.at)
@@ -73,9 +73,9 @@ def jacking_picture(solution: Solution) -> Picture:
     return picture
 
 
-def _said(found: Answer) -> str:
+def _said(case: HydrostaticCase, found: Answer) -> str:
     pressures = ", ".join(sized("recess_pressure", float(one)) for one in found.network.pressures)
-    return f"thinnest film {sized('film_thickness', found.minimum_gap)}, recesses at {pressures}"
+    return f"thinnest film {sized('film_thickness', thinnest_film(case, found))}, recesses at {pressures}"
 
 
 def _bearing(picture: Picture, shape: RecessedJournal, at: Array) -> None:

@@ -71,6 +71,7 @@ from babbitt.kinds.journal.one_temperature import (
 )
 from babbitt.reynolds.model import END_DAM, Cavitation
 from babbitt.reynolds.stability.whirl_checks import (
+    missing_thresholds,
     warnings_about_whirl,
     whirl_checks,
     whirl_values,
@@ -98,9 +99,6 @@ LIMITING_SPEEDS = {
 
 SPEED_NOT_ASKED = "not looked for, as limiting_speeds: false asks"
 """Why such a speed is missing."""
-
-NO_THRESHOLD = "at no speed with a film, from a tenth to ten times that of the case, does the rotor begin to whirl"
-"""Why it is missing where it was looked for."""
 
 NO_CALM_FILM = "no film was found at this position without the supply pressure; only their sum is known"
 """Why the flows by film pressure and by supply pressure are missing."""
@@ -150,7 +148,7 @@ def film_solution(case: FilmCase, watch: ProgressCallback = no_progress) -> Solu
     warnings = case.warnings
     not_made: tuple[Notice, ...] = ()
     arrays, settings = {}, film_settings(case)
-    no_mass = no_tilt = None
+    no_mass = no_tilt = whirl = None
     solved = None
     if found.film is not None:
         state, slope = confirmed_state(case, found.film)
@@ -238,7 +236,7 @@ def film_solution(case: FilmCase, watch: ProgressCallback = no_progress) -> Solu
         {name: NO_CALM_FILM for name in ("side_flow", "supply_flow") if math.isnan(values.get(name, 0.0))}
         | ({"critical_mass": no_mass.message} if no_mass else {})
         | (dict.fromkeys(OF_TILT, no_tilt.message) if no_tilt else {})
-        | _missing_speeds(case, values)
+        | _missing_speeds(case, values, whirl)
         | missing_without_load(case, found.film),
         failed,
     )
@@ -288,11 +286,10 @@ def _running_values(case: FilmCase, state: FilmState, whirl: Whirl | None) -> di
     return values
 
 
-def _missing_speeds(case: FilmCase, values: Mapping[str, float]) -> dict[str, str]:
+def _missing_speeds(case: FilmCase, values: Mapping[str, float], whirl: Whirl | None) -> dict[str, str]:
     """The speeds that were not looked for or not found, each with the reason."""
     if case.limiting_speeds:
-        sought = ("threshold_speed", "threshold_speed_elastic") if case.whirl_speed else ()
-        return {one: NO_THRESHOLD for one in sought if LIMITING_SPEEDS[one] in values and one not in values}
+        return missing_thresholds(whirl) if whirl is not None and case.whirl_speed else {}
     return {name: SPEED_NOT_ASKED for name, known_by in LIMITING_SPEEDS.items() if known_by in values}
 
 
