@@ -192,7 +192,8 @@ def test_one_clearance_stands_beside_the_mean_of_several(turned):
 def test_a_bearing_that_is_solved_at_one_clearance_keeps_its_name_beside_one_solved_at_several():
     several = MACHINE.replace(
         "1.2 permille},\n     span: 360 deg, load: 10 kN",
-        "1.2 permille, minimum: 1 permille, maximum: 1.4 permille},\n     clearance_cases: all, span: 360 deg, load: 10 kN",
+        "1.2 permille, minimum: 1 permille, maximum: 1.4 permille}, clearance_cases: all,\n"
+        "     span: 360 deg, load: 10 kN",
     )
     assert several != MACHINE
     names = {one.name for one in designs(several, several).bearings}

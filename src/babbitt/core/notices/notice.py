@@ -80,10 +80,12 @@ class Notice:
     def _told_apart(self, said: str) -> Iterator[tuple[str, str]]:
         """Placeholders beside < or > whose numbers read alike, with the digits that show the difference."""
         for found in COMPARED.finditer(said):
-            values = [self.values[name] for name in found.group(2, 5)]
+            value, other = (self.values[name] for name in found.group(2, 5))
             first, second = (measure or name for name, measure in (found.group(2, 3), found.group(5, 6)))
-            if all(isinstance(one, int | float) for one in values) and _alike(*values, first):
-                texts = (quantity_shown(first) or PLAIN).told_apart(*values)
+            if not all(isinstance(one, int | float) for one in (value, other)):
+                continue
+            if _shown(value, first) == _shown(other, first):
+                texts = (quantity_shown(first) or PLAIN).told_apart(value, other)
                 alike = second == first or quantity_shown(second) is not None
                 yield from zip(found.group(1, 4)[: 1 + alike], texts, strict=False)
 
@@ -95,10 +97,6 @@ class Notice:
     def plain_values(self) -> dict[str, Any]:
         """The values for JSON: clauses as their values, several as a list, null for what is not finite."""
         return {name: _plain(value) for name, value in self.values.items()}
-
-
-def _alike(value: float, other: float, measure: str) -> bool:
-    return _shown(value, measure) == _shown(other, measure)
 
 
 def quantity_shown(measure: str) -> Quantity | None:

@@ -12,6 +12,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
+from typing import Any
 
 FREEZING = Fraction("273.15")
 ZERO_CELSIUS = float(FREEZING)
@@ -65,7 +66,7 @@ class Kind:
     unit: str
     phrase: str
     example: str
-    factors: Mapping[str, Fraction | float]
+    factors: Mapping[str, Any]
     offsets: Mapping[str, Fraction] = field(default_factory=dict)
     open_to_pint: bool = True
     name: str = ""

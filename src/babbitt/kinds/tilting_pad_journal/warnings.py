@@ -234,7 +234,7 @@ def about_laminar_films(values: Mapping[str, float]) -> Iterator[Notice]:
 
 
 def about_ramp(films: PadFilms) -> Iterator[Notice]:
-    """Loaded pads whose films lie in the transition from laminar to turbulent flow, the slope of which coefficients take."""
+    """Loaded pads with films in transition to turbulence, of which coefficients take the slope."""
     law = films.solution.bearing.turbulence
     if law is not None and (share := ramp_share(films.solution, law)) > 0.0:
         yield Notice("W420", values={"share": share, "onset": law.onset, "end": law.end})
