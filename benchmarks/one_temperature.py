@@ -6,12 +6,14 @@ Random bearings of a set, `ordinary` (0.8 to 5 MPa, 2 to 35 m/s, spans of 360 to
 15 to 60 m/s), `short` (as ordinary, spans of 120 and 90 deg) or `pressed` (1 to 5 MPa, 5 to 35 m/s, with grooves
 around the bore or pockets of 0.5 to 0.89 of the width under 0.1 to 1 MPa whose Q_p is 0.5 to 10 times Q_3; its
 films on draft grids) or `thick` (ISO VG 22 to 460, 0.8 to 5 MPa, 2 to 60 m/s, any supply element, outlets up to
-115 degC; draft grids): diameters 60 to 300 mm, B/D 0.5 to 1, clearances
-1 to 1.5 times those of Vogelpohl's rule, pockets at both sides of 0.5 to 0.7 of the width, oils ISO VG 22 to 68
-at 40 to 50 degC and 1 to 3 bar, tin and copper alloys. The film is `thermal: full`. Held against each other are
-the thinnest film, the hottest bush against the outlet, and outlet against outlet, with the flow that the supply
-delivers where that is less; the rise of the hottest bush above the inlet in K over the root of specific load
-times speed in MPa m/s; and the Reynolds number. One line a bearing; quartiles, ends and twentieths; verdicts by
+115 degC; draft grids) or `hot` (ISO VG 150 to 460 that enters at 65 to 80 degC, 10 to 30 m/s, 1.5 to 6.5 MPa,
+B/D 0.25 to 0.4, grooves around the bore or half of it; outlets up to 115 degC; draft grids): diameters 60 to
+300 mm, B/D 0.5 to 1, clearances 1 to 1.5 times those of Vogelpohl's rule, pockets at both sides of 0.5 to 0.7 of
+the width, oils ISO VG 22 to 68 at 40 to 50 degC and 1 to 3 bar, tin and copper alloys. The film is `thermal:
+full`. Held against each other are the thinnest film, the hottest bush against the outlet, and outlet against
+outlet, with the flow that the supply delivers where that is less; the rise of the hottest bush above the inlet in
+K over the root of specific load times speed in MPa m/s; and the Reynolds number. One line a bearing; quartiles,
+ends and twentieths; verdicts by
 both.
 """
 
@@ -120,7 +122,29 @@ surface_speed: {speed:.2f} m/s
 """
 
 
-OF_ITS_OWN = {"pressed": pressed_bearing, "thick": thick_bearing}
+def hot_bearing(rng: Random, number: int) -> str:
+    """A narrow bearing with hot thick oil, much of which leaves beside the loaded film."""
+    diameter, speed = math.exp(rng.uniform(math.log(150.0), math.log(700.0))), math.exp(rng.uniform(2.3, 3.4))
+    width = float(rng.choice([0.25, 0.3, 0.35, 0.4])) * diameter
+    half = rng.uniform() < 0.5
+    element, share = ("groove_180", 0.5) if half else ("groove_360", 0.2)
+    return f"""
+kind: journal
+name: bearing {number}
+diameter: {diameter:.0f} mm
+width: {width:.1f} mm
+clearance: {{kind: relative, mean: {math.exp(rng.uniform(-0.22, 0.95)):.2f} permille}}
+span: {rng.choice([180, 360]) if half else 360} deg
+supply_element: {{kind: {element}, width: {rng.uniform(0.05, share) * width:.1f} mm}}
+lubricant: ISO VG {rng.choice([150, 220, 320, 460])}
+supply: {{temperature: {rng.choice([65, 70, 75, 80])} degC, pressure: {rng.choice([0.1, 0.2, 0.3, 0.5])} MPa}}
+materials: {{bearing_metal: {rng.choice(["CuPb10Sn10", "AlSn20Cu", "SnSb8Cu4"])}, bearing: C45, journal: C45}}
+specific_load: {math.exp(rng.uniform(math.log(1.5), math.log(6.5))):.2f} MPa
+surface_speed: {speed:.1f} m/s
+"""
+
+
+OF_ITS_OWN = {"pressed": pressed_bearing, "thick": thick_bearing, "hot": hot_bearing}
 """Sets whose bearings differ in more than speed, load and span."""
 
 HOTTEST_OUTLET = 388.15
@@ -134,7 +158,7 @@ def worse(result: Result, name: str, better: float) -> float:
 
 
 def main(wanted: int = 48, seed: int = 3, chosen: str = "ordinary") -> None:
-    pressed, thick = chosen == "pressed", chosen == "thick"
+    pressed, thick = chosen == "pressed", chosen in ("thick", "hot")
     accuracy = "draft" if pressed or thick else "engineering"
     rng, number, rows, verdicts = np.random.default_rng(seed), 0, [], Counter()
     while len(rows) < wanted and number < 10 * wanted:

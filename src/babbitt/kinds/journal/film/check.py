@@ -65,6 +65,7 @@ from babbitt.kinds.journal.film.values import fills_of, film_values, rows_of, su
 from babbitt.kinds.journal.film.whirl import whirl_of
 from babbitt.kinds.journal.one_temperature import (
     checks_of_metal,
+    warnings_about_heat_left_out,
     warnings_about_kept_limits,
     warnings_about_margins,
     warnings_about_unknown_metal,
@@ -343,6 +344,7 @@ def film_warnings(
         yield from _warnings_about_feed_pressure(case, state, values)
         yield from warnings_about_margins(checks, values, metal, viscosity, over_viscosity)
         yield from warnings_about_unknown_metal(case, checks, values)
+        yield from warnings_about_heat_left_out(case, values)
     elif case.oil_supply is not None:
         supplied = case.oil_supply.temperature
         yield from warnings_about_kept_limits(checks, checks_of_metal(case.limits), supplied)

@@ -35,6 +35,7 @@ from babbitt.kinds.journal.iso7902.supply import (
 )
 from babbitt.kinds.journal.one_temperature import (
     checks_of_metal,
+    warnings_about_heat_left_out,
     warnings_about_margins,
     warnings_about_unknown_metal,
 )
@@ -251,6 +252,7 @@ def _of_running(
     viscosity = usable_viscosity(case.lubricant)
     yield from warnings_about_margins(checks, values, checks_of_metal(case.limits), viscosity)
     yield from warnings_about_unknown_metal(case, checks, values)
+    yield from warnings_about_heat_left_out(case, values)
     screening = next((check for check in checks if check.code == "C112"), None)
     if case.rotor_mass is not None and screening is not None and screening.ok:
         heavier = case.rotor_mass * STANDARD_GRAVITY / values["load"]
