@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -13,22 +14,27 @@ from matplotlib.text import Text
 
 import babbitt
 from babbitt.case.parts.title_block import TitleBlock
+from babbitt.core.kind import kinds
 from babbitt.core.language import LANGUAGES, composed, folders, phrases, plural, read_words, translated, written_in
 from babbitt.core.notices import InputError, Notice
 from babbitt.core.notices import words as loader
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.report_level import Level
+from babbitt.kinds.hydrostatic import sweeps
+from babbitt.kinds.hydrostatic.report.words import HYDROSTATIC_WORDS
 from babbitt.kinds.journal.report.key_results import KEY_RESULTS
 from babbitt.kinds.journal.report.stribeck import stribeck
 from babbitt.kinds.journal.report.words import JOURNAL_WORDS
-from babbitt.report.bearing_content import calculation_content, figures_content
+from babbitt.report.bearing_content import NOT_FOR_PAPER, calculation_content, figures_content
 from babbitt.report.chapters import chapters
 from babbitt.report.content import content
 from babbitt.report.document import TEMPLATES, report, write_report
 from babbitt.report.figure_words import translate_figure
 from babbitt.report.labels import SHORT, label
+from babbitt.solving import solve
 
-GEAR = Path(babbitt.__file__).parents[2] / "examples" / "marine_reverse_gear.yaml"
+EXAMPLES = Path(babbitt.__file__).parents[2] / "examples"
+GEAR = EXAMPLES / "marine_reverse_gear.yaml"
 OTHERS = [one for one in LANGUAGES if one != "en"]
 NOT_TEXT = {"svg", "symbol", "formula", "substituted", "number", "words", "hash", "language", "heading", "spoken"}
 
@@ -62,6 +68,22 @@ def texts(data, path: tuple = ()) -> Iterator[tuple[tuple, str]]:
             yield from texts(part, (*path, place))
 
 
+def lacks_no_word(machine):
+    """Hold the texts of every language against the English ones, and look for English inputs in the Russian."""
+    ours = dict(texts(said_in(machine, "en")[0]))
+    for language in OTHERS:
+        made, missing = said_in(machine, language)
+        assert not list(missing)
+        theirs = dict(texts(made))
+        assert ours.keys() == theirs.keys()
+        for path, text in ours.items():
+            assert numbers(text) == numbers(theirs[path]), path
+        if language == "ru":
+            of_case = [text for path, text in theirs.items() if {"inputs", "assumptions"} & {*path}]
+            assert of_case
+            assert not [text for text in of_case if re.search("[A-Za-z]{4,}", text)]
+
+
 def numbers(text: str) -> Counter[str]:
     plain = text.replace("1/min", "rpm").translate(str.maketrans("²³−", "23-")).replace("\u2009", "")
     return Counter(re.findall(r"\d+(?:\.\d+)?", re.sub(r"(?<=\d),(?=\d)", ".", plain)))
@@ -81,6 +103,55 @@ def test_the_reverse_gear_lacks_no_word_and_has_the_same_numbers(gear, english, 
     assert len(ours) > 2000
     for path, text in ours.items():
         assert numbers(text) == numbers(theirs[path]), path
+
+
+RECESSED = ("hydrostatic_pad", "hydrostatic_thrust_ring", "hydrostatic_journal", "jacking_pocket")
+
+
+@pytest.fixture
+def words_alone(monkeypatch):
+    """Curves are the same in every language, and pictures take most of the time."""
+    monkeypatch.setattr(sweeps, "over_gap", cache(sweeps.over_gap))
+    monkeypatch.setattr("matplotlib.figure.Figure.savefig", lambda *_, **__: None)
+
+
+@pytest.mark.parametrize("method", ["film", "quick"])
+@pytest.mark.parametrize("kind", RECESSED)
+def test_templates_of_recessed_bearings_lack_no_word(kind, method, words_alone):
+    case = re.sub(r"(?m)^method: film", f"method: {method}", kinds()[kind].read_template())
+    lacks_no_word(solve(babbitt.parse_case(case)))
+
+
+@pytest.mark.parametrize("name", ["spindle_bearing", "jacking_pocket", "thrust_pad"])
+def test_examples_of_recessed_bearings_lack_no_word(name, words_alone):
+    lacks_no_word(solve(babbitt.load_case(EXAMPLES / f"{name}.yaml")))
+
+
+@pytest.mark.parametrize(
+    "restrictor",
+    [
+        "{kind: capillary, diameter: 0.6 mm, length: 60 mm, tubes: 3, entry_loss: 2.24, check_valve: true}",
+        "{kind: orifice, diameter: 0.4 mm, discharge: 0.62}",
+        "{kind: slot, width: 10 mm, gap: 0.1 mm, length: 20 mm}",
+        "{kind: constant_flow, flow: 0.25 L/min, leakage: 0.001 L/(min MPa)}",
+        "{kind: metered_flow, flow: 0.25 L/min}",
+        "{kind: flow_valve, flow: 0.2 L/min, gain: 0.01 L/(min MPa), open_conductance: 0.5 L/(min MPa)}",
+        "{kind: membrane_valve, conductance: 0.03 L/(min MPa), compliance: 0.2 1/MPa}",
+    ],
+)
+def test_every_restrictor_has_words(restrictor, words_alone):
+    case = kinds()["hydrostatic_pad"].read_template().replace("method: film", "method: quick", 1)
+    case = re.sub(r"(?m)^restrictor: .*$", f"restrictor: {restrictor}", case)
+    lacks_no_word(solve(babbitt.parse_case(case)))
+
+
+@pytest.mark.parametrize("language", OTHERS)
+def test_numbers_in_a_row_are_apart_where_their_sign_is_a_comma(language):
+    case = kinds()["hydrostatic_thrust_ring"].read_template().replace("first: 45 deg", "first: 22.5 deg")
+    machine = solve(babbitt.parse_case(case.replace("method: film", "method: quick", 1)))
+    with written_in(language):
+        groups = content(machine, Level.STANDARD)["bearings"][0]["inputs"]
+    assert "22,5; 112,5; -157,5; -67,5" in [row["value"] for group in groups for row in group["rows"]]
 
 
 @pytest.mark.parametrize("language", OTHERS)
@@ -103,7 +174,7 @@ def test_templates_lack_no_word(language):
 
 
 @pytest.mark.parametrize("language", OTHERS)
-@pytest.mark.parametrize("folder", [one for one in folders() if one.name in ("notices", "journal")], ids=str)
+@pytest.mark.parametrize("folder", [one for one in folders() if read_words(one, "de")], ids=lambda one: one.name)
 def test_every_notice_has_a_title_a_remedy_and_messages_with_the_same_values(folder, language):
     entries, messages = loader._read(folder, "en")
     own_entries, own_messages = loader._read(folder, language)
@@ -134,6 +205,18 @@ def test_quantities_of_journal_bearings_have_names(language):
     with written_in(language) as missing:
         for name in (*KEY_RESULTS, *(one.name for one in JOURNAL_WORDS)):
             label(name, "journal")
+    assert not list(missing)
+
+
+@pytest.mark.parametrize("language", OTHERS)
+def test_quantities_of_recessed_bearings_have_names(language):
+    with written_in(language) as missing:
+        for one in HYDROSTATIC_WORDS:
+            label(one.name, "hydrostatic_pad")
+        for kind in RECESSED:
+            for name in kinds()[kind].load_meanings():
+                if name not in NOT_FOR_PAPER:
+                    label(name, kind)
     assert not list(missing)
 
 

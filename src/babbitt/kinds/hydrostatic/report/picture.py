@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from babbitt.core.language import translated
 from babbitt.core.solution import Solution
 from babbitt.kinds.hydrostatic.answer import Answer
 from babbitt.kinds.hydrostatic.geometry import AnnularPad, CircularPad, RectangularPad, ThrustRing, pitches_around
@@ -34,12 +35,17 @@ def recess_picture(solution: Solution) -> Picture:
     half = _half_height(case)
     found = solution.state.found if solution.result.outcome.solved else None
     if found is None:
-        picture = Picture(REACH, f"{name}: lands and recesses", -half, half)
+        picture = Picture(REACH, translated("{bearing}: lands and recesses", bearing=name), -half, half)
         _plan(picture, case, None)
         return picture
-    what = "unrolled around the recesses" if isinstance(shape, ThrustRing) else "through the middle"
+    cut = "unrolled around the recesses" if isinstance(shape, ThrustRing) else "through the middle"
     pressures = ", ".join(sized("recess_pressure", float(one)) for one in found.network.pressures)
-    spoken = f"{name}: lands and recesses at {pressures}; below, a section {what}"
+    spoken = translated(
+        "{bearing}: lands and recesses at {pressures}; below, a section {cut}",
+        bearing=name,
+        pressures=pressures,
+        cut=translated(cut),
+    )
     picture = Picture(REACH, spoken, -half - ABOVE - BELOW, half)
     _plan(picture, case, found)
     recess_section(picture.part(0.0, -half - ABOVE, 1.0), case, found)

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from babbitt.core.language import translated
 from babbitt.core.solution import Solution
 from babbitt.kinds.hydrostatic.answer import Answer, load_vector, thinnest_film
 from babbitt.kinds.hydrostatic.geometry import RecessedJournal, pitches_around
@@ -31,11 +32,12 @@ def recessed_journal_picture(solution: Solution) -> Picture:
     shape = case.shape
     assert isinstance(shape, RecessedJournal)
     if not solution.result.outcome.solved:
-        picture = Picture(REACH, f"{solution.result.name}: bore and recesses seen along the shaft")
+        spoken = translated("{bearing}: bore and recesses seen along the shaft", bearing=solution.result.name)
+        picture = Picture(REACH, spoken)
         _bearing(picture, shape, np.zeros(2))
         return picture
     found: Answer = solution.state.found
-    picture = Picture(REACH, f"{solution.result.name} seen along the shaft: {_said(case, found)}")
+    picture = Picture(REACH, _spoken(case, solution.result.name, found))
     if found.film is not None:
         _pressure(picture, solution.state.case, found)
     _bearing(picture, shape, found.at)
@@ -57,8 +59,8 @@ def jacking_picture(solution: Solution) -> Picture:
     gap = values["minimum_film_thickness"] if solved else case.roughness
     angle = BOTTOM + (values["attitude_angle"] if solved else 0.0)
     at = (case.bearing.clearance - gap) * np.array([math.cos(angle), math.sin(angle)])
-    said = f"lifted by {sized('film_thickness', gap)}" if solved else "lying in the bore"
-    picture = Picture(REACH, f"{solution.result.name} seen along the shaft, {said}")
+    said = "{bearing} seen along the shaft, " + ("lifted by {film}" if solved else "lying in the bore")
+    picture = Picture(REACH, translated(said, bearing=solution.result.name, film=sized("film_thickness", gap)))
     _bearing(picture, case.bearing, at)
     for pocket in case.bearing.recess_angles:
         c, s = math.cos(pocket), math.sin(pocket)
@@ -73,9 +75,13 @@ def jacking_picture(solution: Solution) -> Picture:
     return picture
 
 
-def _said(case: HydrostaticCase, found: Answer) -> str:
-    pressures = ", ".join(sized("recess_pressure", float(one)) for one in found.network.pressures)
-    return f"thinnest film {sized('film_thickness', thinnest_film(case, found))}, recesses at {pressures}"
+def _spoken(case: HydrostaticCase, bearing: str, found: Answer) -> str:
+    return translated(
+        "{bearing} seen along the shaft: thinnest film {film}, recesses at {pressures}",
+        bearing=bearing,
+        film=sized("film_thickness", thinnest_film(case, found)),
+        pressures=", ".join(sized("recess_pressure", float(one)) for one in found.network.pressures),
+    )
 
 
 def _bearing(picture: Picture, shape: RecessedJournal, at: Array) -> None:
