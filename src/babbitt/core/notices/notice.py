@@ -110,7 +110,9 @@ def _shown(value: Any, measure: str) -> str:
     if isinstance(value, Notice):
         return value.message
     if isinstance(value, tuple):
-        joint = "; " if any(isinstance(one, Notice) for one in value) else ", "
+        clauses = any(isinstance(one, Notice) for one in value)
+        commas = language() != ENGLISH and any(isinstance(one, float) for one in value)  # within the numbers
+        joint = "; " if clauses or commas else ", "
         return joint.join(_shown(one, measure) for one in value)
     if isinstance(value, str):
         return translated_if_known(value)
