@@ -20,6 +20,9 @@ __all__ = ["Notice", "quantity_shown"]
 COMPARED = re.compile(rf"({PLACEHOLDER.pattern}) [<>] ({PLACEHOLDER.pattern})")
 """Two values of which one lies beyond the other."""
 
+FIELDS = "fields"
+"""Placeholder of names of fields, which may be words of the language as well and stay as they are."""
+
 PLAIN = Quantity("", "", "", SI[""], 4, "")
 """As which numbers without a measure are shown."""
 
@@ -115,7 +118,7 @@ def _shown(value: Any, measure: str) -> str:
         joint = "; " if clauses or commas else ", "
         return joint.join(_shown(one, measure) for one in value)
     if isinstance(value, str):
-        return translated_if_known(value)
+        return value if measure == FIELDS else translated_if_known(value)
     quantity = quantity_shown(measure)
     if quantity is None:
         return str(value) if isinstance(value, int) else decimal(f"{value:.4g}")
