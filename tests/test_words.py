@@ -186,17 +186,19 @@ def test_a_value_too_many_or_too_few_and_a_code_or_variant_that_is_not_there_are
 
 
 def test_another_language_gives_what_it_has_and_english_the_rest(tmp_path, monkeypatch):
-    german = '[W169]\ntitle = "Wenige Nuten"\nmessage = "{starts} Gänge < {least}"\n'
-    (tmp_path / "words.de.toml").write_text(german, encoding="utf-8")
+    code = '[{}]\ntitle = "Few {}"\nmeaning = "There are few."\nremedy = "Take more."\nmessage = "{{n}} {} < 20"\n'
+    english = "".join(code.format(name, what, what) for name, what in (("W990", "grooves"), ("W991", "lands")))
+    german = '[W990]\ntitle = "Wenige Nuten"\nmessage = "{n} Nuten < 20"\n'
+    for language, said in (("en", english), ("de", german)):
+        (tmp_path / f"words.{language}.toml").write_text(said, encoding="utf-8")
     folders = (*loader.folders(), tmp_path)
     monkeypatch.setattr(loader, "folders", lambda: folders)
     words.cache_clear()
     try:
-        notice = Notice("W169", values={"starts": 5, "least": 20})
-        assert notice.sentence("de") == "5 Gänge < 20"
-        found, english = explanations("de")["W169"], explanations()["W169"]
-        assert (found.title, found.meaning) == ("Wenige Nuten", english.meaning)
-        assert Notice("W168").sentence("de") == Notice("W168").message
+        assert Notice("W990", values={"n": 5}).sentence("de") == "5 Nuten < 20"
+        found = explanations("de")["W990"]
+        assert (found.title, found.meaning) == ("Wenige Nuten", "There are few.")
+        assert Notice("W991", values={"n": 5}).sentence("de") == "5 lands < 20"
     finally:
         words.cache_clear()
 

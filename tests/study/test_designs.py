@@ -12,6 +12,7 @@ import pytest
 import babbitt as bb
 from babbitt.case import load_case, parse_case
 from babbitt.cli import main
+from babbitt.core.language import written_in
 from babbitt.core.notices import InputError
 from babbitt.report.designs_output import designs_page
 from babbitt.report.designs_table import bearing_rows, difference
@@ -161,7 +162,51 @@ def test_options_of_the_other_comparison_are_refused(words, said, monkeypatch, c
     assert said in capsys.readouterr().err
 
 
-def test_python_compares_objects():
+@pytest.mark.parametrize(
+    ("language", "said"), [("de", ["Geänderte Eingaben", "b gegen a", "+20,0 %", "Größter"]), ("ru", ["b к a"])]
+)
+def test_the_page_is_written_in_another_language(language, said, run, tmp_path):
+    (tmp_path / "a.yaml").write_text(FIRST, encoding="utf-8")
+    (tmp_path / "b.yaml").write_text(SECOND + "\ndocument: {language: de}\n", encoding="utf-8")
+    status, out, err = run("compare", "a.yaml", "b.yaml", "--report", "out.html", "--language", language)
+    assert (status, err) == (0, "")
+    assert "Changed inputs" in out
+    page = (tmp_path / "out.html").read_text(encoding="utf-8")
+    assert f'<html lang="{language}">' in page
+    assert all(one in page for one in said)
+    assert not [one for one in ("Changed", "against", "quantity", "Verdict", "+20.0 %") if one in page]
+
+
+def test_the_page_is_written_in_the_language_of_the_first_case(run, tmp_path):
+    (tmp_path / "a.yaml").write_text(FIRST + "\ndocument: {language: de}\n", encoding="utf-8")
+    (tmp_path / "b.yaml").write_text(SECOND, encoding="utf-8")
+    assert run("compare", "a.yaml", "b.yaml", "--report", "out.html")[0] == 0
+    assert '<html lang="de">' in (tmp_path / "out.html").read_text(encoding="utf-8")
+    status, _, err = run("compare", "a.yaml", "b.yaml", "--language", "de")
+    assert (status, "--report OUT.html" in err) == (2, True)
+    status, _, err = run("compare", "a.yaml", "--report", "out.html", "--language", "de")
+    assert (status, "is of several designs" in err) == (2, True)
+
+
+@pytest.mark.parametrize("language", ["de", "ru"])
+def test_films_footsteps_and_fed_machines_lack_no_word(language):
+    pairs = [
+        [(EXAMPLES / f"{name}.yaml").read_text(encoding="utf-8") for name in names]
+        for names in (
+            ("turbulent_turbine", "turbulent_turbine_heat"),
+            ("pump_footstep", "pump_footstep_metal"),
+            ("oil_system", "oil_system"),
+        )
+    ]
+    for pair in pairs:
+        found = designs(*pair)
+        with written_in(language) as missing:
+            page = designs_page(found)
+        assert not list(missing)
+        assert "has no such" not in page
+
+
+def test_python_compares_objects(tmp_path):
     first = bb.parse_case(FIRST)
     found = bb.compare(first, first.replace(width=0.072))
     assert found.changed == {"width": ("60 mm", "72 mm")}
@@ -169,6 +214,8 @@ def test_python_compares_objects():
     assert "+20.0 %" in repr(found)
     frame = found.to_dataframe()
     assert frame.set_index("quantity").loc["width", "Textbook bearing (2)"] == pytest.approx(0.072)
+    found.report(tmp_path / "out.html", language="ru")
+    assert "Изменённые исходные данные" in (tmp_path / "out.html").read_text(encoding="utf-8")
     with pytest.raises(InputError, match="from two cases on"):
         bb.compare(first)
     with pytest.raises(TypeError, match="load_case"):

@@ -60,18 +60,21 @@ class DesignComparison:
         frame: pandas.DataFrame = package.DataFrame(rows, columns=list(head))
         return frame
 
-    def report(self, path: str | Path) -> None:
+    def report(self, path: str | Path, language: str | None = None) -> None:
         """Write the page; ``.html``.
+
+        `language` is "en", "de" or "ru", that of the title block of the first case if not given.
 
         Raises
         ------
         InputError
-            E007 for another ending or a path that cannot be written.
+            E005 for a language without the words of a kind; E007 for another ending or a path that cannot be
+            written.
         """
         from babbitt.report.designs_output import require_designs_outputs, write_designs_outputs
 
         require_designs_outputs({}, None, None, Path(path))
-        write_designs_outputs(self.engine, None, None, Path(path))
+        write_designs_outputs(self.engine, None, None, Path(path), language)
 
     def __repr__(self) -> str:
         from babbitt.report.designs_table import short_designs

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from babbitt.cli.app import NO_SOLUTION, AllowOutside, System, Units, app, reach
+from babbitt.cli.app import NO_SOLUTION, AllowOutside, System, Tongue, Units, app, reach
 from babbitt.cli.upgrading import report_former_places
 from babbitt.core.notices import InputError
 from babbitt.core.quantities import displayed_in
@@ -37,6 +37,10 @@ def compare(
     csv: Annotated[
         Path | None, typer.Option(metavar="OUT", help="Of several designs: write a table, OUT.csv or OUT.xlsx.")
     ] = None,
+    language: Annotated[
+        Tongue | None,
+        typer.Option(help="Of the page of several designs: else that of the first case, else English."),
+    ] = None,
     units: Units = System.SI,
     allow_outside: AllowOutside = False,
 ) -> None:
@@ -44,7 +48,7 @@ def compare(
     from babbitt.case import load_case
 
     several = len(files) > 1
-    unfit = [("--plots", plots)] if several else [("--json", json), ("--csv", csv)]
+    unfit = [("--plots", plots)] if several else [("--json", json), ("--csv", csv), ("--language", language)]
     for option, value in unfit:
         if value is not None:
             says = "is of one file, by every method" if several else "is of several designs"
@@ -53,7 +57,7 @@ def compare(
     for file, case in zip(files, cases, strict=True):
         report_former_places(file, case)
     if several:
-        solved = _designs(files, cases, (json, csv, report), units)
+        solved = _designs(files, cases, (json, csv, report), units, language)
     else:
         solved = _methods(files[0], cases[0], plots, report, units)
     if not solved:
@@ -61,22 +65,33 @@ def compare(
 
 
 def _designs(
-    files: list[Path], cases: list[CaseFile], targets: tuple[Path | None, Path | None, Path | None], units: System
+    files: list[Path],
+    cases: list[CaseFile],
+    targets: tuple[Path | None, Path | None, Path | None],
+    units: System,
+    language: Tongue | None,
 ) -> bool:
     """Several designs side by side; whether all have a solution."""
     from babbitt.report.designs_output import require_designs_outputs, write_designs_outputs
     from babbitt.report.designs_table import print_designs
-    from babbitt.report.outputs import inputs_of
+    from babbitt.report.languages import chosen_language
+    from babbitt.report.outputs import inputs_of, left_in_english
     from babbitt.study.designs import compare_designs
 
     json, csv, report = targets
     inputs = inputs_of(files, [path for case in cases for path in case.files])
     require_designs_outputs(inputs, json, csv, report)
+    if report is not None:
+        chosen_language(cases[0].title_block, [case.kind for case in cases], language)
+    elif language is not None:
+        raise InputError("E007", "--language is of the page, and there is none; add --report OUT.html")
     found = compare_designs(cases, [file.stem for file in files])
     write_designs_outputs(found, json, None, None)  # in SI always
     with displayed_in(units):
-        write_designs_outputs(found, None, csv, report)
+        missing = write_designs_outputs(found, None, csv, report, language)
         print_designs(found)
+    if report is not None and missing:
+        print(left_in_english(report, missing), file=sys.stderr)
     return found.solved
 
 

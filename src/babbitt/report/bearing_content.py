@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Iterable, Iterator
-from dataclasses import replace
 from typing import Any
 
 from babbitt.core.language import translated, translated_if_known, unit_sign
@@ -25,7 +24,7 @@ from babbitt.report.labels import label
 from babbitt.report.line import Line, Section
 from babbitt.report.machine_table import in_machine_table
 from babbitt.report.meanings import remark_on_zero
-from babbitt.report.names import format_members
+from babbitt.report.names import format_members, shown_name
 from babbitt.report.symbols import symbol_node
 from babbitt.report.text import plain_text
 from babbitt.report.units_of_matrices import suited_among
@@ -67,7 +66,7 @@ def bearing_content(chapter: Chapter, given: Collection[str] = ()) -> Data:
     sources = sources_of(chapter.results)
     checks = [check_content(check, sources) for check in solved_checks(result)]
     return {
-        "name": plain_text(chapter.name),
+        "name": shown_name(chapter.name),
         "clearances": [format_members([member.clearance]) for member in chapter.members] if several else [],
         "shown": format_members([shown.clearance]) if several and not view.of_every_state else "",
         "verdict": verdicts.worst_verdict(chapter.results).value,
@@ -113,11 +112,11 @@ def calculation_content(chapter: Chapter) -> list[Data]:
     """The calculation of a bearing, line by line: formula, numbers put in, result."""
     return [
         {
-            "title": translated(section.title),
+            "title": heading,
             "remark": translated(section.remark),
             "lines": [_line(line, chapter.shown.result.kind) for line in section.lines],
         }
-        for section in _sections(chapter)
+        for heading, section in _sections(chapter)
     ]
 
 
@@ -146,15 +145,24 @@ def figures_of(chapter: Chapter) -> tuple[Drawing, ...]:
     return tuple(drawing for member in members for drawing in chapter.view.report_figures(member.solution))
 
 
-def _sections(chapter: Chapter) -> tuple[Section, ...]:
-    """The calculation of the member shown, or of every steady state."""
+def _sections(chapter: Chapter) -> Iterator[tuple[str, Section]]:
+    """The calculation of the member shown, or of every steady state, each section with its heading."""
     if not chapter.view.of_every_state:
-        return tuple(chapter.view.sections(chapter.shown.solution))
-    return tuple(
-        replace(section, title=f"{member.clearance.capitalize()}: {section.title.lower()}")
-        for member in chapter.members
-        for section in chapter.view.sections(member.solution)
-    )
+        for section in chapter.view.sections(chapter.shown.solution):
+            yield translated(section.title), section
+        return
+    for member in chapter.members:
+        for section in chapter.view.sections(member.solution):
+            if member.clearance:
+                heading = f"{_capital(translated(member.clearance))}: {translated(section.title.lower())}"
+            else:
+                heading = translated(section.title)
+            yield heading, section
+
+
+def _capital(said: str) -> str:
+    """A text with a large first letter; nouns within it keep theirs."""
+    return said[:1].upper() + said[1:]
 
 
 def _outcome(member: Member) -> Data:
@@ -162,10 +170,10 @@ def _outcome(member: Member) -> Data:
     explanation = explanations().get(outcome.code)
     message = plain_text(member.result.message).removesuffix(".")
     return {
-        "clearance": f"{format_members([member.clearance]).capitalize()}: " if member.clearance else "",
+        "clearance": f"{_capital(format_members([member.clearance]))}: " if member.clearance else "",
         "code": outcome.code,
         "title": translated(outcome.value),
-        "message": message[:1].upper() + message[1:],
+        "message": _capital(message),
         "remedy": explanation.remedy if explanation else "",
     }
 

@@ -12,10 +12,13 @@ from babbitt import __version__
 from babbitt.core.check_text import comparison
 from babbitt.core.files.spreadsheet import Cell, rows_text, workbook
 from babbitt.core.files.writing import require_distinct, require_writable, write_file
+from babbitt.core.language import language, translated, written_in
 from babbitt.core.quantities import QUANTITIES
 from babbitt.report.comparison_page import require_page
 from babbitt.report.designs_table import bearing_rows, kinds_said
 from babbitt.report.document import GENERATOR_TAG, TEMPLATES
+from babbitt.report.languages import chosen_language
+from babbitt.report.names import shown_name
 from babbitt.report.sweep_output import require_ending
 from babbitt.report.text import plain_text
 from babbitt.report.us_words import in_us_units
@@ -45,8 +48,29 @@ def require_designs_outputs(
         require_writable(output)
 
 
-def write_designs_outputs(designs: Designs, record: Path | None, table: Path | None, page: Path | None) -> None:
-    """Write a comparison as JSON, as table and as HTML page, as far as asked for."""
+def write_designs_outputs(
+    designs: Designs, record: Path | None, table: Path | None, page: Path | None, tongue: str | None = None
+) -> tuple[str, ...]:
+    """Write a comparison as JSON, as table and as HTML page, as far as asked for.
+
+    Parameters
+    ----------
+    designs : Designs
+    record, table, page : Path or None
+    tongue : {"en", "de", "ru"}, optional
+        Language of the page; that of the title block of the first case if not given, English if that has none.
+
+    Returns
+    -------
+    tuple of str
+        Texts of the page that the language lacks, which stand there in English.
+
+    Raises
+    ------
+    InputError
+        E005 for a language that is not known, or that lacks the words of a kind; E007 for a file that cannot be
+        written.
+    """
     if record is not None:
         text = json.dumps(designs_record(designs), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
         write_file(record, text.encode())
@@ -59,7 +83,13 @@ def write_designs_outputs(designs: Designs, record: Path | None, table: Path | N
         else:
             write_file(table, rows_text(rows).encode())
     if page is not None:
-        write_file(page, designs_page(designs).encode())
+        kinds = (one.kind for machine in designs.machines for one in machine.results)
+        chosen = chosen_language(designs.machines[0].title_block, kinds, tongue)
+        with written_in(chosen) as missing:
+            made = designs_page(designs)
+        write_file(page, made.encode())
+        return tuple(missing)
+    return ()
 
 
 def designs_record(designs: Designs) -> dict[str, Any]:
@@ -135,42 +165,53 @@ def _rows(bearing: ComparedBearing) -> Iterator[Sequence[Cell]]:
 def designs_page(designs: Designs) -> str:
     """The comparison as one HTML page; equal for equal input."""
     css = (TEMPLATES / "report.css").read_text(encoding="utf-8")
-    title = _text(" and ".join(designs.labels))
+    title = _text(translated("{designs}: designs compared", designs=_joined(designs.labels)))
     return (
-        f'<!DOCTYPE html>\n<html lang="en"><head>{GENERATOR_TAG}<meta charset="utf-8">'
-        f"<title>{title}: designs compared</title>"
+        f'<!DOCTYPE html>\n<html lang="{language()}"><head>{GENERATOR_TAG}<meta charset="utf-8">'
+        f"<title>{title}</title>"
         f"<style>\n{css}</style></head>\n<body>\n" + "\n".join(_body(designs)) + "\n</body></html>\n"
     )
 
 
 def _body(designs: Designs) -> Iterator[str]:
-    yield f"<h1>{_text(' and '.join(designs.labels))}</h1>"
+    yield f"<h1>{_text(_joined(designs.labels))}</h1>"
     names = ", ".join(
         f"{label}: {machine.name} ({kind})"
         for label, machine, kind in zip(designs.labels, designs.machines, designs.kinds, strict=True)
     )
-    yield f'<p class="method">{_text(names)}. Differences count against {_text(designs.labels[0])}.</p>'
+    against = translated("Differences count against {design}.", design=designs.labels[0])
+    yield f'<p class="method">{_text(names)}. {_text(against)}</p>'
     if said := kinds_said(designs):
         yield f'<p class="finding"><b>{_text(said)}</b></p>'
-    yield "<h3>Changed inputs</h3>"
+    yield f"<h3>{translated('Changed inputs')}</h3>"
     if designs.changed:
-        yield from _table(("field",), designs.labels, ((one.path, *one.shown) for one in designs.changed))
+        yield from _table(
+            (translated("field"),), designs.labels, ((one.path, *one.shown) for one in designs.changed)
+        )
     else:
-        yield "<p>No input differs.</p>"
-    differences = tuple(f"{label} against {designs.labels[0]}" for label in designs.labels[1:])
+        yield f"<p>{translated('No input differs.')}</p>"
+    differences = tuple(
+        translated("{design} against {first}", design=label, first=designs.labels[0])
+        for label in designs.labels[1:]
+    )
     for bearing in designs.bearings:
-        yield f"<h3>{_text(bearing.name)}</h3>"
+        yield f"<h3>{_text(shown_name(bearing.name))}</h3>"
         rows = ((one.meaning, one.unit, *one.cells, *one.differences) for one in bearing_rows(bearing))
-        yield from _table(("quantity", "unit"), (*designs.labels, *differences), rows)
+        yield from _table((translated("quantity"), translated("unit")), (*designs.labels, *differences), rows)
         for label, result in zip(designs.labels, bearing.results, strict=True):
             if result is None:
-                yield f'<p class="finding"><b>{_text(label)}</b> has no such bearing.</p>'
+                lacks = translated("has no such bearing.")
+                yield f'<p class="finding"><b>{_text(label)}</b> {lacks}</p>'
                 continue
             if not result.outcome.solved:
                 yield f'<p class="finding"><b>{_text(label)}</b>: {_text(in_us_units(result.message))}</p>'
             for warning in result.warnings:
                 said = f"{warning.code} {in_us_units(warning.message)}"
                 yield f'<p class="finding"><b>{_text(label)}</b>: {_text(said)}</p>'
+
+
+def _joined(labels: Sequence[str]) -> str:
+    return f" {translated('and')} ".join(labels)
 
 
 def _table(words: Sequence[str], numbers: Sequence[str], rows: Iterator[tuple[str, ...]]) -> Iterator[str]:

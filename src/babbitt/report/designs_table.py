@@ -13,6 +13,7 @@ from rich.table import Table
 from rich.text import Text
 
 from babbitt.core.check_text import margin
+from babbitt.core.language import decimal, translated
 from babbitt.core.quantities import QUANTITIES, Quantity
 from babbitt.core.result import Result
 from babbitt.report.comparison_table import WIDEST_HEAD
@@ -50,7 +51,7 @@ def bearing_rows(bearing: ComparedBearing) -> Iterator[DesignRow]:
     """Results of a bearing in every design, then verdict and governing check."""
     yield from filter(None, (_row(name, bearing) for name in bearing.quantities))
     lines = (
-        ("Verdict", [_said(one, one.verdict.value if one else "") for one in bearing.results]),
+        ("Verdict", [_said(one, translated(one.verdict.value) if one else "") for one in bearing.results]),
         ("Governing check", [_said(one, _governing(one) if one else "") for one in bearing.results]),
         ("Limits missed", [_said(one, _missed(one) if one else "") for one in bearing.results]),
         ("Warnings to the verdict", [_said(one, ", ".join(one.questioning_codes)) if one else ABSENT
@@ -58,7 +59,9 @@ def bearing_rows(bearing: ComparedBearing) -> Iterator[DesignRow]:
     )  # fmt: skip
     for said, cells in lines:
         if any(cell not in ("", ABSENT) for cell in cells):
-            yield DesignRow(said, "", tuple(cell or ABSENT for cell in cells), ("",) * (len(cells) - 1))
+            yield DesignRow(
+                translated(said), "", tuple(cell or ABSENT for cell in cells), ("",) * (len(cells) - 1)
+            )
 
 
 def _degree(quantity: Quantity) -> str:
@@ -85,7 +88,7 @@ def difference(name: str, first: float | None, other: float | None) -> str:
     if quantity.display.offset or quantity.unit in TURNS:
         decimals = max(quantity.display.decimals, 1)
         change = round((other - first) * quantity.display.scale, decimals) + 0.0  # no -0
-        return f"{change:+.{decimals}f} {_degree(quantity)}"
+        return decimal(f"{change:+.{decimals}f} {_degree(quantity)}")
     suited = quantity.suited(first, other)
     is_round_off = quantity.unit == "1" and max(abs(first), abs(other)) <= ROUND_OFF
     if is_round_off or suited.format(first) == suited.format(other):
@@ -96,8 +99,8 @@ def difference(name: str, first: float | None, other: float | None) -> str:
         return ABSENT
     share = other / first - 1.0
     if abs(share) >= 10.0:
-        return f"x {other / first:.3g}"
-    return f"{100.0 * share:+.1f} %" if round(100.0 * share, 1) else "0.0 %"
+        return decimal(f"x {other / first:.3g}")
+    return decimal(f"{100.0 * share:+.1f} %" if round(100.0 * share, 1) else "0.0 %")
 
 
 def _row(name: str, bearing: ComparedBearing) -> DesignRow | None:
@@ -108,7 +111,7 @@ def _row(name: str, bearing: ComparedBearing) -> DesignRow | None:
     quantity = suited_among(name, *solved)
     cells = tuple(ABSENT if value is None else quantity.format(value) for value in known)
     first = next(one for one in bearing.results if one is not None)
-    said = f"{meaning(name, first.kind)}, {quantity.symbol}"
+    said = f"{translated(meaning(name, first.kind))}, {quantity.symbol}"
     differences = tuple(difference(name, known[0], other) for other in known[1:])
     return DesignRow(said, quantity.display.label, cells, differences, name)
 
@@ -131,7 +134,10 @@ def kinds_said(designs: Designs) -> str:
     if designs.one_kind:
         return ""
     named = ", ".join(f"{label} {kind}" for label, kind in zip(designs.labels, designs.kinds, strict=True))
-    return f"The designs are of different kinds ({named}): only results that all of them have are compared."
+    return translated(
+        "The designs are of different kinds ({kinds}): only results that all of them have are compared.",
+        kinds=named,
+    )
 
 
 def print_designs(designs: Designs) -> None:

@@ -59,7 +59,7 @@ class Target:
 
             missing = write_report(machine, self.report, self.level, self.units, self.language)
             if missing:
-                print(_left_in_english(self.report, missing), file=sys.stderr)
+                print(left_in_english(self.report, missing), file=sys.stderr)
         if self.plots is not None:
             from babbitt.report.document import language_of
             from babbitt.report.figures import write_plots
@@ -146,7 +146,7 @@ def _one_each(
     ]
 
 
-def _left_in_english(path: Path, missing: Sequence[str]) -> str:
+def left_in_english(path: Path, missing: Sequence[str]) -> str:
     """Say which texts of a report its language lacks."""
     count = f"{len(missing)} texts stand" if len(missing) > 1 else "a text stands"
     return f"{printable(path)}: {count} in English, for which the language has no words; the first: {missing[0]!r}"

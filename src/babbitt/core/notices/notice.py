@@ -20,6 +20,9 @@ __all__ = ["Notice", "quantity_shown"]
 COMPARED = re.compile(rf"({PLACEHOLDER.pattern}) [<>] ({PLACEHOLDER.pattern})")
 """Two values of which one lies beyond the other."""
 
+FIELDS = "fields"
+"""Placeholder of names of fields, which may be words of the language as well and stay as they are."""
+
 PLAIN = Quantity("", "", "", SI[""], 4, "")
 """As which numbers without a measure are shown."""
 
@@ -110,10 +113,12 @@ def _shown(value: Any, measure: str) -> str:
     if isinstance(value, Notice):
         return value.message
     if isinstance(value, tuple):
-        joint = "; " if any(isinstance(one, Notice) for one in value) else ", "
+        clauses = any(isinstance(one, Notice) for one in value)
+        commas = language() != ENGLISH and any(isinstance(one, float) for one in value)  # within the numbers
+        joint = "; " if clauses or commas else ", "
         return joint.join(_shown(one, measure) for one in value)
     if isinstance(value, str):
-        return translated_if_known(value)
+        return value if measure == FIELDS else translated_if_known(value)
     quantity = quantity_shown(measure)
     if quantity is None:
         return str(value) if isinstance(value, int) else decimal(f"{value:.4g}")

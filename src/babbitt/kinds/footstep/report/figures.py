@@ -43,6 +43,7 @@ WORDS = {
     StateName.MIDDLE: "middle",
     StateName.ONLY: "grooved",
     StateName.FOLD: "fold",
+    StateName.DRAINING: "draining",
 }
 
 

@@ -7,10 +7,12 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from babbitt.core.language import translated
 from babbitt.core.result import Result
 from babbitt.core.solution import Solution
 from babbitt.kinds.footstep.model import Footstep, ScrewGroove
 from babbitt.kinds.footstep.model_case import FootstepProblem
+from babbitt.report.names import shown_name
 from babbitt.report.picture import Canvas, Picture
 from babbitt.report.picture_words import enlarged, millimetres, round_below, sized
 
@@ -28,12 +30,16 @@ REACH = 1.0 + FILM + WALL + 0.6
 def heel_picture(solution: Solution) -> Picture:
     """The heel in its cup: grooves, bore and recess, films enlarged, load, pressures and flows."""
     problem: FootstepProblem = solution.problem
-    step, values, name = problem.footstep, solution.result.values, solution.result.name
+    step, values, name = problem.footstep, solution.result.values, shown_name(solution.result.name)
     length = step.geometry.length / step.geometry.radius
     gap, play = (_factor(step) * size / step.geometry.radius for size in (step.face_gap, step.clearance))
-    said = f"{name}: heel in its cup, in a section along the axis"
+    said = translated("{name}: heel in its cup, in a section along the axis", name=name)
     if solution.result.outcome.solved:
-        said += f", carrying {sized('load', values['load'])}"
+        said = translated(
+            "{name}: heel in its cup, in a section along the axis, carrying {load}",
+            name=name,
+            load=sized("load", values["load"]),
+        )
     low, high = -gap - FLOOR - 0.35, length + SHAFT + 0.5
     picture = Picture(REACH, said, low, high)
     _cup(picture, step, gap, play, length)

@@ -24,6 +24,7 @@ from babbitt.kinds.journal.iso7902.supply import (
     Pockets,
 )
 from babbitt.report.labels import label
+from babbitt.report.names import shown_name
 from babbitt.report.picture import Handle, Picture
 from babbitt.report.picture_words import enlarged, named
 from babbitt.reynolds.solution import FilmSolution
@@ -130,7 +131,11 @@ def _empty(solution: Solution, position: Sequence[str] = ("eccentricity_ratio", 
     said = [f"{label(name)}: {QUANTITIES[name].with_unit(values[name])}" for name in position if name in values]
     return Picture(
         1.0 + PLAY + BACK + HIGHEST + NAMES,
-        translated("{bearing} seen along the shaft; {sizes}", bearing=solution.result.name, sizes="; ".join(said)),
+        translated(
+            "{bearing} seen along the shaft; {sizes}",
+            bearing=shown_name(solution.result.name),
+            sizes="; ".join(said),
+        ),
     )
 
 
