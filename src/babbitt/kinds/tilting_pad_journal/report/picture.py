@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from babbitt.core.language import translated
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.solution import Solution
 from babbitt.kinds.tilting_pad_journal.model import PadCase
@@ -26,7 +27,10 @@ def pad_picture(solution: Solution) -> Picture | None:
     enlarged_by = FILM / case.bearing.pad_clearance
     deepest = max(pad.thickness for pad in case.bearing.pads) / films.bearing.radius
     inner = 1.0 + FILM + deepest + PIVOT
-    picture = Picture(inner + PRESSURE + 0.15, f"{solution.result.name}: journal among {len(films.pads)} pads")
+    said = translated(
+        "{bearing}: journal among {number} pads", bearing=solution.result.name, number=len(films.pads)
+    )
+    picture = Picture(inner + PRESSURE + 0.15, said)
     sizes = named(solution.result.values, "diameter", "width", "assembled_clearance")
     picture.notes(-0.98 * picture.reach, 0.94 * picture.reach, sizes)
     factor = enlarged("film", enlarged_by * films.bearing.radius)
