@@ -10,8 +10,8 @@ from babbitt.core.quantities import QUANTITIES
 from babbitt.report.chapters import Chapter
 from babbitt.report.check_content import check_content
 from babbitt.report.columns import ABSENT
+from babbitt.report.names import shown_name
 from babbitt.report.symbols import symbol_node
-from babbitt.report.text import plain_text
 from babbitt.report.verdict import worst_verdict
 
 __all__ = ["checker_content"]
@@ -58,7 +58,7 @@ def checker_content(parts: Sequence[Chapter], limits: Sequence[Data]) -> Data:
         "columns": [{"heading": [symbol_node(one.symbol)], "unit": one.display.label} for one in quantities],
         "rows": [
             {
-                "name": plain_text(part.name),
+                "name": shown_name(part.name),
                 "cells": [
                     " / ".join(dict.fromkeys(map(quantity.format, _values(part, name)))) or ABSENT
                     for name, quantity in zip(names, quantities, strict=True)
@@ -84,4 +84,4 @@ def _governing(part: Chapter) -> Data | None:
     if not found:
         return None
     check, name = min(found, key=lambda one: one[0].margin if math.isfinite(one[0].margin) else -math.inf)
-    return check_content(check) | {"bearing": plain_text(name)}
+    return check_content(check) | {"bearing": shown_name(name)}

@@ -31,7 +31,7 @@ from babbitt.report.columns import footnote
 from babbitt.report.findings import Group
 from babbitt.report.labels import label
 from babbitt.report.machine_table import columns_of, in_machine_table, overview_columns, overview_results
-from babbitt.report.names import counted_results
+from babbitt.report.names import counted_results, shown_name
 from babbitt.report.scope import scope_of
 from babbitt.report.symbols import symbol_node
 from babbitt.report.text import plain_lines, plain_text
@@ -106,7 +106,7 @@ def _governing(results: Sequence[Result]) -> Data | None:
     if not pairs:
         return None
     result, check = min(pairs, key=lambda pair: pair[1].margin)
-    return {**check_content(check), "bearing": plain_text(result.name)}
+    return {**check_content(check), "bearing": shown_name(result.name)}
 
 
 def _legend(results: Sequence[Result]) -> list[Data]:
@@ -192,7 +192,7 @@ def _rows(parts: Sequence[Chapter], results: Sequence[Result]) -> list[Data]:
     chapter_of = [place for place, part in enumerate(parts, start=1) for _ in part.members]
     return [
         {
-            "name": plain_text(result.name),
+            "name": shown_name(result.name),
             "chapter": chapter_of[place],
             "cells": [cells[place] for cells in columns],
             "verdict": result.verdict.value,
@@ -211,7 +211,7 @@ def _overview(results: Sequence[Result]) -> Data:
         **({"footnote": marks} if (marks := footnote(columns, shown)) else {}),
         "columns": [{"heading": _heading(column.heading), "unit": column.unit} for column in columns],
         "rows": [
-            {"name": plain_text(one.name), "cells": [each[place] for each in cells]}
+            {"name": shown_name(one.name), "cells": [each[place] for each in cells]}
             for place, one in enumerate(shown)
         ]
         if columns
@@ -240,7 +240,7 @@ def _worst_case(results: Sequence[Result], of: tuple[str, str]) -> Data:
         pair for pair in pairs
         if pair is worst or math.isclose(pair[1].margin, worst[1].margin, rel_tol=ROUND_OFF)
     )  # fmt: skip
-    return {**check_content(check), "bearing": plain_text(result.name), "of": len(pairs)}
+    return {**check_content(check), "bearing": shown_name(result.name), "of": len(pairs)}
 
 
 NOT_IN_SUMMARY = ("Recommendations and screening indicators missed", "Information", "Values not found")

@@ -41,6 +41,15 @@ def format_members(members: Sequence[str]) -> str:
     return translated("{which} clearance", which=listed_ones) if clearances else listed_ones
 
 
+def shown_name(name: str) -> str:
+    """The name of a result, its clearance or state in the language that is written now.
+
+    >>> shown_name(ResultName("Fan shaft", "full speed", "minimum")), shown_name("Gear (hot state)")
+    ('Fan shaft [full speed] (minimum clearance)', 'Gear (hot state)')
+    """
+    return _joined([name])
+
+
 def bearing_of(name: str) -> str:
     """A name without operating point and clearance.
 
