@@ -84,6 +84,14 @@ BEARINGS = {
                         "stiffness": "800 MN/m"}},
         {"anticipated_cross_coupling": "60 MN/m", "rotor_mass": "1000 kg", "shaft_stiffness": "30 MN/m"},
     ),
+    "no threshold": (
+        {},
+        {
+            "anticipated_cross_coupling": "0.01 MN/m", "rotor_mass": "10 kg",
+            "pedestal": {"stiffness_x": "700 MN/m", "stiffness_y": "1.1 GN/m", "damping_x": "20 kN s/m",
+                         "damping_y": "20 kN s/m", "mass": "250 kg"},
+        },
+    ),
     "clearance closed by growth": (
         {},
         {"thermal": "full", "deformation": ["growth"], "walls": {"pads": {}}, "materials": {"pads": STEEL},
