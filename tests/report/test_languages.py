@@ -13,6 +13,8 @@ import pytest
 from matplotlib.text import Text
 
 import babbitt
+from babbitt.case import load_case, parse_case
+from babbitt.case.kinds import template
 from babbitt.case.parts.title_block import TitleBlock
 from babbitt.core.kind import kinds
 from babbitt.core.language import LANGUAGES, composed, folders, phrases, plural, read_words, translated, written_in
@@ -25,6 +27,8 @@ from babbitt.kinds.hydrostatic.report.words import HYDROSTATIC_WORDS
 from babbitt.kinds.journal.report.key_results import KEY_RESULTS
 from babbitt.kinds.journal.report.stribeck import stribeck
 from babbitt.kinds.journal.report.words import JOURNAL_WORDS
+from babbitt.kinds.tilting_pad_journal.report.words import PAD_WORDS
+from babbitt.kinds.tilting_pad_journal.view import KEY_RESULTS as PAD_RESULTS
 from babbitt.report.bearing_content import NOT_FOR_PAPER, calculation_content, figures_content
 from babbitt.report.chapters import chapters
 from babbitt.report.content import content
@@ -98,9 +102,13 @@ def english(gear):
 def test_the_reverse_gear_lacks_no_word_and_has_the_same_numbers(gear, english, language):
     made, missing = said_in(gear, language)
     assert not list(missing)
+    assert len(dict(texts(english))) > 2000
+    have_the_same_numbers(english, made)
+
+
+def have_the_same_numbers(english, made):
     ours, theirs = dict(texts(english)), dict(texts(made))
     assert ours.keys() == theirs.keys()
-    assert len(ours) > 2000
     for path, text in ours.items():
         assert numbers(text) == numbers(theirs[path]), path
 
@@ -152,6 +160,28 @@ def test_numbers_in_a_row_are_apart_where_their_sign_is_a_comma(language):
     with written_in(language):
         groups = content(machine, Level.STANDARD)["bearings"][0]["inputs"]
     assert "22,5; 112,5; -157,5; -67,5" in [row["value"] for group in groups for row in group["rows"]]
+OF_KINDS = {
+    "tilting_pad_journal": (
+        "turbine_tilting_pads",
+        "compressor_stability",
+        "compressor_tilting_pads",
+        "flexure_pivot",
+    ),
+}  # fmt: skip
+"""Examples of kinds of bearings beside the reverse gear."""
+
+
+@pytest.mark.parametrize(
+    ("kind", "example"), [(kind, name) for kind, names in OF_KINDS.items() for name in ("", *names)]
+)
+def test_templates_and_examples_lack_no_word_and_have_the_same_numbers(kind, example):
+    machine = solve(load_case(EXAMPLES / f"{example}.yaml") if example else parse_case(template(kind)))
+    english = content(machine, Level.FULL)
+    for language in OTHERS:
+        with written_in(language) as missing:
+            made = content(machine, Level.FULL)
+        assert not list(missing)
+        have_the_same_numbers(english, made)
 
 
 @pytest.mark.parametrize("language", OTHERS)
@@ -201,10 +231,15 @@ def test_all_languages_have_the_same_phrases_with_the_same_placeholders(folder):
 
 
 @pytest.mark.parametrize("language", OTHERS)
-def test_quantities_of_journal_bearings_have_names(language):
+@pytest.mark.parametrize(
+    ("kind", "results", "words"),
+    [("journal", KEY_RESULTS, JOURNAL_WORDS), ("tilting_pad_journal", PAD_RESULTS, PAD_WORDS)],
+    ids=lambda one: one if isinstance(one, str) else "",
+)
+def test_quantities_have_names(language, kind, results, words):
     with written_in(language) as missing:
-        for name in (*KEY_RESULTS, *(one.name for one in JOURNAL_WORDS)):
-            label(name, "journal")
+        for name in (*results, *(one.name for one in words)):
+            label(name, kind)
     assert not list(missing)
 
 

@@ -184,3 +184,11 @@ def test_bearing_and_pedestal_in_series():
     assert np.linalg.inv(both) == pytest.approx(series, rel=1e-9, abs=1e-18)
     assert "W183" not in codes(held)
     assert held.settings["motions"].endswith("pedestal x, pedestal y")
+
+
+def test_without_a_threshold_the_curve_ends_behind_twice_what_is_anticipated():
+    pedestal = {"stiffness_x": "700 MN/m", "stiffness_y": "1.1 GN/m", "damping_x": "20 kN s/m",
+                "damping_y": "20 kN s/m", "mass": "250 kg"}  # fmt: skip
+    result = result_of(anticipated_cross_coupling="0.01 MN/m", rotor_mass="10 kg", pedestal=pedestal)
+    assert "critical_cross_coupling" in result.missing
+    assert result.arrays["decrement_over_cross_coupling"][-1][0] == pytest.approx(1.25 * 2.0 * 1e4)

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass, field
@@ -36,6 +36,7 @@ __all__ = [
     "folders",
     "has_folder",
     "language",
+    "listed",
     "phrases",
     "plural",
     "read_again",
@@ -55,6 +56,9 @@ PHRASES, COMPOSED, PLURALS = "phrases", "composed", "plurals"
 
 NUMBER = re.compile(r"[±+−-]?\d+(\.\d+)?(e[+−-]?\d+)?\D{0,12}")
 """A number, perhaps with its unit."""
+
+NUMBERS = re.compile(rf"{NUMBER.pattern}(, {NUMBER.pattern})+")
+"""Several numbers."""
 
 UNITS = {"de": {"rpm": "1/min"}, "ru": {"rpm": "r/min"}}
 """Labels of units that are English words, and their signs: DIN 1301-1, GOST 8.417 (international sign)."""
@@ -139,12 +143,29 @@ def translated(text: str, /, **values: Any) -> str:
 
 
 def translated_if_known(text: str) -> str:
-    """A text that may be the user's own: translated where it is known, a number with the sign of the language."""
+    """A text that may be the user's own: translated where it is known, numbers with the sign of the language."""
     tongue = language()
     if tongue == ENGLISH:
         return text
     found = phrases(tongue).get(text) or _recognised(text, tongue)
-    return found if found is not None else (decimal(text) if NUMBER.fullmatch(text) else text)
+    if found is not None:
+        return found
+    if NUMBERS.fullmatch(text):
+        return listed(text.split(", "))
+    return decimal(text) if NUMBER.fullmatch(text) else text
+
+
+def listed(numbers: Iterable[str]) -> str:
+    """Numbers one after the other: where any has a decimal comma, semicolons stand between them.
+
+    >>> listed(["0.5", "1"])
+    '0.5, 1'
+    >>> with written_in("de"):
+    ...     listed(["0.5", "1"]), listed(["1", "2"])
+    ('0,5; 1', '1, 2')
+    """
+    said = [decimal(one) for one in numbers]
+    return ("; " if any("," in one for one in said) else ", ").join(said)
 
 
 def decimal(number: str) -> str:

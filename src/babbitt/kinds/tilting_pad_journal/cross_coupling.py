@@ -106,7 +106,7 @@ def cross_coupling_of(case: PadCase, full: PadCoefficients) -> CrossCoupling | N
     reduced = chain_of(case, reduced_coefficients(full, 1.0))
     full_margin, synchronous = (margin_of(one, mass, anticipated) for one in (chain, reduced))
     known = [one.critical for one in (full_margin, synchronous) if math.isfinite(one.critical)]
-    crosses = np.linspace(0.0, BEYOND * max(2.0 * anticipated, *known), POINTS).tolist()
+    crosses = np.linspace(0.0, BEYOND * max((2.0 * anticipated, *known)), POINTS).tolist()
     curves = (decrements_over(one, mass, crosses) for one in (chain, reduced))
     speeds = [share * abs(case.journal_speed) for share in SPEEDS]
     over_speed = zip(speeds, decrements_over_speed(case, speeds), strict=True)

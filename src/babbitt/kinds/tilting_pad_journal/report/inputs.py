@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
-from dataclasses import replace
 
 from babbitt.core.units import ZERO_CELSIUS
 from babbitt.design.conditions import PrescribedPosition
@@ -70,8 +69,8 @@ def _of_pads(
 
 def _operation(case: PadCase) -> Iterator[Row]:
     if isinstance(case.duty, PrescribedPosition):
-        x, y = named_row("journal_x", case.duty.x), named_row("journal_y", case.duty.y)
-        yield from (replace(row, label=f"Given, {row.label[0].lower()}{row.label[1:]}") for row in (x, y))
+        yield named_row("journal_x", case.duty.x, "Given, journal centre, to the right of the bearing centre")
+        yield named_row("journal_y", case.duty.y, "Given, journal centre, above the bearing centre")
     else:
         yield named_row("load", case.duty.load)
         yield named_row("load_angle", case.load_angle, "Direction of the load, counter-clockwise from +x")

@@ -6,10 +6,12 @@ import math
 
 import numpy as np
 
+from babbitt.core.language import translated
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.solution import Solution
 from babbitt.kinds.tilting_pad_journal.model import PadCase
 from babbitt.kinds.tilting_pad_journal.report.seen_along import FILM, PIVOT, PRESSURE, bore_of
+from babbitt.report.names import shown_name
 from babbitt.report.picture import Handle, Picture
 from babbitt.report.picture_words import enlarged, named
 from babbitt.reynolds.tilting_pads.solution import PadStatus, TiltingPadSolution
@@ -26,7 +28,10 @@ def pad_picture(solution: Solution) -> Picture | None:
     enlarged_by = FILM / case.bearing.pad_clearance
     deepest = max(pad.thickness for pad in case.bearing.pads) / films.bearing.radius
     inner = 1.0 + FILM + deepest + PIVOT
-    picture = Picture(inner + PRESSURE + 0.15, f"{solution.result.name}: journal among {len(films.pads)} pads")
+    said = translated(
+        "{bearing}: journal among {number} pads", bearing=shown_name(solution.result.name), number=len(films.pads)
+    )
+    picture = Picture(inner + PRESSURE + 0.15, said)
     sizes = named(solution.result.values, "diameter", "width", "assembled_clearance")
     picture.notes(-0.98 * picture.reach, 0.94 * picture.reach, sizes)
     factor = enlarged("film", enlarged_by * films.bearing.radius)

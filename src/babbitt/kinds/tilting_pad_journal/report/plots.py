@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from babbitt.core.language import listed
 from babbitt.kinds.tilting_pad_journal.dynamics import PadDynamics, chain_of, motions_of_the_rotor
 from babbitt.kinds.tilting_pad_journal.margins import PadMargin
 from babbitt.kinds.tilting_pad_journal.model import PadCase
@@ -152,7 +153,7 @@ def root_locus(case: PadCase, dynamics: PadDynamics) -> Figure:
     for modes in close_together(own, panel):
         before = modes[0].growth > right - NEAR_THE_END * (right - left)
         panel.annotate(
-            f"δ {', '.join(f'{one.log_decrement:.2g}' for one in modes)}",
+            f"δ {listed(f'{one.log_decrement:.2g}' for one in modes)}",
             (modes[0].growth, modes[0].frequency / math.tau), xytext=(-5, 3) if before else (5, 3),
             textcoords="offset points", ha="right" if before else "left", fontsize=6.5,
         )  # fmt: skip

@@ -53,7 +53,7 @@ def log_decrements(case: PadCase, found: CrossCoupling, least: float) -> Figure:
 
 def _over_cross_coupling(panel: Axes, found: CrossCoupling, least: float) -> None:
     crosses, full, synchronous = np.array(found.curve).T
-    panel.plot(1e-6 * crosses, full, color=INK, label="full")
+    panel.plot(1e-6 * crosses, full, color=INK, label="full coefficients")
     panel.plot(1e-6 * crosses, synchronous, color=INK, linestyle=DASHED, label="synchronous")
     panel.axhline(0.0, color=GREY, linewidth=0.7)
     anticipated = 1e-6 * found.anticipated

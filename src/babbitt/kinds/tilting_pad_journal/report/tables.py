@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import Any
 
+from babbitt.core.language import listed
 from babbitt.core.quantities import AXES, QUANTITIES, Quantity
 from babbitt.core.result import Matrix, Result
 from babbitt.kinds.tilting_pad_journal.report.stability import stability_table
@@ -154,7 +155,7 @@ def _coefficients(result: Result) -> dict[str, Any]:
     if "fitted_stiffness" in arrays:
         found.append(("fitted", arrays["fitted_stiffness"], arrays["fitted_damping"]))
         mass = _suited("virtual_mass", arrays["virtual_mass"])
-        masses = ", ".join(mass.format(one) for row in arrays["virtual_mass"] for one in row)
+        masses = listed(mass.format(one) for row in arrays["virtual_mass"] for one in row)
         note += (
             f" Fitted with virtual masses xx, xy, yx, yy of {masses} {mass.display.label}, "
             f"misfit {result.values['fit_error']:.1%}."
