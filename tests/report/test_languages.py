@@ -160,6 +160,8 @@ def test_numbers_in_a_row_are_apart_where_their_sign_is_a_comma(language):
     with written_in(language):
         groups = content(machine, Level.STANDARD)["bearings"][0]["inputs"]
     assert "22,5; 112,5; -157,5; -67,5" in [row["value"] for group in groups for row in group["rows"]]
+
+
 OF_KINDS = {
     "tilting_pad_journal": (
         "turbine_tilting_pads",
