@@ -219,6 +219,16 @@ def test_every_notice_has_a_title_a_remedy_and_messages_with_the_same_values(fol
         assert sorted(find(said)) == sorted(find(messages[key])), key
 
 
+@pytest.mark.parametrize("language", OTHERS)
+def test_no_text_is_translated_in_two_ways(language):
+    """All folders are one dictionary: which of two stands in a report would go by their order."""
+    found = {}
+    for folder in folders():
+        for table in ("phrases", "composed"):
+            for text, said in read_words(folder, language).get(table, {}).items():
+                assert found.setdefault((table, text), said) == said
+
+
 @pytest.mark.parametrize("folder", list(folders()), ids=lambda one: one.name)
 def test_all_languages_have_the_same_phrases_with_the_same_placeholders(folder):
     first, *others = (read_words(folder, language) for language in OTHERS)

@@ -22,7 +22,7 @@ __all__ = ["draw_temperatures", "pad_temperatures"]
 
 DASHED = (0, (5, 2))
 BARS = (
-    ("groove", "inlet", "white"),
+    ("between pads", "inlet", "white"),
     ("trailing edge", "trailing", "0.85"),
     ("probe", "probe", "0.65"),
     ("highest", "maximum", "0.4"),
