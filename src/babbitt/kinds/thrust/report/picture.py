@@ -109,7 +109,7 @@ def _closest(canvas: Canvas, bearing: ThrustBearing, inner: float) -> None:
     canvas.arrow(
         (0.1 * c, 0.1 * s), ((inner - 0.18) * c, (inner - 0.18) * s), "tilt", Handle("tilt.direction", at)
     )
-    canvas.text(0.0, -0.08, translated("closest"))
+    canvas.text(-0.12 * c, -0.12 * s - 0.09, translated("closest"))
 
 
 def section_of_pad(canvas: Canvas, share: Share, number: int) -> None:
