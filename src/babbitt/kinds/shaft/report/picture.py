@@ -32,8 +32,8 @@ NAMES, WEDGE = 0.12, 0.09
 LEAST = 0.015
 """Share of the largest force below which no arrow is drawn."""
 
-LETTER_WIDTH, MOST_LETTERS = 0.55, 28
-"""Of a letter over its height; letters of a name beyond which it is cut."""
+LETTER_WIDTH, MOST_LETTERS = 0.62, 28
+"""Of a letter over its height, of Cyrillic ones, which are the widest; letters of a name beyond which it is cut."""
 
 
 def shaft_picture(solution: Solution) -> Picture:
