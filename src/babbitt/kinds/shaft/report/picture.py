@@ -33,7 +33,7 @@ LEAST = 0.015
 """Share of the largest force below which no arrow is drawn."""
 
 LETTER_WIDTH, MOST_LETTERS = 0.62, 28
-"""Of a letter over its height, of Cyrillic ones, which are the widest; letters of a name beyond which it is cut."""
+"""Of a letter over its height, the widest, Cyrillic ones; letters of a name beyond which it is cut."""
 
 
 def shaft_picture(solution: Solution) -> Picture:
