@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections import Counter
 from collections.abc import Iterator
 from functools import cache
+from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -21,15 +23,21 @@ from babbitt.core.language import LANGUAGES, composed, folders, phrases, plural,
 from babbitt.core.notices import InputError, Notice
 from babbitt.core.notices import words as loader
 from babbitt.core.quantities import QUANTITIES
+from babbitt.core.quantities.shaft_lines import SHAFT_LINES
+from babbitt.core.quantities.shafts import SHAFTS
+from babbitt.core.quantities.thrust import THRUST
 from babbitt.core.report_level import Level
 from babbitt.kinds.hydrostatic import sweeps
 from babbitt.kinds.hydrostatic.report.words import HYDROSTATIC_WORDS
 from babbitt.kinds.journal.report.key_results import KEY_RESULTS
 from babbitt.kinds.journal.report.stribeck import stribeck
 from babbitt.kinds.journal.report.words import JOURNAL_WORDS
+from babbitt.kinds.shaft.report.words import SHAFT_WORDS
+from babbitt.kinds.thrust.report.sentences import answers
+from babbitt.kinds.thrust.report.words import THRUST_WORDS
 from babbitt.kinds.tilting_pad_journal.report.words import PAD_WORDS
 from babbitt.kinds.tilting_pad_journal.view import KEY_RESULTS as PAD_RESULTS
-from babbitt.report.bearing_content import NOT_FOR_PAPER, calculation_content, figures_content
+from babbitt.report.bearing_content import NOT_FOR_PAPER, calculation_content, figures_content, sketch_content
 from babbitt.report.chapters import chapters
 from babbitt.report.content import content
 from babbitt.report.document import TEMPLATES, report, write_report
@@ -39,6 +47,14 @@ from babbitt.solving import solve
 
 EXAMPLES = Path(babbitt.__file__).parents[2] / "examples"
 GEAR = EXAMPLES / "marine_reverse_gear.yaml"
+OTHER_CASES = {
+    "thrust": lambda: babbitt.parse_case(template("thrust")),
+    "thrust_line": lambda: babbitt.parse_case(template("thrust_line").replace("# speeds:", "speeds:")),
+    "trawler": lambda: load_case(EXAMPLES / "trawler_thrust_line.yaml"),
+    "shaft": lambda: babbitt.parse_case(template("shaft")),
+    "overhung_coupling": lambda: babbitt.parse_case(template("overhung_coupling")),
+}
+"""Of other kinds: templates, which say the same as examples of theirs, and examples."""
 OTHERS = [one for one in LANGUAGES if one != "en"]
 NOT_TEXT = {"svg", "symbol", "formula", "substituted", "number", "words", "hash", "language", "heading", "spoken"}
 
@@ -56,6 +72,7 @@ def said_in(machine, language):
             "report": content(machine, Level.STANDARD),
             "lines": [calculation_content(part) for part in chapters(machine.solutions)],
             "figures": figures_content(first),
+            "sketch": sketch_content(first),
         }
     return made, missing
 
@@ -98,19 +115,69 @@ def english(gear):
     return said_in(gear, "en")[0]
 
 
-@pytest.mark.parametrize("language", OTHERS)
-def test_the_reverse_gear_lacks_no_word_and_has_the_same_numbers(gear, english, language):
-    made, missing = said_in(gear, language)
+def says_the_same(english, machine, language) -> int:
+    """Hold a report against the English one; the number of its texts."""
+    made, missing = said_in(machine, language)
     assert not list(missing)
-    assert len(dict(texts(english))) > 2000
-    have_the_same_numbers(english, made)
+    return have_the_same_numbers(english, made)
 
 
-def have_the_same_numbers(english, made):
+def have_the_same_numbers(english, made) -> int:
     ours, theirs = dict(texts(english)), dict(texts(made))
     assert ours.keys() == theirs.keys()
     for path, text in ours.items():
         assert numbers(text) == numbers(theirs[path]), path
+    return len(ours)
+
+
+@pytest.mark.parametrize("language", OTHERS)
+def test_the_reverse_gear_lacks_no_word_and_has_the_same_numbers(gear, english, language):
+    assert says_the_same(english, gear, language) > 2000
+
+
+@pytest.mark.parametrize("name", OTHER_CASES)
+def test_other_kinds_lack_no_word_and_have_the_same_numbers(name):
+    machine = solve(OTHER_CASES[name]())
+    own = said_in(machine, "en")[0]
+    for language in OTHERS:
+        assert says_the_same(own, machine, language) > 30
+
+
+@pytest.mark.parametrize("language", OTHERS)
+def test_answers_of_a_shaft_line_in_every_case_are_known(language):
+    (found,) = solve(babbitt.parse_case(template("thrust_line").replace("# speeds:", "speeds:"))).results
+    first = 2.0 * math.pi * 9.0
+    modes = {"damped_modes": ((0.0, 1.2, 1.0),), "response_peaks": (), "barred_ranges": ()}
+    peaks = {"damped_modes": ((1.1 * first, 0.1, 1.0),), "response_peaks": ((first, 3.2, 0.0),)}
+    barred = {
+        "barred_ranges": ((6.2, 7.0, 4.0), (8.0, 9.0, 4.0), (10.0, 14.7, 8.0)),
+        "campbell": ((6.3,), (14.6,)),
+    }
+    touching = tuple(replace(one, value=-1e-6) if one.code in ("C202", "C203") else one for one in found.checks)
+    thin = tuple(replace(one, value=5e-6) if one.code == "C202" else one for one in found.checks)
+    axial = replace(found.checks[0], code="C205", quantity="axial_amplitude", limit=1e-3)
+    moved = dict.fromkeys(
+        ("nonlinear_load_peak", "nonlinear_unload_peak", "nonlinear_minimum_film", "mean_film_shift"), 1e-5
+    )
+    none = {"admissible_runout": 0.0, "admissible_tilt": 0.0, "frequency_separation": 0.1}
+    without = {name: one for name, one in found.values.items() if name not in ("best_ring_loss", *none)}
+    open_end = {
+        "admissible_runout_ends": "no limit below 100 µm",
+        "admissible_tilt_ends": "no limit below 122880 µm",
+    }
+    cases = (
+        found,
+        replace(found, arrays={**found.arrays, **modes, "campbell": ()}, checks=touching),
+        replace(found, arrays={**found.arrays, **peaks, **barred}, checks=thin),
+        replace(found, values={**found.values, **none, **moved}, warnings=(Notice("W205", "outside"),)),
+        replace(found, values=without, settings={**found.settings, **open_end}, checks=(*found.checks, axial)),
+        replace(found, values={**found.values, "loss_mean_bound": 0.0}),
+    )
+    for case in cases:
+        with written_in(language) as missing:
+            said = [translated(sentence) for sentence in answers(case)]
+        assert not list(missing)
+        assert not [one for one in said if re.search(r"\b(the|is|are|of|pads?|no|that|limit)\b", one)]
 
 
 RECESSED = ("hydrostatic_pad", "hydrostatic_thrust_ring", "hydrostatic_journal", "jacking_pocket")
@@ -268,6 +335,16 @@ def test_quantities_of_recessed_bearings_have_names(language):
 
 
 @pytest.mark.parametrize("language", OTHERS)
+def test_quantities_of_other_kinds_have_names(language):
+    kinds = {"thrust": (*THRUST, *THRUST_WORDS), "thrust_line": SHAFT_LINES, "shaft": (*SHAFTS, *SHAFT_WORDS)}
+    with written_in(language) as missing:
+        for kind, quantities in kinds.items():
+            for one in quantities:
+                label(one.name, kind)
+    assert not list(missing)
+
+
+@pytest.mark.parametrize("language", OTHERS)
 def test_pdf_is_tagged_in_its_language(gear, language):
     with written_in(language):
         made = report(gear, "pdf", Level.SUMMARY)
@@ -287,8 +364,6 @@ def test_a_text_without_words_stays_english_and_is_named(gear, tmp_path, monkeyp
 
 
 def test_language_of_the_case_and_of_the_call(gear, tmp_path):
-    from dataclasses import replace
-
     german = replace(gear, title_block=TitleBlock(language="de"))
     write_report(german, tmp_path / "a.html", "summary")
     write_report(german, tmp_path / "b.html", "summary", language="ru")
@@ -334,8 +409,6 @@ def test_a_notice_is_written_in_the_language_when_it_is_shown():
 
 
 def test_letters_without_a_typeface_cost_the_claim_of_the_standard_alone(gear):
-    from dataclasses import replace
-
     made = report(replace(gear, name="轴承 \U0001f600"), "pdf", Level.SUMMARY)
     assert made.startswith(b"%PDF")
     assert b"/StructTreeRoot" in made

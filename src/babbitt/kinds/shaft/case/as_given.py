@@ -16,6 +16,15 @@ if TYPE_CHECKING:
 
 __all__ = ["words_of"]
 
+BEARINGS = {
+    "radial": "radial bearing",
+    "axial": "axial bearing",
+    "radial_axial": "radial and axial bearing",
+    "journal": "journal bearing",
+    "thrust": "thrust bearing",
+}
+"""Kinds of bearings on a shaft, as a reader calls them."""
+
 Words = tuple[str, str]
 
 
@@ -35,7 +44,7 @@ def words_of(case: ShaftCase) -> Iterator[Words]:
         said = ", ".join(f"{axis} {written(value, unit)}" for axis, value, unit in sizes if value)
         yield force.name, f"{_at(force.station)}, {said or 'none'}"
     for bearing in case.bearings:
-        yield bearing.name, f"{bearing.kind}, {_at(bearing.station)}{_gives_way(bearing)}"
+        yield bearing.name, f"{BEARINGS[bearing.kind]}, {_at(bearing.station)}{_gives_way(bearing)}"
     for place, piece in enumerate(case.shaft, start=1):
         bore = f", bore {written(piece.inner_diameter, 'mm')}" if piece.inner_diameter else ""
         yield (

@@ -28,7 +28,7 @@ def shaft_calculation(solution: Solution) -> Iterator[Section]:
         Of a shaft.
     """
     for gear in solution.problem.gears:
-        yield Section(gear.name, tuple(_gear(gear)), SIGNS)
+        yield Section(f"Forces of {gear.name}", tuple(_gear(gear)), SIGNS)
     arrays = solution.result.arrays
     two = len(solution.problem.shaft.carriers) == 2
     for place, support in enumerate(solution.problem.shaft.supports):
@@ -41,7 +41,7 @@ def shaft_calculation(solution: Solution) -> Iterator[Section]:
             sheet.given("support_load_y"),
             sheet.line("support_load", "sqrt(support_load_x**2 + support_load_y**2)"),
         )
-        yield Section(support.name, lines, STATICS if two else BENDING)
+        yield Section(f"Load of {support.name}", lines, STATICS if two else BENDING)
 
 
 def _gear(gear: Gear) -> Iterator[Line]:

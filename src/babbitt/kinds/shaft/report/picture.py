@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from babbitt.core.language import translated, translated_if_known
 from babbitt.core.solution import Solution
 from babbitt.kinds.shaft.answer import ShaftAnswer
 from babbitt.kinds.shaft.gears import Gear
@@ -31,8 +32,8 @@ NAMES, WEDGE = 0.12, 0.09
 LEAST = 0.015
 """Share of the largest force below which no arrow is drawn."""
 
-LETTER_WIDTH, MOST_LETTERS = 0.55, 28
-"""Of a letter over its height; letters of a name beyond which it is cut."""
+LETTER_WIDTH, MOST_LETTERS = 0.62, 28
+"""Of a letter over its height, the widest, Cyrillic ones; letters of a name beyond which it is cut."""
 
 
 def shaft_picture(solution: Solution) -> Picture:
@@ -105,14 +106,18 @@ class _Views:
     def picture(self, name: str) -> Picture:
         """Both views, without the bending."""
         loads = ", ".join(
-            f"{one.name} {sized('support_load', math.hypot(*one.force[:2]))}" for one in self.reactions
+            f"{translated_if_known(one.name)} {sized('support_load', math.hypot(*one.force[:2]))}"
+            for one in self.reactions
         )
-        spoken = f"{name} from the side and from above; loads of the bearings: {loads}"
+        spoken = translated(
+            "{shaft} from the side and from above; loads of the bearings: {loads}", shaft=name, loads=loads
+        )
         side, above = list(self._arrows(1)), list(self._arrows(0))
         (top, bottom), (above_top, above_bottom) = self._reach(side), self._reach(above)
         letter = LETTER * REACH
         over = _levels(((self.place(station), name) for station, name in self._acting_names()), letter)
-        under = _levels(((self.place(one.station), one.name) for one in self.shaft.supports), letter)
+        held = ((self.place(one.station), translated_if_known(one.name)) for one in self.shaft.supports)
+        under = _levels(held, letter)
         names = [1.3 * letter * (1 + max((level for *_, level in row), default=-1)) for row in (over, under)]
         lowered = bottom + above_top + 2.5 * NAMES + names[1]
         picture = Picture(REACH, spoken, -lowered - above_bottom - 2.0 * NAMES, top + NAMES + names[0])
@@ -133,7 +138,13 @@ class _Views:
     def _acting_names(self) -> list[tuple[float, str]]:
         """Of what loads the shaft and is drawn in one of the planes at least."""
         least = LEAST * self.largest
-        return sorted({(one.station, one.name) for one in self.acting if max(map(abs, one.force)) > least})
+        return sorted(
+            {
+                (one.station, translated_if_known(one.name))
+                for one in self.acting
+                if max(map(abs, one.force)) > least
+            }
+        )
 
     def bent(self, stations: Array, deflection: Array) -> float | None:
         """The line of the bent shaft in both views, and by how much it is enlarged; None for a straight one."""

@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from babbitt.core.language import decimal, translated
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.solution import Solution
 from babbitt.core.units import written
@@ -39,10 +40,11 @@ def line_picture(solution: Solution) -> Picture:
     design: LineDesign = solution.problem
     solved = solution.result.outcome.solved
     below = 2.0 * MODES if solved else 0.0
-    spoken = f"{solution.result.name}: shaft line from the propeller to the thrust bearing"
+    spoken = "{line}: shaft line from the propeller to the thrust bearing"
     if solved:
         spoken += ", its axial vibration, and the loads of its pads"
-    picture = Picture(REACH, spoken, -LINE - below - 2.0 * thrust.PLAN, LINE)
+    said = translated(spoken, line=solution.result.name)
+    picture = Picture(REACH, said, -LINE - below - 2.0 * thrust.PLAN, LINE)
     _line(picture, design)
     answer: LineAnswer | None = solution.state if solved else None
     if answer is not None:
@@ -69,9 +71,9 @@ def _line(picture: Picture, design: LineDesign) -> None:
         picture.arrow((START - 0.3, 0.0), (START - 0.06, 0.0), "load")
         picture.text(-0.98 * REACH, 0.12, sized("load", design.thrust.duty.thrust), anchor="start")
     notes = (
-        [in_us_units(f"L = {written(length, 'm')}"), enlarged("diameters", factor)]
+        [in_us_units(decimal(f"L = {written(length, 'm')}")), enlarged("diameters", factor)]
         if line.rods
-        else ["rigid shaft"]
+        else [translated("rigid shaft")]
     )
     picture.notes(-0.98 * REACH, LINE - 0.1, [", ".join(notes)])
 
@@ -82,7 +84,7 @@ def _diameter(rod: Rod) -> float:
 
 
 def _mass(kilograms: float) -> str:
-    said: str = in_us_units(written(kilograms, "t" if kilograms >= 1e3 else "kg"))
+    said: str = in_us_units(decimal(written(kilograms, "t" if kilograms >= 1e3 else "kg")))
     return said
 
 
@@ -128,8 +130,14 @@ def _support(picture: Picture, design: LineDesign, collar: float) -> None:
     if seat:
         _spring(picture, housing + 0.07, wall, 0.0)
     picture.outline(([wall, wall], [-collar - 0.06, collar + 0.06]), "bore")
-    words = [f"ring {sized('axial_stiffness', bearing.ring_stiffness)} a pad" if ring else "rigid ring"]
-    words.append("rigid seating" if seating is None else f"seating {sized('axial_stiffness', seating.stiffness)}")
+    words = [
+        translated("ring {stiffness} a pad", stiffness=sized("axial_stiffness", bearing.ring_stiffness))
+        if ring
+        else translated("rigid ring"),
+        translated("rigid seating")
+        if seating is None
+        else translated("seating {stiffness}", stiffness=sized("axial_stiffness", seating.stiffness)),
+    ]
     picture.notes(0.98 * REACH, LINE - 0.1, words, "end")
 
 
@@ -155,11 +163,12 @@ def _swinging(canvas: Canvas, line: ShaftLine, answer: LineAnswer) -> None:
             x = along(found.places)
             size = SWING / found.largest * found.each.sum(axis=0) * np.ones(x.size)
             canvas.area((np.append(x, x[::-1]), np.append(size, -size[::-1])), "pressure")
-            notes.append(f"axial amplitude up to {sized('film_thickness', found.largest)}")
+            largest = sized("film_thickness", found.largest)
+            notes.append(translated("axial amplitude up to {amplitude}", amplitude=largest))
     if answer.modes:
         first = answer.modes[0]
         x = along(first.places)
         canvas.outline((x, SWING * first.shape * np.ones(x.size)), "dashed")
-        frequency = QUANTITIES["natural_frequency_1"]
-        notes.append(f"dashed: first mode, {frequency.with_unit(first.frequency)}")
+        frequency = QUANTITIES["natural_frequency_1"].with_unit(first.frequency)
+        notes.append(translated("dashed: first mode, {frequency}", frequency=frequency))
     canvas.notes(-0.98 * canvas.reach, MODES - 0.06, [", ".join(notes)])

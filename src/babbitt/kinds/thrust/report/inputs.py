@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from babbitt.kinds.thrust.design import PrescribedFilm, PrescribedThrust, ThrustDesign
+from babbitt.kinds.thrust.report.words import OF_THRUST
 from babbitt.report.inputs import InputGroup, Row, metal_rows, named_row, oil_rows
 
 __all__ = ["thrust_inputs"]
@@ -20,10 +21,10 @@ def thrust_inputs(design: ThrustDesign) -> Iterator[InputGroup]:
 def _operation(design: ThrustDesign) -> Iterator[Row]:
     match design.duty:
         case PrescribedThrust(thrust):
-            yield named_row("load", thrust, "Thrust")
+            yield named_row("load", thrust, OF_THRUST["load"])
         case PrescribedFilm(film):
             yield Row("Prescribed mean film at the pivots", f"{1e6 * film:.4g}", None, "µm")
-    yield named_row("angular_speed", design.speed)
+    yield named_row("angular_speed", design.speed, OF_THRUST["angular_speed"])
 
 
 def _oil(design: ThrustDesign) -> Iterator[Row]:

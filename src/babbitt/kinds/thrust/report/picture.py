@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from babbitt.core.language import translated
 from babbitt.core.solution import Solution
 from babbitt.kinds.thrust.bearing import ThrustBearing
 from babbitt.kinds.thrust.design import ThrustDesign
@@ -39,16 +40,18 @@ def thrust_picture(solution: Solution) -> Picture:
     design: ThrustDesign = solution.problem
     bearing, name = design.bearing, solution.result.name
     if not solution.result.outcome.solved:
-        picture = Picture(REACH, f"{name}: {bearing.number} pads seen along the shaft", -PLAN, PLAN)
+        seen = translated("{bearing}: {number} pads seen along the shaft", bearing=name, number=bearing.number)
+        picture = Picture(REACH, seen, -PLAN, PLAN)
         pads_seen_along(picture, bearing, None)
         return picture
     share: Share = solution.state.share
     most = int(share.loads.argmax())
     lowest, highest = (sized("load", float(one)) for one in (share.loads.min(), share.loads.max()))
-    spoken = (
-        f"{name}: {bearing.number} pads seen along the shaft, loads from {lowest} to {highest}; below, the film "
-        f"of pad {most + 1}, unrolled"
-    )
+    spoken = translated(
+        "{bearing}: {number} pads seen along the shaft, loads from {lowest} to {highest}; below, the film of pad "
+        "{pad}, unrolled",
+        bearing=name, number=bearing.number, lowest=lowest, highest=highest, pad=most + 1,
+    )  # fmt: skip
     picture = Picture(REACH, spoken, -PLAN - ABOVE - BELOW, PLAN)
     pads_seen_along(picture, bearing, share)
     section_of_pad(picture.part(0.0, -PLAN - ABOVE, 1.0), share, most)
@@ -106,7 +109,7 @@ def _closest(canvas: Canvas, bearing: ThrustBearing, inner: float) -> None:
     canvas.arrow(
         (0.1 * c, 0.1 * s), ((inner - 0.18) * c, (inner - 0.18) * s), "tilt", Handle("tilt.direction", at)
     )
-    canvas.text(0.0, -0.08, "closest")
+    canvas.text(-0.12 * c, -0.12 * s - 0.09, translated("closest"))
 
 
 def section_of_pad(canvas: Canvas, share: Share, number: int) -> None:
@@ -136,7 +139,7 @@ def section_of_pad(canvas: Canvas, share: Share, number: int) -> None:
         side = math.copysign(1.0, x[place])
         words = sized("film_thickness", float(gap[place]))
         canvas.text(x[place] - 0.03 * side, face[place] - 0.1, words, anchor="end" if side > 0.0 else "start")
-    canvas.notes(-0.98 * canvas.reach, HIGHEST + 0.17, (f"pad {number + 1}", enlarged("film", factor)))
+    canvas.notes(-0.98 * canvas.reach, HIGHEST + 0.17, (translated(f"pad {number + 1}"), enlarged("film", factor)))
 
 
 def _profile(canvas: Canvas, state: PadState, x: Array) -> None:
