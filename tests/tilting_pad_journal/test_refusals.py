@@ -257,6 +257,7 @@ REFUSED = {
         "anticipated_cross_coupling",
         "rotor_mass",
     ),
+    "log decrement without rotor": ({"limits": {"log_decrement": 0.3}}, "limits.log_decrement", "rotor_mass"),
     "cross-coupling that damps": (
         {"rotor_mass": "1 t", "anticipated_cross_coupling": "-4 MN/m"},
         "anticipated_cross_coupling",

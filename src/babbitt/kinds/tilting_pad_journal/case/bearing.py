@@ -298,6 +298,12 @@ class TiltingPadJournalCase(PadFilmChoices, CaseFile):
                         "rotor_mass besides it")  # fmt: skip
 
     @rule
+    def _decrement_of_a_rotor(self) -> Iterator[Issue]:
+        if self.limits.log_decrement is not None and not is_given(self, "rotor_mass"):
+            yield Issue(("limits", "log_decrement"), "no mass of a rotor is given that would have it",
+                        "rotor_mass besides it")  # fmt: skip
+
+    @rule
     def _points_have_names_of_their_own(self) -> Iterator[Issue]:
         yield from named_once((one.name for one in self.operating_points), "operating point", "operating_points")
 
