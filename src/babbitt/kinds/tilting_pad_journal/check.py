@@ -291,6 +291,11 @@ def assumptions_of(case: PadCase) -> Iterator[str]:
         )
     if case.thermal.is_resolved:
         yield from thermal_assumptions(case)
+    if case.thermal is not Thermal.ISOTHERMAL and not case.assumption_sensitivity:
+        yield (
+            "How far carry-over, and what else is assumed of the heat, moves the answer is told by method: "
+            "{assumption_sensitivity: true}."
+        )
 
 
 def shapes_of(case: PadCase) -> str:

@@ -247,6 +247,14 @@ class TiltingPadJournalCase(PadFilmChoices, CaseFile):
         yield from rules.inertia_holds_the_mass(self)
 
     @rule
+    def _inertia_fits_the_pad(self) -> Iterator[Issue]:
+        yield from rules.inertia_fits_the_pad(self)
+
+    @rule
+    def _pivots_fit_the_pads(self) -> Iterator[Issue]:
+        yield from rules.pivots_fit_the_pads(self)
+
+    @rule
     def _position_within_the_pads(self) -> Iterator[Issue]:
         yield from rules.position_within_the_pads(self)
 
