@@ -220,8 +220,8 @@ class Result:
 
         ``no solution`` without an operating point; ``fail`` where a limit is missed; ``no verdict`` outside the
         validity of the model, or where film thickness, temperature (of a probe with a limit, too) or specific load
-        could not be checked (`lacking`); ``pass with remarks`` where a warning questions the result. Recommendations and screening
-        indicators change nothing.
+        could not be checked (`lacking`); ``pass with remarks`` where a warning questions the result.
+        Recommendations and screening indicators change nothing.
         """
         if not self.outcome.solved:
             return Verdict.NO_SOLUTION

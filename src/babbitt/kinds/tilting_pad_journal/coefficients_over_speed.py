@@ -27,7 +27,7 @@ SAME_DIRECTION = 1e-4
 """Angle in rad by which the direction of the load may differ from speed to speed."""
 
 RAMP = "W420"
-"""Of coefficients that rest on the assumed transition to turbulence: an information of a result, not of a table."""
+"""Of coefficients in the assumed transition to turbulence: what informs of a result questions a table."""
 
 STATIC = (
     "load",

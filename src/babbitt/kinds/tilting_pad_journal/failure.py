@@ -28,7 +28,7 @@ def failure_of_pads(case: PadCase, found: Equilibrium[PadFilms]) -> Notice:
     if found.outcome is not Outcome.PAD_AT_LIMIT or found.film is None:
         failure = failure_of(case, found)
         dry = failure.variant == "tried_dry"  # which advises a supply pressure, and pads have none
-        return Notice(failure.code, "tried", failure.values) if dry else failure
+        return Notice(failure.code, "tried", {"far": failure.values["far"]}) if dry else failure
     solution = found.film.solution
     need, least = solution.limit_loads or (math.nan, math.nan)
     return Notice("S401", values={"pad": (solution.limit_pad or 0) + 1, "need": need, "least": least})

@@ -16,13 +16,13 @@ CLOSES = 0.3
 """Share of the assembled clearance that growth takes at the temperatures of films without it, from which on it may
 leave no film: narrower, the films warm further.
 
-Assumption by measurement of 63 random bearings (the first set of `one_temperature.LESS_STABLE`, assembled clearances
-of 0.6 to 1.7 permille, housing 5 K warmer than the fresh oil): of the 14 that growth closes it is 0.35 to 0.79 in
+Assumption by measurement of 63 random bearings (of those of `one_temperature.LESS_STABLE`; assembled clearances of
+0.6 to 1.7 permille, housing 5 K warmer than the fresh oil): of the 14 that growth closes it is 0.35 to 0.79 in
 films with temperatures of their own, of the other 49 at most 0.42, and from 1.2 permille on at most 0.27."""
 
 LESS_STABLE_BY_GROWTH = 2.0
-"""Share of log decrement and threshold cross-coupling that growth takes, over what it takes of the clearance: less in
-47 of the same 49 bearings with a film, at most 2.2 (assumption by measurement)."""
+"""Share of log decrement and threshold cross-coupling that growth takes, over what it takes of the clearance: less
+in 47 of the same 49 bearings with a film, at most 2.2 (assumption by measurement)."""
 
 
 def warnings_about_left_out_growth(
@@ -50,12 +50,11 @@ def warnings_about_left_out_growth(
 def left_out_growth(case: PadCase, values: Mapping[str, float], housing: float) -> float:
     """Share of the assembled clearance that a journal and pads of steel would take, in a housing of a temperature.
 
-    alpha (T - T_housing) (R + t)/c of the pad that it narrows most; T is that of the journal, or of the films where
-    the journal has none. Of what grows behind the pads the housing makes room for all.
+    alpha (T - T_housing) (R + t)/c of the pad that it narrows most; T is that of the journal, or of the films
+    where the journal has none. Of what grows behind the pads the housing makes room for all.
     """
     warmer = values.get("journal_temperature", values["effective_temperature"]) - housing
     radius = 0.5 * case.bearing.diameter
     return max(
-        STEEL_EXPANSION * warmer * (radius + pad.thickness) / pad.assembled_clearance
-        for pad in case.bearing.pads
+        STEEL_EXPANSION * warmer * (radius + pad.thickness) / pad.assembled_clearance for pad in case.bearing.pads
     )

@@ -26,7 +26,10 @@ from babbitt.reynolds.tilting_pads.model import TiltingPad, TiltingPadBearing
 from babbitt.reynolds.tilting_pads.pad_heat import THERMAL_PADS, PadBending, PadGrowth, PadMaterial, PadWalls
 from babbitt.reynolds.tilting_pads.pedestal import Pedestal
 
-__all__ = ["Accuracy", "Feed", "HeatChoices", "LIGHT", "PadBearing", "PadCase", "SAME_LINE", "Thermal", "WHIRL_RATIOS", "on_one_line"]
+__all__ = [
+    "Accuracy", "Feed", "HeatChoices", "LIGHT", "PadBearing", "PadCase", "SAME_LINE", "Thermal", "WHIRL_RATIOS",
+    "on_one_line",
+]  # fmt: skip
 
 LIGHT = 0.05
 """Share of the load that a pad may carry at its fold and still be left without (assumption).

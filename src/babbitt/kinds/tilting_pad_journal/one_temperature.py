@@ -31,7 +31,7 @@ THINNER = 0.6
 """Margin of the film thickness by which these films may be thinner: of all of the same 493 by less."""
 
 LESS_STABLE = 0.8
-"""Log decrement and threshold cross-coupling of films with temperatures of their own over those of one temperature.
+"""Log decrement and threshold cross-coupling of films with their own temperatures over those of one temperature.
 
 Assumption by measurement of 167 random bearings (four or five pads on rockers, load on and between pads, 20 to
 75 m/s, 0.3 to 2 MPa, ISO VG 22 to 68, assembled clearances of 0.6 to 1.8 permille, flexible shafts;
