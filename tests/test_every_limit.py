@@ -7,7 +7,7 @@ import pytest
 import yaml
 
 import babbitt
-from babbitt.case import case_from_dict, kinds, template
+from babbitt.case import CaseError, case_from_dict, kinds, template
 from babbitt.core.result import Verdict
 from babbitt.solving import solve
 
@@ -65,36 +65,42 @@ JOURNALS = {
     },
     "segments": {"segments": {"groove": {"kind": "through", "angle_from_load": "-20 deg", "width": "5 mm"}}},
 }
+JOURNAL_FIELDS = {
+    "kind": "journal",
+    "name": "Bearing",
+    "diameter": "100 mm",
+    "width": "60 mm",
+    "clearance": {"kind": "relative", "mean": "1.2 permille"},
+    "materials": {"bearing": "C10", "journal": "C45", "bearing_metal": "SnSb12Cu6Pb"},
+    "lubricant": "ISO VG 46",
+    "supply": {"temperature": "50 degC", "pressure": "0.1 MPa"},
+    "surfaces": {"kind": "direct", "roughness_bearing": "4 um", "roughness_journal": "2 um"},
+    "limits": {"minimum_film_thickness": "9 um"},
+    "load": "15 kN",
+    "speed": "3000 rpm",
+}
+
+
+def journal_fields(method):
+    """Fields of a journal bearing by a method."""
+    return JOURNAL_FIELDS | {"method": method.split()[-1]} | JOURNALS[method]
 
 
 @pytest.mark.parametrize("without", LEFT_OUT, ids=lambda one: "+".join(sorted(one)) or "all")
 @pytest.mark.parametrize("method", JOURNALS)
 def test_every_limit_of_a_journal_bearing_is_held_or_listed(method, without):
-    fields = {
-        "kind": "journal",
-        "name": "Bearing",
-        "method": method.split()[-1],
-        "diameter": "100 mm",
-        "width": "60 mm",
-        "clearance": {"kind": "relative", "mean": "1.2 permille"},
-        "materials": {"bearing": "C10", "journal": "C45", "bearing_metal": "SnSb12Cu6Pb"},
-        "lubricant": "ISO VG 46",
-        "supply": {"temperature": "50 degC", "pressure": "0.1 MPa"},
-        "surfaces": {"kind": "direct", "roughness_bearing": "4 um", "roughness_journal": "2 um"},
-        "limits": {"minimum_film_thickness": "9 um"},
-        "load": "15 kN",
-        "speed": "3000 rpm",
-    }
-    given = {name: value for name, value in (fields | JOURNALS[method]).items() if name not in without}
+    given = {name: value for name, value in journal_fields(method).items() if name not in without}
     if "materials" in without:
         given["materials"] = {"bearing": "C10", "journal": "C45"}
     (result,) = solve(case_from_dict(given)).results
     assert codes(result) >= JOURNAL
 
 
-@pytest.mark.parametrize(("kind", "method"), [(kind, one) for kind, ways in METHODS.items() for one in ways])
-@pytest.mark.parametrize("without", ["nothing", "all that may be left out"])
-def test_every_limit_of_another_kind_is_held_or_listed(kind, method, without):
+WAYS = [(kind, one) for kind, ways in METHODS.items() for one in ways]
+
+
+def template_of(kind, method):
+    """Fields of the template, by a way of computing the kind."""
     given = yaml.safe_load(template(kind))
     if kind == "screw_heel":
         given["method"] = method.split()[0]
@@ -115,10 +121,67 @@ def test_every_limit_of_another_kind_is_held_or_listed(kind, method, without):
         given["pads"]["number"], given["load"] = 2, "125 kN"  # a quarter of the bearing takes less time
     else:
         given["oil"] = OILS.get(method, {"kind": "heat_balance"})
+    return given
+
+
+@pytest.mark.parametrize(("kind", "method"), WAYS)
+@pytest.mark.parametrize("without", ["nothing", "all that may be left out"])
+def test_every_limit_of_another_kind_is_held_or_listed(kind, method, without):
+    given = template_of(kind, method)
     if without != "nothing":
         given = {name: value for name, value in given.items() if name not in OPTIONAL}
     for result in solve(case_from_dict(given)).results:
         assert codes(result) >= LIMITS[kind] | BALANCES.get((kind, method), set())
+
+
+LOOSE = {
+    "minimum_film_thickness": ("1.01 um", 1.01e-6),
+    "specific_load": ("101 MPa", 101e6),
+    "temperature": ("191 degC", 464.15),
+    "transition_film_thickness": ("1.02 um", 1.02e-6),
+    "log_decrement": ("0.001", 0.001),
+    "probe_alarm": ("192 degC", 465.15),
+    "probe_trip": ("193 degC", 466.15),
+    "slope": ("11 mrad", 0.011),
+    "deflection": ("12 mm", 0.012),
+    "axial_amplitude": ("9 mm", 0.009),
+}
+"""Limits that a case may set, as they are written and in SI, so wide that every bearing keeps them."""
+
+
+def passes_unheld(given, limit):
+    """Results that pass a case though nothing was held against a limit that it sets; none of a case refused."""
+    written, value = LOOSE[limit]
+    try:
+        case = case_from_dict(given | {"limits": {limit: written}})
+    except CaseError:
+        return []
+    return [
+        one
+        for one in solve(case).results
+        if one.within_limits and not any(check.limit == pytest.approx(value) for check in one.limits)
+        # C111 holds the speed at which the film has that thickness
+        if not (limit == "transition_film_thickness" and any(check.code == "C111" for check in one.limits))
+    ]
+
+
+SHORT_WAYS = [(kind, one) for kind, one in WAYS if one != "film"]
+"""All but recesses by films, whose limits are those of the quick method."""
+
+
+@pytest.mark.parametrize("limit", LOOSE)
+@pytest.mark.parametrize(("kind", "method"), SHORT_WAYS)
+def test_no_limit_that_a_case_sets_passes_unheld(kind, method, limit):
+    given = template_of(kind, method)
+    assert passes_unheld(given, limit) == []
+    if given.pop("rotor_mass", None) is not None:
+        assert passes_unheld(given, limit) == []
+
+
+@pytest.mark.parametrize("limit", LOOSE)
+@pytest.mark.parametrize("method", JOURNALS)
+def test_no_limit_of_a_journal_bearing_passes_unheld(method, limit):
+    assert passes_unheld(journal_fields(method), limit) == []
 
 
 def test_every_kind_is_asked():

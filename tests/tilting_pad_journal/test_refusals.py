@@ -4,7 +4,8 @@ import pytest
 from pad_journals import pad_case
 
 from babbitt.case import CaseError, case_from_dict
-from babbitt.core.notices import InputError
+from babbitt.core.notices import InputError, Subject
+from babbitt.core.result import Verdict
 from babbitt.solving import refusal_of, solve
 
 RADIAL = {"kind": "radial", "mean": "148 um"}
@@ -257,6 +258,22 @@ REFUSED = {
         "anticipated_cross_coupling",
         "rotor_mass",
     ),
+    "a line longer than its pad": (
+        {"pads.pivot": LINE | {"length": "200 mm"}},
+        "pads.pivot.length",
+        "pad 1: its pivot, 200 mm long, is longer than the pad is wide; allowed: up to 70 mm",
+    ),
+    "a rocker longer than its own pad": (
+        {"pads.each": [{}, {"width": "50 mm", "pivot": {"kind": "rocker", "length": "60 mm"}}, {}, {}]},
+        "pads.each[1].pivot.length",
+        "up to 50 mm",
+    ),
+    "inertia of a larger pad": (
+        {"pads.mass": "1 kg", "pads.inertia": "1 kg m2"},
+        "pads.inertia",
+        "a radius of gyration of 1000 mm about the pivot",
+    ),
+    "log decrement without rotor": ({"limits": {"log_decrement": 0.3}}, "limits.log_decrement", "rotor_mass"),
     "cross-coupling that damps": (
         {"rotor_mass": "1 t", "anticipated_cross_coupling": "-4 MN/m"},
         "anticipated_cross_coupling",
@@ -369,5 +386,26 @@ def test_what_is_not_read_changes_nothing():
 
 def test_limits_of_probes_that_nothing_tells_are_listed_as_not_checked():
     limits = {"limits": {"probe_alarm": "90 degC", "probe_trip": "100 degC"}}
-    (result,) = solve(case_from_dict(pad_case(limits))).results
+    (result,) = solve(case_from_dict(pad_case(limits, materials={"bearing_metal": "B83"}))).results
     assert {"C404", "C405"} <= {one.code for one in result.not_checked}
+    assert result.lacking == (Subject.PROBE_TEMPERATURE,)
+    assert result.verdict is Verdict.NO_VERDICT
+    assert solve(case_from_dict(pad_case(materials={"bearing_metal": "B83"}))).results[0].within_limits
+
+
+@pytest.mark.parametrize(("load_angle", "across"), [("-90 deg", 10e3), ("-30 deg", 5e3)])
+def test_two_pads_on_one_line_are_told_that_they_hold_nothing_across_it(load_angle, across):
+    two = {"pads.number": 2, "pads.first_pivot": "0 deg"}
+    (result,) = solve(case_from_dict(pad_case(two, load_angle=load_angle))).results
+    assert result.failure.values["across"] == pytest.approx(across)
+    assert "cannot hold the journal across it" in result.message
+    assert "supply pressure" not in result.message
+    assert [one.variant for one in result.warnings if one.code == "W410"] == ["line"]
+
+
+def test_pads_without_a_place_are_not_advised_a_supply_pressure():
+    beside = {"pads.number": None, "pads.first_pivot": None, "pads.pivot_angles": ["10 deg", "170 deg"]}
+    (result,) = solve(case_from_dict(pad_case(beside))).results
+    assert result.verdict is Verdict.NO_SOLUTION
+    assert "Try: less load" in result.message
+    assert "supply pressure" not in result.message

@@ -219,9 +219,9 @@ class Result:
         """The judgement in one word.
 
         ``no solution`` without an operating point; ``fail`` where a limit is missed; ``no verdict`` outside the
-        validity of the model, or where film thickness, temperature or specific load could not be checked
-        (`lacking`); ``pass with remarks`` where a warning questions the result. Recommendations and screening
-        indicators change nothing.
+        validity of the model, or where film thickness, temperature (of a probe with a limit, too) or specific load
+        could not be checked (`lacking`); ``pass with remarks`` where a warning questions the result.
+        Recommendations and screening indicators change nothing.
         """
         if not self.outcome.solved:
             return Verdict.NO_SOLUTION
@@ -269,7 +269,7 @@ class Result:
 
     @property
     def lacking(self) -> tuple[Subject, ...]:
-        """Of film thickness, temperature and specific load those that should have been checked and were not.
+        """Of the subjects those that should have been checked and were not.
 
         A kind lists its checks that could not be made under `not_checked`; one check of a subject is enough.
         """

@@ -20,6 +20,7 @@ class Subject(Enum):
     FILM_THICKNESS = "film thickness"
     TEMPERATURE = "temperature"
     SPECIFIC_LOAD = "specific load"
+    PROBE_TEMPERATURE = "temperature of a probe"
 
 
 @dataclass(frozen=True)
@@ -33,7 +34,7 @@ class Explanation:
     effect : Effect
         Of a warning.
     subject : Subject or None
-        Of a check: which of the three it is one of. Where a kind lists such a check as not made, and no other of
+        Of a check: which of these it is one of. Where a kind lists such a check as not made, and no other of
         the same subject was made, there is no verdict.
     """
 

@@ -18,6 +18,7 @@ from babbitt.kinds.tilting_pad_journal.cross_coupling import SOUGHT, CrossCoupli
 from babbitt.kinds.tilting_pad_journal.dynamics import PadDynamics, dynamics_of
 from babbitt.kinds.tilting_pad_journal.failure import failure_of_pads, feasible_growth
 from babbitt.kinds.tilting_pad_journal.film import operating_films
+from babbitt.kinds.tilting_pad_journal.left_out_growth import warnings_about_left_out_growth
 from babbitt.kinds.tilting_pad_journal.level_one import (
     about_synchronous_verdict,
     cross_coupling_checks,
@@ -42,6 +43,7 @@ from babbitt.kinds.tilting_pad_journal.values import (
     pad_rows,
 )
 from babbitt.kinds.tilting_pad_journal.warnings import (
+    about_stability_on_the_ramp,
     starved_bounds,
     warnings_about_kept_limits,
     warnings_of_solution,
@@ -108,19 +110,27 @@ def pad_solution(case: PadCase) -> Solution:
     values |= {"iterations": float(found.evaluations), "wall_time": perf_counter() - begun}
     bounds = starved_bounds(case, films)
     heat = tuple(heat_checks(case, values))
-    checks = (*checks_of(case, values, bounds), *stability_checks(case, values), *certain(heat, bounds))
+    checks = (
+        *checks_of(case, values, bounds),
+        *stability_checks(case, values),
+        *certain(heat, bounds),
+        *cross_coupling_checks(case, values, *least_decrement(case)),
+    )
+    told = tuple(warnings_of_solution(case, films, dynamics, margins, values))
     result = Result(
         case.name,
         case.kind,
         METHOD,
         Outcome.CONVERGED,
         {name: float(value) for name, value in values.items() if math.isfinite(value)},
-        checks=(*checks, *cross_coupling_checks(case, values, *least_decrement(case))),
+        checks=checks,
         warnings=(
             *case.warnings,
-            *warnings_of_solution(case, films, dynamics, margins, values),
+            *told,
+            *about_stability_on_the_ramp(checks, told),
             *warnings_about_kept_limits(films, checks),
             *warnings_about_one_temperature(case, checks, values),
+            *warnings_about_left_out_growth(case, checks, values),
             *about_synchronous_verdict(values, least_decrement(case)[0]),
         ),
         not_checked=(
@@ -281,6 +291,11 @@ def assumptions_of(case: PadCase) -> Iterator[str]:
         )
     if case.thermal.is_resolved:
         yield from thermal_assumptions(case)
+    if case.thermal is not Thermal.ISOTHERMAL and not case.assumption_sensitivity:
+        yield (
+            "How far carry-over, and what else is assumed of the heat, moves the answer is told by method: "
+            "{assumption_sensitivity: true}."
+        )
 
 
 def shapes_of(case: PadCase) -> str:

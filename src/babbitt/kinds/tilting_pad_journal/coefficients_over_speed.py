@@ -26,6 +26,8 @@ APART = 0.01
 SAME_DIRECTION = 1e-4
 """Angle in rad by which the direction of the load may differ from speed to speed."""
 
+RAMP = "W420"
+"""Of coefficients in the assumed transition to turbulence: what informs of a result questions a table."""
 
 STATIC = (
     "load",
@@ -128,8 +130,14 @@ def table_of(results: Sequence[Result], cases: Sequence[PadCase]) -> Coefficient
         temperatures="frozen",
         over_frequency=over_frequency(full, frequencies_of(first, speeds)),
         systems=tuple(SystemMatrices(one.labels, one.stiffness, one.damping, one.mass) for one in full),
-        warnings=tuple(one.questioning_codes for one in results),
+        warnings=tuple(codes_about(one) for one in results),
     )
+
+
+def codes_about(result: Result) -> tuple[str, ...]:
+    """Codes of warnings that question a result, and of that about coefficients on the ramp to turbulence."""
+    ramp = tuple(one.code for one in result.warnings if one.code == RAMP)
+    return tuple(dict.fromkeys((*result.questioning_codes, *ramp)))
 
 
 def system_of(result: Result, speed: float) -> PadCoefficients:

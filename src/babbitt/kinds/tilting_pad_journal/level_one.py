@@ -15,6 +15,7 @@ from babbitt.kinds.tilting_pad_journal.values import flat, plain, rows_of
 
 __all__ = [
     "LEAST_RATIO",
+    "STABILITY_CHECKS",
     "about_synchronous_verdict",
     "cross_coupling_checks",
     "cross_coupling_not_checked",
@@ -23,6 +24,9 @@ __all__ = [
     "pedestal_rows",
     "pedestal_values",
 ]
+
+STABILITY_CHECKS = ("C401", "C406", "C407")
+"""Log decrement, threshold over anticipated cross-coupling, and the decrement with the latter."""
 
 LEAST_RATIO = 2.0
 RATIO_SOURCE = "level I of API 617: twice the anticipated cross-coupling"

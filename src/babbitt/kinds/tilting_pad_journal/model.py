@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from enum import Enum
 
@@ -25,7 +26,10 @@ from babbitt.reynolds.tilting_pads.model import TiltingPad, TiltingPadBearing
 from babbitt.reynolds.tilting_pads.pad_heat import THERMAL_PADS, PadBending, PadGrowth, PadMaterial, PadWalls
 from babbitt.reynolds.tilting_pads.pedestal import Pedestal
 
-__all__ = ["Accuracy", "Feed", "HeatChoices", "LIGHT", "PadBearing", "PadCase", "Thermal", "WHIRL_RATIOS"]
+__all__ = [
+    "Accuracy", "Feed", "HeatChoices", "LIGHT", "PadBearing", "PadCase", "SAME_LINE", "Thermal", "WHIRL_RATIOS",
+    "on_one_line",
+]  # fmt: skip
 
 LIGHT = 0.05
 """Share of the load that a pad may carry at its fold and still be left without (assumption).
@@ -227,3 +231,16 @@ class PadCase:
     def sense(self) -> float:
         """Sense of rotation: 1 counter-clockwise, -1 clockwise."""
         return math.copysign(1.0, self.journal_speed)
+
+
+SAME_LINE = 1e-6
+"""Angle in rad by which pivots may lie beside a line through the centre."""
+
+
+def on_one_line(angles: Sequence[float]) -> bool:
+    """Whether pivots at some angles (rad) stand on one line through the centre, across which they hold nothing.
+
+    >>> on_one_line([0.5, 0.5 + math.pi]), on_one_line([0.5, 2.0])
+    (True, False)
+    """
+    return all(abs(math.sin(one - angles[0])) < SAME_LINE for one in angles)

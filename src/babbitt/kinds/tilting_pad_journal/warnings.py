@@ -18,6 +18,7 @@ from babbitt.design.warnings import (
     warnings_about_pressure,
 )
 from babbitt.kinds.tilting_pad_journal.dynamics import LARGEST_FIT_ERROR, PadDynamics, with_pedestal
+from babbitt.kinds.tilting_pad_journal.level_one import STABILITY_CHECKS
 from babbitt.kinds.tilting_pad_journal.margins import (
     LIGHTLY_LOADED,
     NEAR_FOLD,
@@ -31,7 +32,7 @@ from babbitt.kinds.tilting_pad_journal.values import ramp_share
 from babbitt.reynolds.tilting_pads.dynamics import condensed_at, full_coefficients
 from babbitt.reynolds.tilting_pads.pivots import HertzContact, LineContact
 
-__all__ = ["starved_bounds", "warnings_about_kept_limits", "warnings_of_solution"]
+__all__ = ["about_stability_on_the_ramp", "starved_bounds", "warnings_about_kept_limits", "warnings_of_solution"]
 
 BORE_CHECKS = ("C108", "C404", "C405")
 """Limits of bores: of the metal, alarm and trip of a probe."""
@@ -238,6 +239,13 @@ def about_ramp(films: PadFilms) -> Iterator[Notice]:
     law = films.solution.bearing.turbulence
     if law is not None and (share := ramp_share(films.solution, law)) > 0.0:
         yield Notice("W420", values={"share": share, "onset": law.onset, "end": law.end})
+
+
+def about_stability_on_the_ramp(checks: Sequence[Check], told: Sequence[Notice]) -> Iterator[Notice]:
+    """Limits of stability that are kept with coefficients of the assumed ramp, of which W420 tells."""
+    kept = tuple(one.code for one in checks if one.code in STABILITY_CHECKS and one.ok)
+    if kept and any(one.code == "W420" for one in told):
+        yield Notice("W421", values={"kept": kept})
 
 
 def about_contacts(films: PadFilms) -> Iterator[Notice]:

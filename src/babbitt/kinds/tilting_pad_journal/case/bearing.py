@@ -247,6 +247,14 @@ class TiltingPadJournalCase(PadFilmChoices, CaseFile):
         yield from rules.inertia_holds_the_mass(self)
 
     @rule
+    def _inertia_fits_the_pad(self) -> Iterator[Issue]:
+        yield from rules.inertia_fits_the_pad(self)
+
+    @rule
+    def _pivots_fit_the_pads(self) -> Iterator[Issue]:
+        yield from rules.pivots_fit_the_pads(self)
+
+    @rule
     def _position_within_the_pads(self) -> Iterator[Issue]:
         yield from rules.position_within_the_pads(self)
 
@@ -295,6 +303,12 @@ class TiltingPadJournalCase(PadFilmChoices, CaseFile):
     def _cross_coupling_drives_a_rotor(self) -> Iterator[Issue]:
         if is_given(self, "anticipated_cross_coupling") and not is_given(self, "rotor_mass"):
             yield Issue(("anticipated_cross_coupling",), "no mass of a rotor is given that it would drive",
+                        "rotor_mass besides it")  # fmt: skip
+
+    @rule
+    def _decrement_of_a_rotor(self) -> Iterator[Issue]:
+        if self.limits.log_decrement is not None and not is_given(self, "rotor_mass"):
+            yield Issue(("limits", "log_decrement"), "no mass of a rotor is given that would have it",
                         "rotor_mass besides it")  # fmt: skip
 
     @rule

@@ -22,7 +22,14 @@ from babbitt.kinds.tilting_pad_journal.case.heat import (
 )
 from babbitt.kinds.tilting_pad_journal.case.pads import JournalPads, OnePad, clearances, given_three, own_path
 from babbitt.kinds.tilting_pad_journal.case.pivots import contact_assumptions
-from babbitt.kinds.tilting_pad_journal.model import Accuracy, Feed, PadBearing, PadCase, Thermal
+from babbitt.kinds.tilting_pad_journal.model import (
+    Accuracy,
+    Feed,
+    PadBearing,
+    PadCase,
+    Thermal,
+    on_one_line,
+)
 from babbitt.properties.materials import LoadCharacter
 from babbitt.reynolds.tilting_pads.model import TiltingPad
 
@@ -185,7 +192,7 @@ def warnings_of(case: TiltingPadJournalCase, speed: float, which: str) -> Iterat
     """What of the pads is unusual at one clearance."""
     fields = [case.pads.fields_of(number) for number in range(case.pads.count)]
     if case.pads.count == 2:
-        yield Notice("W410", "two")
+        yield Notice("W410", "line" if on_one_line(case.pads.angles) else "two")
     for number, pad in enumerate(fields, 1):
         machined, assembled = clearances(pad, case.diameter, which)
         if assembled > machined:

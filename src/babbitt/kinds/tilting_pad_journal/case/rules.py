@@ -19,7 +19,9 @@ if TYPE_CHECKING:
 __all__ = [
     "centres_of_gravity",
     "clearances_fit",
+    "inertia_fits_the_pad",
     "inertia_holds_the_mass",
+    "pivots_fit_the_pads",
     "pads_have_room",
     "position_within_the_pads",
     "alarm_before_the_trip",
@@ -150,6 +152,37 @@ def inertia_holds_the_mass(case: TiltingPadJournalCase) -> Iterator[Issue]:
             given = case.pads.fields_of(number)["inertia"]
             says = f"pad {number + 1}: {given:.4g} kg m2 about the pivot is less than its mass has where it is"
             yield Issue((*pad_path(case, number, "inertia"), "inertia"), says, f"{least:.4g} kg m2 or more")
+            return
+
+
+def inertia_fits_the_pad(case: TiltingPadJournalCase) -> Iterator[Issue]:
+    """Complain of a radius of gyration about the pivot that is longer than any part of the pad is far from it."""
+    for number in range(case.pads.count):
+        fields = case.pads.fields_of(number)
+        mass, thickness = fields["mass"], fields["thickness"]
+        farthest = (0.5 * case.diameter + thickness) * fields["extent"] + thickness
+        if mass > 0.0 and fields["inertia"] > mass * farthest**2:
+            gyration = written(math.sqrt(fields["inertia"] / mass), "mm")
+            says = (
+                f"pad {number + 1}: {fields['inertia']:.4g} kg m2 of {mass:.4g} kg is a radius of gyration of "
+                f"{gyration} about the pivot, from which no part of the pad is {written(farthest, 'mm')} away"
+            )
+            yield Issue((*pad_path(case, number, "inertia"), "inertia"), says,
+                        f"up to {mass * farthest**2:.4g} kg m2")  # fmt: skip
+            return
+
+
+def pivots_fit_the_pads(case: TiltingPadJournalCase) -> Iterator[Issue]:
+    """Complain of a contact along the pad that is longer than the pad is wide."""
+    for number in range(case.pads.count):
+        fields = case.pads.fields_of(number)
+        width, pivot = fields["width"], fields["pivot"]
+        own = case.pads.width if width is None else width
+        length = getattr(pivot, "length", None)
+        if length is not None and length > own * (1.0 + AGREE):
+            says = f"pad {number + 1}: its pivot, {written(length, 'mm')} long, is longer than the pad is wide"
+            yield Issue((*pad_path(case, number, "pivot"), "pivot", "length"), says,
+                        f"up to {written(own, 'mm')}, or left out for that")  # fmt: skip
             return
 
 

@@ -1,0 +1,124 @@
+"""Stability and clearances that simple films keep and films with temperatures of their own, or growth, may not."""
+
+import numpy as np
+import pytest
+from pad_journals import OIL, pad_case, result_of
+
+from babbitt.case import case_from_dict
+from babbitt.core.result import Verdict
+from babbitt.kinds.tilting_pad_journal.coefficients_over_speed import run_over_speed
+from babbitt.kinds.tilting_pad_journal.left_out_growth import left_out_growth
+
+STABLE = {
+    "diameter": "116.87 mm",
+    "pads": {
+        "number": 5, "first_pivot": "-90 deg", "extent": "58 deg", "width": "59.7 mm", "thickness": "17.5 mm",
+        "clearance": {"kind": "radial", "mean": "106.76 um"},
+        "assembled_clearance": {"kind": "radial", "mean": "74.62 um"},
+        "pivot": {"kind": "rocker", "fraction": 0.55},
+    },
+    "load": "7.562 kN", "speed": "5079 rpm", "supply": {"temperature": "45 degC"},
+    "materials": {"bearing_metal": "SnSb12Cu6Pb", "pads": "C45"},
+    "surfaces": {"kind": "direct", "roughness_bearing": "2 um", "roughness_journal": "1 um"},
+    "limits": {"minimum_film_thickness": "10 um", "specific_load": "4 MPa"},
+    "rotor_mass": "770.9 kg", "shaft_stiffness": "60 MN/m", "anticipated_cross_coupling": "4.2 MN/m",
+}  # fmt: skip
+WALLS = {"thermal": "full", "walls": {"pads": {}, "housing": {"temperature": "55 degC"}}}
+GROWN = WALLS | {"deformation": ["growth", "bending"], "reference_temperature": "20 degC"}
+NARROW = {
+    "diameter": "77.2 mm",
+    "pads": {
+        "number": 5, "first_pivot": "-90 deg", "extent": "62 deg", "width": "68.8 mm", "thickness": "11.6 mm",
+        "clearance": {"kind": "radial", "mean": "53.8 um"}, "preload": 0.465, "pivot": {"kind": "rocker"},
+    },
+    "load": "6.753 kN", "speed": "4755 rpm", "lubricant": "ISO VG 46", "supply": {"temperature": "48 degC"},
+    "feed": "leading_edge_groove", "materials": {"bearing_metal": "SnSb12Cu6Pb", "pads": "C45"},
+    "surfaces": STABLE["surfaces"],
+    "limits": {"temperature": "115 degC", "minimum_film_thickness": "12 um", "specific_load": "4 MPa"},
+}  # fmt: skip
+"""0.75 permille."""
+RAMP = {"lubricant": OIL | {"dynamic_viscosity": "5 mPa s"}, "thermal": "isothermal", "turbulence": "ng_pan",
+        "speed": "12000 rpm", "load": "3 kN"}  # fmt: skip
+
+
+def notices(result, code, variant=None):
+    return [one for one in result.warnings if one.code == code and variant in (None, one.variant)]
+
+
+def kept(result, code, variant="stability"):
+    """Checks that a warning names."""
+    return {one.values["check"] for found in notices(result, code, variant) for one in found.values["kept"]}
+
+
+def test_stability_of_one_temperature_that_full_films_miss_is_questioned():
+    """2.23 times the anticipated cross-coupling, 1.9 with temperatures of their own."""
+    quick, full = result_of(**STABLE), result_of(**STABLE, **WALLS)
+    assert 2.0 < quick.values["cross_coupling_ratio"] < 2.5
+    assert full.values["cross_coupling_ratio"] < 2.0
+    assert full.verdict is Verdict.FAIL
+    assert quick.verdict is Verdict.REMARKS
+    assert "C406" in kept(quick, "W416")
+    at = quick.values["effective_temperature"]
+    still = result_of(**STABLE, thermal="isothermal", effective_temperature=f"{at} K")
+    assert "C406" in kept(still, "W416")
+    assert not notices(full, "W416")
+
+
+@pytest.mark.parametrize(("spare", "questioned"), [(1.24, True), (1.26, False)])
+def test_stability_must_hold_with_four_fifths_of_it(spare, questioned):
+    critical = result_of(**STABLE).values["critical_cross_coupling"]
+    near = result_of(**STABLE | {"anticipated_cross_coupling": f"{critical / (2.0 * spare)} N/m"})
+    assert ("C406" in kept(near, "W416")) is questioned
+
+
+def test_stability_that_growth_ends_is_questioned_without_it():
+    driven = STABLE | {"anticipated_cross_coupling": "3.6 MN/m"}
+    full, grown = result_of(**driven, **WALLS), result_of(**driven, **GROWN)
+    assert grown.verdict is Verdict.FAIL
+    assert full.verdict is Verdict.REMARKS
+    assert {"C406", "C407"} <= kept(full, "W422")
+    assert not notices(grown, "W422")
+
+
+def test_the_estimate_of_growth_is_that_of_the_growth_of_warm_pads():
+    """Wide clearances, which growth hardly warms further: its mean share with the housing as warm as the oil."""
+    wide = {"pads.clearance.mean": "300 um", "load": "5 kN"}
+    housed = WALLS | {"walls": {"pads": {}, "housing": {"temperature": "40 degC"}}, "materials.pads": "C45"}
+    grown = result_of(wide | housed | {"deformation": ["growth"], "reference_temperature": "20 degC"})
+    (problem,) = case_from_dict(pad_case(wide | housed)).problems()
+    narrower = np.mean(grown.arrays["pad_growth"][0]) / grown.values["assembled_clearance"]
+    assert left_out_growth(problem, grown.values, 313.15) == pytest.approx(narrower, rel=0.1)
+
+
+@pytest.mark.parametrize("films", [{}, WALLS], ids=["global", "full"])
+def test_a_clearance_that_growth_closes_is_questioned_without_it(films):
+    plain = result_of(**NARROW, **films)
+    assert plain.verdict is Verdict.REMARKS
+    (notice,) = notices(plain, "W422", "closes")
+    assert 0.5 < notice.values["share"] < 0.52
+    assert result_of(**NARROW, **GROWN).verdict is Verdict.NO_SOLUTION
+
+
+def test_usual_clearances_are_not_questioned_for_growth():
+    """1.25 permille at 58 degC."""
+    usual = result_of({"pads.clearance.mean": "120 um"}, **NARROW | {"speed": "3000 rpm", "diameter": "100 mm"})
+    assert usual.values["relative_clearance"] == pytest.approx(1.284e-3, rel=1e-3)
+    assert not notices(usual, "W422")
+
+
+def test_stability_kept_on_the_assumed_ramp_is_questioned():
+    bare, stable = result_of(**RAMP), result_of(**RAMP, rotor_mass="100 kg")
+    assert notices(bare, "W420")
+    assert not notices(bare, "W421")
+    (notice,) = notices(stable, "W421")
+    assert notice.values["kept"] == ("C401",)
+    assert stable.verdict in (Verdict.REMARKS, Verdict.NO_VERDICT)
+    missed = result_of(**RAMP, rotor_mass="100 kg", limits={"log_decrement": 9.0})
+    assert not notices(missed, "W421")
+
+
+def test_tables_of_coefficients_name_the_ramp():
+    (problem,) = case_from_dict(pad_case(**RAMP)).problems()
+    table = run_over_speed(problem, [100.0, 1200.0]).table()
+    assert "W420" not in table.warnings[0]
+    assert "W420" in table.warnings[1]
