@@ -131,10 +131,10 @@ THERMAL_ABOUT_THE_CENTRE = ("two grooves", "one groove", "hole", "pockets")
 THERMAL_TURNED = 1e-4
 """Torque that stays open, over that of the friction: cavities are sheared by the void of the pass before."""
 THICK_ENOUGH, THERMAL_SAME, THERMAL_SHIFTED = 0.02, 0.05, 0.01
-"""Gap over clearance from which a thermal film is asked for the same force at its position, within this share of the
-load or, under a light load, this way of the journal over its gap. The search has lines for where the journal came
-from, a film at a position those for that position: of 800 films their forces differ by 0.036 of the load or move the
-journal by 0.005 of the gap, nearer to contact by 0.08, all of it errors of the grid."""
+"""Gap over clearance from which a thermal film is asked for the same force at its position, within this share of
+the load or, under a light load, this way of the journal over its gap. The search has lines for where the journal
+came from, a film at a position those for that position: of 800 films their forces differ by 0.036 of the load or
+move the journal by 0.005 of the gap, nearer to contact by 0.08, all of it errors of the grid."""
 
 
 def film_faults(seed: int, number: int) -> Iterator[str]:

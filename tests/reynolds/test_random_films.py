@@ -128,7 +128,8 @@ def test_a_thermal_film_under_another_load_is_a_fault(monkeypatch, other):
     def wrong(solve):
         def of(case):
             duty = dataclasses.replace(case.duty, load=other.get("load", 1.0) * case.duty.load)
-            return solve(dataclasses.replace(case, duty=duty, load_angle=case.load_angle + other.get("angle", 0.0)))
+            turned = case.load_angle + other.get("angle", 0.0)
+            return solve(dataclasses.replace(case, duty=duty, load_angle=turned))
 
         return of
 
