@@ -128,7 +128,8 @@ def test_the_standard_is_cited_with_its_year():
 
 @pytest.mark.parametrize(("fields", "source"), [
     ({"turbulence": "ng_pan"}, "Ng, Pan"), ({"turbulence": "constantinescu"}, "Constantinescu"),
-    ({"cavitation": "mass_conserving"}, "Jakobsson"), ({"thermal": "adiabatic", "cavitation": "mass_conserving", "effective_temperature": None}, "Dowson"),
+    ({"cavitation": "mass_conserving"}, "Jakobsson"),
+    ({"thermal": "adiabatic", "cavitation": "mass_conserving", "effective_temperature": None}, "Dowson"),
     ({"bore": {"kind": "wear", "depth": "10 um", "angle": "-90 deg"}}, "Dufrane"),
     ({"pressure_viscosity": {"kind": "barus", "coefficient": "20 1/GPa"}}, "Barus"),
     ({"pressure_viscosity": {"kind": "roelands", "coefficient": "20 1/GPa"}}, "Roelands"),
