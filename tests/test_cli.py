@@ -91,6 +91,7 @@ def test_bad_input_ends_with_two_and_writes_nothing(run, path, tmp_path):
         (("solve", "nowhere.yaml"), "nowhere.yaml"),
         (("solve", "case.yaml", "--report", "out.docx"), ".pdf or .html"),
         (("solve", "case.yaml", "--json", "no/such/folder.json"), "does not exist"),
+        (("solve", "case.yaml", "--json", "case.yaml/out.json"), "case.yaml is a file, no folder"),
         (("solve", "case.yaml", "case.yaml", "--json", "-"), "folder"),
         (("new", "gearbox"), "journal"),
         (("explain", "W1011"), "W101"),

@@ -152,20 +152,21 @@ def test_a_failure_ends_with_the_remedy_of_its_code():
 
 
 @pytest.mark.parametrize(
-    ("code", "values", "said"),
+    ("code", "variant", "values", "said"),
     [
-        ("W109", {"surface_speed": 20.0004, "limit": 20.0}, "surface speed 20.0004 m/s > 20 m/s"),
-        ("W109", {"surface_speed": 25.0, "limit": 20.0}, "surface speed 25.00 m/s > 20 m/s"),
+        ("W109", "", {"surface_speed": 20.0004, "limit": 20.0}, "surface speed 20.0004 m/s > 20 m/s"),
+        ("W109", "", {"surface_speed": 25.0, "limit": 20.0}, "surface speed 25.00 m/s > 20 m/s"),
         (
             "W200",
+            "load",
             {"orbit_specific_load": 1.0001e7, "limit": 1e7, "metal": "tin"},
             "10.001 MPa > 10.000 MPa of tin",
         ),
     ],
 )
-def test_a_value_beyond_its_limit_never_reads_as_the_limit(code, values, said):
+def test_a_value_beyond_its_limit_never_reads_as_the_limit(code, variant, values, said):
     """One of them may be a number before a unit of the sentence: the other still shows the digits that tell so."""
-    assert said in Notice(code, values=values).message
+    assert said in Notice(code, variant, values).message
 
 
 def test_notices_are_compared_hashed_and_pickled():

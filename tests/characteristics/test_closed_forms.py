@@ -27,6 +27,7 @@ def test_within_the_errors_known_of_butenschoens_tables():
 def test_between_the_widths_of_the_tables_they_are_off_as_told():
     """The statement of W113: reached, and not passed."""
     eps = np.linspace(0.1, 0.99, 90)
+    small = np.append(1e-4, eps)  # the side flow is off most at the centre
     off = dict.fromkeys(DEVIATIONS, 0.0)
     low = 0.0
     for ratio in np.linspace(0.125, 1.0, 36):
@@ -34,7 +35,7 @@ def test_between_the_widths_of_the_tables_they_are_off_as_told():
         misses = {
             "sommerfeld_number": fit.sommerfeld_number(eps) / ours.sommerfeld_number(eps) - 1.0,
             "attitude_angle_degrees": np.degrees(fit.attitude_angle(eps) - ours.attitude_angle(eps)),
-            "side_flow": fit.side_flow_number(eps) / ours.side_flow_number(eps) - 1.0,
+            "side_flow": fit.side_flow_number(small) / ours.side_flow_number(small) - 1.0,
         }
         off = {name: max(off[name], float(abs(miss).max())) for name, miss in misses.items()}
         low = max(low, math.degrees(abs(fit.attitude_angle(1e-4) - ours.attitude_angle(1e-4))))
@@ -42,6 +43,7 @@ def test_between_the_widths_of_the_tables_they_are_off_as_told():
         assert 0.85 * stated < off[name] < 1.005 * stated, name
     assert 0.9 * LARGEST_ATTITUDE_DEVIATION < low < LARGEST_ATTITUDE_DEVIATION
     assert "11 % in load" in explanations()["W113"].meaning
+    assert "4.2 % in side flow" in explanations()["W113"].meaning
 
 
 @given(st.floats(0.125, 1.0), st.floats(1e-9, 0.99))

@@ -104,11 +104,7 @@ def test_every_quantity_is_listed(name: str) -> None:
 
 
 ONE_SYMBOL = (
-    {"film_thickness", "face_gap", "gap"},  # each the gap of its kind of bearing
     {"groove_temperature", "groove_temperatures"},  # the highest of them, and all
-    {"film_moment_x", "moment_x"},  # journals; thrust rings
-    {"film_moment_y", "moment_y"},
-    {"segment_2_flow", "face_flow"},  # films by segments; footsteps
     {"land_conductance", "pocket_conductance"},  # bearings with recesses; jacking pockets
     {"recess_pressure", "one_recess_pressure"},  # of all recesses, and of one
     {"restrictor_flow", "one_restrictor_flow"},

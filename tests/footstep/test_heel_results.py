@@ -1,6 +1,7 @@
 """From a case file of a footstep to results: states, warnings, status without a steady state, conventions."""
 
 import json
+from dataclasses import replace
 
 import pytest
 from heels import STUDY
@@ -8,6 +9,7 @@ from heels import STUDY
 from babbitt.case import parse_case
 from babbitt.core.result import Outcome
 from babbitt.report.export import to_json, write_json
+from babbitt.reynolds.equilibrium import position
 from babbitt.solving import solve
 
 TEXT = STUDY
@@ -165,6 +167,18 @@ def test_an_eccentric_heel_is_pushed_and_leaks_more():
     assert smooth.heel_force_along < 0.0 < smooth.heel_force_across  # a journal bearing pushes back and across
     assert "heel_force_along" not in hot.values
     assert "W170" in codes(hot)
+
+
+def test_a_heel_without_a_film_of_its_own_tells_no_force_of_it(monkeypatch):
+    def unsolved(film, position):
+        return replace(solve_at(film, position), outcome=Outcome.NOT_CONVERGED)
+
+    solve_at = position.film_at_position
+    monkeypatch.setattr(position, "film_at_position", unsolved)
+    smooth, *_ = solved(eccentric=("# eccentricity_ratio: 0.3", "eccentricity_ratio: 0.3")).results
+    assert not {"heel_force_along", "heel_force_across"} & set(smooth.values)
+    assert set(smooth.missing) == {"heel_force_along", "heel_force_across"}
+    assert "has not been solved" in smooth.missing["heel_force_along"]
 
 
 def test_variants():

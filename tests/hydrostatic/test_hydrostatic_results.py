@@ -27,6 +27,7 @@ from babbitt.case import parse_case, template
 from babbitt.core.notices import Effect, InputError
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Outcome, Verdict
+from babbitt.kinds.hydrostatic import check
 from babbitt.kinds.hydrostatic.answer import answer
 from babbitt.kinds.hydrostatic.check import hydrostatic_check
 from babbitt.kinds.hydrostatic.closed_forms import lands_of
@@ -897,3 +898,18 @@ def test_of_a_given_film_temperature_the_oil_that_leaves_is_warmer_by_less():
     assert "behind restrictors that stay cool" in warm.message
     thicker = pad.replace({**named, "load": 16e3, "film_temperature": "50 degC"}).solve()
     assert "W312" not in [one.code for one in thicker.warnings]
+
+
+def test_a_film_that_half_the_lines_do_not_give_has_no_error_of_its_grid(monkeypatch):
+    (solved,) = solve(parse_case(template("hydrostatic_journal"))).results
+    assert "grid_error" in solved.values
+    coarser = check.coarser
+
+    def unsolved(given, found):
+        half = coarser(given, found)
+        return replace(half, network=replace(half.network, converged=False))
+
+    monkeypatch.setattr(check, "coarser", unsolved)
+    (told,) = solve(parse_case(template("hydrostatic_journal"))).results
+    assert "grid_error" not in told.values
+    assert "half the lines" in told.missing["grid_error"]

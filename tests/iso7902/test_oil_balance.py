@@ -7,9 +7,11 @@ import math
 import pytest
 
 from babbitt.case import CaseError, case_from_dict
-from babbitt.core.result import Verdict
+from babbitt.core.result import Outcome, Verdict
+from babbitt.kinds.journal.oil_balance import network
 from babbitt.kinds.journal.oil_balance.model import Line, Pump, orifice_duct
 from babbitt.kinds.journal.report.oil_balance import sentences
+from babbitt.numerics.roots import Root
 from babbitt.properties.lubricants import lubricant
 from babbitt.report.totals import totals
 from babbitt.solving import solve
@@ -90,6 +92,13 @@ def test_one_bearing_behind_its_orifice():
         0.6 * area * math.sqrt(2.0 * (result.header_pressure - pressure) / DENSITY), rel=1e-9
     )
     assert result.relief_flow == 0.0
+
+
+def test_a_search_that_does_not_end_at_a_balance_is_no_balance(monkeypatch):
+    monkeypatch.setattr(network, "find_root", lambda *bracket, **tolerance: Root(1e5, False))
+    case = machine(orifices(A=4), bearing("A"), pump={"flow": "5 L/min", "relief_pressure": "0.3 MPa"})
+    (system,) = solve(case).results
+    assert system.outcome is Outcome.NOT_CONVERGED
 
 
 def test_equal_orifices_to_equal_bearings_share_equally():

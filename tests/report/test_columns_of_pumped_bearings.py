@@ -24,8 +24,8 @@ def test_footsteps_show_load_and_pressure_of_every_state():
 
 @pytest.mark.parametrize(
     ("kind", "wanted", "never"),
-    [("hydrostatic_pad", {"F", "h", "β_m", "Q", "K_z"}, {"Re / Re_cr", "ε"}),
-     ("hydrostatic_journal", {"F", "ε", "β_m", "Q", "ΔT"}, {"h", "Re / Re_cr"}),
+    [("hydrostatic_pad", {"F", "h_m", "β_m", "Q", "K_z"}, {"Re / Re_cr", "ε"}),
+     ("hydrostatic_journal", {"F", "ε", "β_m", "Q", "ΔT"}, {"h_m", "Re / Re_cr"}),
      ("jacking_pocket", {"F", "p_j", "Q"}, {"β_m", "P_f"})],
 )  # fmt: skip
 def test_hydrostatic_bearings_show_pressure_ratio_and_flow(kind, wanted, never):

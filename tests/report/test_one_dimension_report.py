@@ -3,6 +3,7 @@
 from pathlib import Path
 
 import pytest
+from film_bearings import case as film_case
 
 from babbitt.case import load_case, parse_case
 from babbitt.kinds.journal.report.views import SEGMENTS
@@ -123,3 +124,22 @@ def test_a_limit_of_a_study_that_cannot_be_looked_up_is_an_assumption():
 
 def test_the_standard_is_cited_with_its_year():
     assert any("ISO 7902-1:2020" in one for one in citations_of(load_case(EXAMPLES / "journal.yaml")))
+
+
+@pytest.mark.parametrize(("fields", "source"), [
+    ({"turbulence": "ng_pan"}, "Ng, Pan"), ({"turbulence": "constantinescu"}, "Constantinescu"),
+    ({"cavitation": "mass_conserving"}, "Jakobsson"),
+    ({"thermal": "adiabatic", "cavitation": "mass_conserving", "effective_temperature": None}, "Dowson"),
+    ({"bore": {"kind": "wear", "depth": "10 um", "angle": "-90 deg"}}, "Dufrane"),
+    ({"pressure_viscosity": {"kind": "barus", "coefficient": "20 1/GPa"}}, "Barus"),
+    ({"pressure_viscosity": {"kind": "roelands", "coefficient": "20 1/GPa"}}, "Roelands"),
+    ({"compliance": [{"kind": "column", "thickness": "2 mm", "elastic_modulus": "1 GPa", "poisson_ratio": "0.3"}]},
+     "Johnson"),
+    ({"compliance": [{"kind": "half_space", "elastic_modulus": "200 GPa"}]}, "Johnson"),
+    ({"compliance": [{"kind": "ring", "outer_diameter": "260 mm", "elastic_modulus": "200 GPa"}]}, "Timoshenko"),
+    ({"mixed_friction": {"composite_roughness": "1 um"}}, "Greenwood"), ({"error_estimate": True}, "Roache"),
+])  # fmt: skip
+def test_each_law_of_a_film_is_cited_where_it_is_used(fields, source):
+    plain = {"cavitation": "reynolds", "effective_temperature": "60 degC"}
+    assert not any(source in one for one in citations_of(film_case(**plain)))
+    assert any(source in one for one in citations_of(film_case(**plain | fields)))

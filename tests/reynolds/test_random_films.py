@@ -24,16 +24,17 @@ from babbitt.reynolds.heat import thermal_equilibrium as thermal
 from babbitt.reynolds.heat.heat_model import FilmHeat
 from babbitt.reynolds.model import Cavitation, JournalFilm, Land, Resolution, grooved_bore
 
-NUMBER, WITH_OPTIONS, THERMAL = 200, 100, 60
-"""Films of each kind: the dearer a film, the fewer."""
+NUMBER = 200
+"""Films of one temperature, with options, and with temperatures of their own; those of the latter two in parts."""
 
 
 def test_random_films_answer_for_their_balances():
     assert list(film_faults(6, NUMBER)) == []
 
 
-def test_random_films_with_every_option_answer_for_their_balances():
-    assert list(option_films_faults(8, WITH_OPTIONS)) == []
+@pytest.mark.parametrize("seed", [8, 9])
+def test_random_films_with_every_option_answer_for_their_balances(seed):
+    assert list(option_films_faults(seed, NUMBER // 2)) == []
 
 
 @pytest.mark.parametrize("index", [98, 720, 932, 933])
@@ -109,8 +110,61 @@ def test_films_whose_wet_set_flickers_are_found_at_their_position(seed, index):
     np.testing.assert_allclose(found.force, rest.force, atol=0.01 * np.hypot(*load))
 
 
-def test_random_thermal_films_answer_for_their_balances():
-    assert list(thermal_film_faults(11, THERMAL)) == []
+@pytest.mark.parametrize("seed", [11, 12, 13, 14])
+def test_random_thermal_films_answer_for_their_balances(seed):
+    assert list(thermal_film_faults(seed, NUMBER // 4)) == []
+
+
+def thermal_faults_with(monkeypatch, name, wrong):
+    """Of one film; `wrong` makes another function of what the benchmark calls `name`."""
+    monkeypatch.setattr(films, name, wrong(getattr(films, name)))
+    return list(thermal_film_faults(11, 1))
+
+
+@pytest.mark.parametrize("other", [{"load": 0.999}, {"angle": 0.001}, {"angle": np.pi}])
+def test_a_thermal_film_under_another_load_is_a_fault(monkeypatch, other):
+    """Smaller, turned, or against its own: the film found carries the load that it says."""
+
+    def wrong(solve):
+        def of(case):
+            duty = dataclasses.replace(case.duty, load=other.get("load", 1.0) * case.duty.load)
+            turned = case.load_angle + other.get("angle", 0.0)
+            return solve(dataclasses.replace(case, duty=duty, load_angle=turned))
+
+        return of
+
+    (fault,) = thermal_faults_with(monkeypatch, "thermal_operating_film", wrong)
+    assert "load missed" in fault
+
+
+@pytest.mark.parametrize("part", ["bearing_torque", "friction_torque"])
+def test_another_torque_of_a_thermal_film_is_a_fault(monkeypatch, part):
+    def wrong(solve):
+        def of(case):
+            found = solve(case)
+            thermal = found.film.thermal
+            other = dataclasses.replace(thermal.film, **{part: 1.001 * getattr(thermal.film, part)})
+            thermal = dataclasses.replace(thermal, film=other)
+            return dataclasses.replace(found, film=dataclasses.replace(found.film, thermal=thermal))
+
+        return of
+
+    (fault,) = thermal_faults_with(monkeypatch, "thermal_operating_film", wrong)
+    assert "torque open" in fault
+
+
+@pytest.mark.parametrize("share", [0.9, 1.1])
+def test_another_force_of_a_thermal_film_at_its_position_is_a_fault(monkeypatch, share):
+    def wrong(solve):
+        def of(*given):
+            found = solve(*given)
+            return dataclasses.replace(found, film=dataclasses.replace(found.film, force=share * found.film.force))
+
+        return of
+
+    monkeypatch.setattr(films, "THERMAL_SHIFTED", 0.0)
+    (fault,) = thermal_faults_with(monkeypatch, "thermal_film_at", wrong)
+    assert "another force" in fault
 
 
 def test_a_thermal_film_that_misses_its_load_has_not_converged(monkeypatch):

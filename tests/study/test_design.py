@@ -250,6 +250,9 @@ def test_a_file_where_a_folder_is_named_is_refused_before_anything_is_computed(r
     status, out, err = run("design", *DUTY, option, "taken")
     assert (status, out) == (2, "")
     assert f"cannot write taken: it is a file; {option} names a folder" in err
+    status, out, err = run("design", *DUTY, option, "taken/sub")
+    assert (status, out) == (2, "")
+    assert f"cannot write taken/sub: taken is a file; {option} names a folder" in err
 
 
 def test_a_design_is_a_study_of_a_case(run, tmp_path):

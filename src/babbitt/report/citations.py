@@ -10,7 +10,7 @@ from babbitt.case import CaseFile
 from babbitt.properties.lubricants import AstmD341, Exponential, TabulatedViscosity, Vogel, Walther
 from babbitt.report.view import View, find_view
 
-__all__ = ["REVERSE_GEAR", "REYNOLDS", "UNFOUND", "citations_of", "references"]
+__all__ = ["JOHNSON", "REVERSE_GEAR", "REYNOLDS", "UNFOUND", "citations_of", "references"]
 
 BABBITT = f"The Babbitt developers: Babbitt {__version__}, calculation and design of fluid-film bearings, 2026."
 REYNOLDS = (
@@ -23,6 +23,7 @@ VOGEL = (
     "(1921) 645-646."
 )
 ISO_2909 = "ISO 2909: Petroleum products, calculation of viscosity index from kinematic viscosity."
+JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge University Press (1985)"
 UNFOUND = "Author, title and journal could not be looked up: what rests on it alone counts as an assumption."
 REVERSE_GEAR = (
     "Marine reverse gear: a study of its bearings, 2023, vol. 15, no. 5, p. 825 ff. of a Russian journal "

@@ -184,13 +184,14 @@ def require_folder(folder: Path, option: str) -> None:
     Raises
     ------
     InputError
-        E007 if a file stands there, or nothing can be written; `option` is named in it.
+        E007 if a file stands there or on the way, or nothing can be written; `option` is named in it.
     """
-    if folder.exists() and not folder.is_dir():
-        raise InputError("E007", f"cannot write {printable(folder)}: it is a file; {option} names a folder")
     found = folder
     while not found.exists() and found != found.parent:
         found = found.parent
+    if found.exists() and not found.is_dir():
+        it = "it" if found == folder else printable(found)
+        raise InputError("E007", f"cannot write {printable(folder)}: {it} is a file; {option} names a folder")
     _require_folder(found / "file")
 
 
@@ -242,7 +243,8 @@ def _require_folder(path: Path) -> None:
         raise InputError("E007", f"cannot write {printable(path)}: the name holds a null character")
     if not path.parent.is_dir():
         folder = printable(path.parent)
-        raise InputError("E007", f"cannot write {printable(path)}: the folder {folder} does not exist")
+        says = f"{folder} is a file, no folder" if path.parent.exists() else f"the folder {folder} does not exist"
+        raise InputError("E007", f"cannot write {printable(path)}: {says}")
     if path.exists() and not path.is_file():
         return  # a folder is refused elsewhere; a device or a pipe needs no place beside it
     try:  # nothing else tells of permissions, full disks and odd file systems at once

@@ -5,7 +5,7 @@ from __future__ import annotations
 from babbitt.core.quantities.quantity import Quantity, quantity
 
 FOOTSTEP: tuple[Quantity, ...] = (
-    quantity("face_gap", "h", "m", "um2", 4, "Face gap of the footstep"),
+    quantity("face_gap", "h_f", "m", "um2", 4, "Face gap of the footstep"),
     quantity("heel_clearance", "δ", "m", "um2", 4, "Radial clearance of the heel"),
     quantity("rim_pressure", "p₁", "Pa", "MPa3", 4, "Pressure at the rim of the heel, absolute"),
     quantity("face_flow", "Q₂", "m3/s", "mm3/s", 4, "Flow from recess to rim; negative: the rim feeds the recess"),

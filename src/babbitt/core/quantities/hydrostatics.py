@@ -5,7 +5,7 @@ from __future__ import annotations
 from babbitt.core.quantities.quantity import Quantity, quantity
 
 HYDROSTATICS: tuple[Quantity, ...] = (
-    quantity("gap", "h", "m", "um", 4, "Gap of the pad"),
+    quantity("gap", "h_m", "m", "um", 4, "Gap of the pad"),
     quantity("recess_pressure", "p_r", "Pa", "MPa", 4, "Gauge pressures of the recesses"),
     quantity("pressure_ratio", "β_r", "1", "", 4, "Recess over supply pressure, of every recess"),
     quantity("mean_pressure_ratio", "β_m", "1", "", 4, "Recess over supply pressure, mean of the recesses"),
@@ -47,8 +47,8 @@ HYDROSTATICS: tuple[Quantity, ...] = (
     quantity("load_capacity", "F_max", "N", "kN", 4, "Load at the least gap allowed"),
     quantity("tilt_x", "φ_x", "rad", "mrad", 4, "Tilt of the runner about x"),
     quantity("tilt_y", "φ_y", "rad", "mrad", 4, "Tilt of the runner about y"),
-    quantity("moment_x", "M_x", "N m", "Nm", 4, "Moment of the film about x"),
-    quantity("moment_y", "M_y", "N m", "Nm", 4, "Moment of the film about y"),
+    quantity("moment_x", "M_φx", "N m", "Nm", 4, "Moment of the film about x"),
+    quantity("moment_y", "M_φy", "N m", "Nm", 4, "Moment of the film about y"),
     quantity("recess_reynolds_number", "Re_r", "1", "count", 3, "Reynolds number in the recess"),
     quantity(
         "restrictor_reynolds_number",

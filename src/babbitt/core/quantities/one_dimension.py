@@ -38,7 +38,7 @@ ONE_DIMENSION: tuple[Quantity, ...] = (
         one
         for n, sub, where in ((1, "₁", "before"), (2, "₂", "behind"))
         for one in (
-            quantity(f"segment_{n}_flow", f"Q{sub}", "m3/s", "L/min", 4, f"Flow {where} the groove"),
+            quantity(f"segment_{n}_flow", f"Q_seg,{n}", "m3/s", "L/min", 4, f"Flow {where} the groove"),
             quantity(f"segment_{n}_power", f"A{sub}", "W", "kW", 4, f"Friction power {where} the groove"),
             quantity(f"segment_{n}_heat", f"q{sub}", "W", "kW", 4, f"Heat given to the oil {where} the groove"),
             quantity(

@@ -57,6 +57,10 @@ TITLES = {
     StateName.DRAINING: "draining groove",
 }
 
+TURNING_FORCE = ("heel_force_along", "heel_force_across")
+NO_TURNING_FILM = "the film in two dimensions of the turning heel has not been solved"
+"""Why no force of it is told."""
+
 
 def heel_results(case: FootstepProblem) -> tuple[Result, ...]:
     """Solve one heel.
@@ -134,7 +138,8 @@ def _result(
     title: str,
     begun: float,
 ) -> Result:
-    values = {name: value for name, value in _values(case, state).items() if not math.isnan(value)}
+    found = _values(case, state)
+    values = {name: value for name, value in found.items() if not math.isnan(value)}
     if case.is_grooved:
         values["load_ratio_to_smooth"] = state.load / smooth.load
         values["friction_ratio_to_smooth"] = smooth.friction_power / state.friction_power
@@ -150,6 +155,7 @@ def _result(
         ResultName(case.name, state=title), case.kind, case.method.value, Outcome.CONVERGED, values, checks,
         (*_warnings_about_inputs(case), *_warnings(case, state, values)), (), _assumptions(case),
         _settings(case) | {"state": state.name.value, "stable": "yes" if state.stable else "no"},
+        missing={name: NO_TURNING_FILM for name in TURNING_FORCE if name in found and name not in values},
     )  # fmt: skip
 
 
@@ -202,7 +208,7 @@ def _eccentric_values(step: Footstep, state: SteadyState) -> dict[str, float]:
     values = {"leak_factor": leak_factor(*step.end_eccentricities), "leakage_side_force": state.side_force}
     if step.groove is None:
         along, across = turning_force(step, state.rim_pressure, step.oil.at(state.rim_temperature))
-        values |= {"heel_force_along": along, "heel_force_across": across}
+        values |= dict(zip(TURNING_FORCE, (along, across), strict=True))
     return values
 
 

@@ -25,7 +25,7 @@ def turning_force(footstep: Footstep, rim_pressure: float, viscosity: float) -> 
     -------
     along, across : float
         N, along the eccentricity (positive outwards) and across it in the sense of rotation. Rupture at ambient
-        pressure (Reynolds' condition).
+        pressure (Reynolds' condition). NaN where the film has not been solved.
     """
     from babbitt.reynolds.equilibrium.position import film_at_position
     from babbitt.reynolds.model import Cavitation, FilmStart, JournalFilm, Land
@@ -44,4 +44,6 @@ def turning_force(footstep: Footstep, rim_pressure: float, viscosity: float) -> 
         side_pressures=(0.0, rim_pressure - footstep.ambient_pressure),
     )
     found = film_at_position(film, (footstep.eccentricity_ratio * footstep.clearance, 0.0))
+    if not found.outcome.solved:
+        return math.nan, math.nan
     return float(found.force[0]), float(found.force[1])

@@ -33,6 +33,8 @@ from babbitt.reynolds.stability.whirl_checks import (
 __all__ = ["hydrostatic_check"]
 
 USER = "set in the case"
+NO_COARSE_FILM = "the film on half the lines, with which it is compared, has not been solved"
+"""Why no error of the grid is told."""
 
 
 def hydrostatic_check(case: HydrostaticCase) -> Result:
@@ -91,13 +93,18 @@ def hydrostatic_solution(case: HydrostaticCase) -> Solution:
     if case.oil.is_warmed:
         named["energy_balance_error"] = abs(state.heat_error)
     whirl = whirl_of(case, found)
+    missing = missing_thresholds(whirl) if whirl else {}
     if whirl is not None:
         named |= whirl_values(case, whirl)
     if case.least_gap is not None:
         limit = capacity(case, found)
         named |= {} if limit is None else {"load_capacity": limit}
     if found.film is not None and found.film.network.converged:
-        named["grid_error"] = grid_error(case, found)
+        error = grid_error(case, found)
+        if error is None:
+            missing["grid_error"] = NO_COARSE_FILM
+        else:
+            named["grid_error"] = error
     named |= {"iterations": float(found.steps), "wall_time": time.perf_counter() - begun}
     result = Result(
         case.name,
@@ -116,14 +123,20 @@ def hydrostatic_solution(case: HydrostaticCase) -> Solution:
         assumptions=case.assumptions,
         settings=settings,
         arrays=several,
-        missing=missing_thresholds(whirl) if whirl else {},
+        missing=missing,
     )
     return Solution(asked, result, state)
 
 
-def grid_error(case: HydrostaticCase, found: Answer) -> float:
-    """A third of the change of the film's force on half the lines, relative, moments by the bearing's radius."""
-    change = coarser(case, found).response.force - found.response.force
+def grid_error(case: HydrostaticCase, found: Answer) -> float | None:
+    """A third of the change of the film's force on half the lines, relative, moments by the bearing's radius.
+
+    None where the film on half the lines has not been solved.
+    """
+    half = coarser(case, found)
+    if not half.network.converged:
+        return None
+    change = half.response.force - found.response.force
     arm = 1.0 if case.is_journal else np.append(1.0, np.full(change.size - 1, 1.0 / case.reach))
     size = max(float(np.linalg.norm(found.response.force * arm)), 1e-300)
     return float(np.linalg.norm(change * arm)) / size / 3.0

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from babbitt.core.kind import LazyFunction
 from babbitt.kinds.tilting_pad_journal.report.columns import COLUMNS
-from babbitt.report.citations import REYNOLDS
+from babbitt.report.citations import JOHNSON, REYNOLDS
 from babbitt.report.view import View, lubricant_of
 
 if TYPE_CHECKING:
@@ -39,7 +39,6 @@ PALMGREN = (
     "A. Palmgren, Ball and Roller Bearing Engineering (1959); T. A. Harris, Rolling Bearing Analysis: empirical "
     "displacement of a steel roller on its raceway, 4.36e-7 Q^0.9/l^0.8 in inches and pounds (rocker pivots)"
 )
-HERTZ = "K. L. Johnson, Contact Mechanics, Cambridge University Press (1985)"
 
 KEY_RESULTS = (
     "load",
@@ -146,7 +145,7 @@ def _citations(problem: PadCase) -> Iterable[str]:
     if problem.thermal is not Thermal.ISOTHERMAL:
         yield CARRY_OVER
     if any(isinstance(pad.pivot, HertzContact) for pad in problem.bearing.pads):
-        yield HERTZ
+        yield JOHNSON
     if any(isinstance(pad.pivot, RockerContact) for pad in problem.bearing.pads):
         yield PALMGREN
 

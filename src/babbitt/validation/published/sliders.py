@@ -68,6 +68,8 @@ def solve_slider(slider: Slider, intervals: int) -> SliderFilm:
         Cavitation.MASS_CONSERVING,
     )
     found = film_at_position(bearing, (0.0, 0.0), resolution=Resolution(8, intervals, 48, 1e-9))
+    if not found.outcome.solved:
+        raise ArithmeticError(f"the film of the slider ended with {found.outcome.name}")
     on_land = found.angles[0] < 1.0 + 1e-9
     x, liquid = found.angles[0, on_land] * slider.length, 1.0 - found.void[0, on_land, 0]
     gap = slider.gap(x)

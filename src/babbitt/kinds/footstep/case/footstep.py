@@ -69,7 +69,7 @@ class FootstepCase(CaseFile):
     variants: Literal["both", "smooth", "grooved"] = Field("both", description="Which heels to compute.")
     heel: HeelInput = Field(description="Lengths of heel and recess.")
     groove: GroovePart | None = Field(None, description="Screw groove on the heel.")
-    face_gap: Gap = Field(description="Face gap h.")
+    face_gap: Gap = Field(description="Face gap h_f.")
     clearance: ClearanceInput = Field(
         description="Clearance of the heel at 20 degC; its mean is computed. A length alone is that on the radius."
     )

@@ -48,7 +48,7 @@ def _heel(step: Footstep) -> Iterator[Said]:
     yield "Radius of the recess r₃", *_millimetres(part.recess_radius)
     yield "Radius of the bore r₂", *_millimetres(part.bore_radius)
     yield "Depth of the recess H", *_millimetres(part.recess_depth)
-    yield "Face gap h", *_micrometres(step.face_gap)
+    yield "Face gap h_f", *_micrometres(step.face_gap)
     yield "Radial clearance δ", *_micrometres(step.clearance)
     if step.end_eccentricities != (0.0, 0.0):
         ends = ", ".join(f"{one:.3g}" for one in step.end_eccentricities)

@@ -112,7 +112,7 @@ def _grooves(groove: ScrewGroove, radius: float, length: float) -> list[tuple[Ar
 def _sizes(canvas: Canvas, step: Footstep, length: float) -> None:
     part = step.geometry
     sizes = millimetres("D", 2.0 * part.radius), millimetres("L", part.length)
-    films = f"h = {sized('face_gap', step.face_gap)}", f"δ = {sized('heel_clearance', step.clearance)}"
+    films = f"h_f = {sized('face_gap', step.face_gap)}", f"δ = {sized('heel_clearance', step.clearance)}"
     side, top = 0.98 * canvas.reach, length + SHAFT + 0.38
     canvas.notes(-side, top, (*sizes, enlarged("film", _factor(step))))
     canvas.notes(side, top, films, "end")

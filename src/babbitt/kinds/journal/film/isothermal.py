@@ -83,6 +83,12 @@ def is_expensive(state: FilmState) -> bool:
     return bool(state.solution.film.is_surface and state.solution.pressure.size > EXPENSIVE_GRID)
 
 
+def load_found(state: FilmState) -> tuple[float, float]:
+    """Load in N against the direction of the force found."""
+    share = -state.load / math.hypot(*state.solution.force)
+    return share * float(state.solution.force[0]), share * float(state.solution.force[1])
+
+
 def operating_film(case: FilmCase) -> Equilibrium[FilmState]:
     """Film at the temperature at which its heat balance closes, or at the one that the case prescribes.
 

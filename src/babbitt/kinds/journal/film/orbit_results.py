@@ -18,7 +18,7 @@ from babbitt.kinds.journal.film.changing_load import TabulatedLoad
 from babbitt.kinds.journal.film.isothermal import FilmState, is_expensive
 from babbitt.kinds.journal.film.layout import load_vector
 from babbitt.kinds.journal.film.model import FilmCase
-from babbitt.properties.materials import LoadCharacter
+from babbitt.properties.materials import LoadCharacter, SourcedValue
 from babbitt.reynolds.model import DRAFT, Cavitation
 
 if TYPE_CHECKING:
@@ -102,23 +102,35 @@ def orbit_warnings(case: FilmCase, orbit: Orbit, values: Mapping[str, float]) ->
     """Where the orbit leaves the ground on which it stands."""
     if orbit.load_error > GRID_REPORTED_FROM:
         yield Notice("W133", values={"orbit_load_error": orbit.load_error})
-    yield from _about_shocks(case, values["orbit_specific_load"])
+    yield from _about_shocks(case, values)
     yield from warnings_about_pressure(float(orbit.maximum_pressure.max()), "orbit")
     depth = 1.0 - float(orbit.film_thickness.min()) / orbit.clearance
     if depth > RIGID_FILM_UP_TO:
         yield Notice("W116", "orbit", {"depth": depth, "limit": RIGID_FILM_UP_TO})
 
 
-def _about_shocks(case: FilmCase, largest: float) -> Iterator[Notice]:
-    """A largest specific load, Pa, that the metal carries calmly and not in shocks."""
+def _about_shocks(case: FilmCase, values: Mapping[str, float]) -> Iterator[Notice]:
+    """A largest specific load, or load times speed, that the metal bears calmly and not in shocks."""
     metal = case.bearing.metal
     if metal is None or case.bearing.load_character is LoadCharacter.SHOCK:
         return
-    shock, calm = (metal.limits(one).specific_load for one in (LoadCharacter.SHOCK, LoadCharacter.CALM))
-    if shock is not None and largest > shock.value and (calm is None or largest <= calm.value):
-        yield Notice("W200", values={
-            "orbit_specific_load": largest, "metal": metal.name, "limit": shock.value,
+    shocks, calm = metal.limits(LoadCharacter.SHOCK), metal.limits(LoadCharacter.CALM)
+    load, product = values["orbit_specific_load"], values["orbit_pressure_speed_product"]
+    limit = _limit_in_shocks(load, shocks.specific_load, calm.specific_load)
+    if limit is not None:
+        yield Notice("W200", "load", {"orbit_specific_load": load, "metal": metal.name, "limit": limit})
+    limit = _limit_in_shocks(product, shocks.pv, calm.pv)
+    if limit is not None:
+        yield Notice("W200", "load_times_speed", {
+            "orbit_pressure_speed_product": product, "metal": metal.name, "limit": limit,
         })  # fmt: skip
+
+
+def _limit_in_shocks(largest: float, shock: SourcedValue | None, calm: SourcedValue | None) -> float | None:
+    """The limit in shocks, where a value passes it and keeps that of a calm load."""
+    if shock is None or not largest > shock.value or (calm is not None and largest > calm.value):
+        return None
+    return shock.value
 
 
 def orbit_assumptions(case: FilmCase) -> Iterator[str]:

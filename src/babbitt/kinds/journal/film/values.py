@@ -20,7 +20,7 @@ from babbitt.design.values import (
 from babbitt.kinds.journal.film.bore import LobedBore
 from babbitt.kinds.journal.film.extent import full_film_share, turbulent_share
 from babbitt.kinds.journal.film.field import highest_pressure, narrowest_gap_angle
-from babbitt.kinds.journal.film.isothermal import FilmState, friction_of
+from babbitt.kinds.journal.film.isothermal import FilmState, friction_of, load_found
 from babbitt.kinds.journal.film.layout import closed_pockets, feeds_itself, supply_numbers, without_pressure
 from babbitt.kinds.journal.film.model import FilmCase
 from babbitt.kinds.journal.film.thermal_results import flow_without_pressure, thermal_values
@@ -169,8 +169,8 @@ def _flows_of_causes(case: FilmCase, state: FilmState, flow: float, film: Journa
     from babbitt.reynolds.equilibrium.position import film_at_position
 
     if state.thermal is None:
-        (x, y), (along, up) = state.solution.position, state.solution.force
-        frame = LoadFrame.of(calm, (-float(along), -float(up)))
+        x, y = state.solution.position
+        frame = LoadFrame.of(calm, load_found(state))
         found = film_at_position(frame.film, frame.start((x, y)), resolution=case.accuracy.resolution)
         alone = found.leaving_flow if found.outcome.solved else math.nan
     else:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from babbitt.kinds.journal.film.isothermal import FilmState, following, known_bore
+from babbitt.kinds.journal.film.isothermal import FilmState, following, known_bore, load_found
 from babbitt.kinds.journal.film.load_slope import with_known_slope
 from babbitt.kinds.journal.film.model import FilmCase
 from babbitt.kinds.journal.film.stable_equilibrium import converged_film, place_of, pushes_off
@@ -111,12 +111,6 @@ def _reserve_at(case: FilmCase, state: FilmState, mass: float, shaft_stiffness: 
         return stable_masses_of_rotor(solved.stiffness, solved.damping, shaft_stiffness).reserve(mass)
 
     return reserve
-
-
-def load_found(state: FilmState) -> tuple[float, float]:
-    """Load in N against the direction of the force found."""
-    share = -state.load / math.hypot(*state.solution.force)
-    return share * float(state.solution.force[0]), share * float(state.solution.force[1])
 
 
 def threshold_speed(case: FilmCase, state: FilmState, mass: float, shaft_stiffness: float = RIGID) -> float | None:

@@ -69,7 +69,7 @@ class Balance:
     delivery, relief_flow : float
         Of the pump, and what of it returns over the relief valve, m3/s.
     error : float
-        What the flows miss of their balance, over the delivery.
+        What the flows miss of their balance, over the delivery; infinite where the search has not ended at one.
     """
 
     header_pressure: float
@@ -106,9 +106,10 @@ def balanced(problem: OilSystemProblem) -> Balance:
     left = -excess(relief)
     if left >= 0.0:
         return Balance(relief, at(relief), pump.delivery(relief), left, 0.0)
-    header = find_root(excess, 0.0, relief, relative=PRESSURE_TOLERANCE).value
-    delivery = pump.delivery(header)
-    return Balance(header, at(header), delivery, 0.0, abs(excess(header)) / delivery)
+    root = find_root(excess, 0.0, relief, relative=PRESSURE_TOLERANCE)
+    header, delivery = root.value, pump.delivery(root.value)
+    error = abs(excess(header)) / delivery if root.converged else math.inf
+    return Balance(header, at(header), delivery, 0.0, error)
 
 
 def fed(calculation: Calculation, line: Line, pressure: float) -> FedBearing:

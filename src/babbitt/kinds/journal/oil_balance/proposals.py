@@ -84,7 +84,8 @@ def _header(pump: Pump, flow: float) -> float:
         return pump.relief_pressure
     if pump.delivery(0.0) <= flow:
         return math.nan
-    return find_root(lambda pressure: pump.delivery(pressure) - flow, 0.0, pump.relief_pressure).value
+    root = find_root(lambda pressure: pump.delivery(pressure) - flow, 0.0, pump.relief_pressure)
+    return root.value if root.converged else math.nan
 
 
 def _orifice(calculation: Calculation, line: Line, wanted: FedBearing, header: float) -> float:

@@ -10,7 +10,10 @@ from babbitt.kinds.journal.grooved_long_bearing.model import SegmentCase
 from babbitt.kinds.journal.infinitely_long_bearing.model import LongFilmCase
 from babbitt.kinds.journal.iso7902.model import Curves, DesignCase, Friction
 from babbitt.kinds.journal.problems import JournalDesign
-from babbitt.report.citations import REVERSE_GEAR, REYNOLDS, UNFOUND
+from babbitt.report.citations import JOHNSON, REVERSE_GEAR, REYNOLDS, UNFOUND
+from babbitt.reynolds.deformation.compliance import ColumnLiner
+from babbitt.reynolds.deformation.elastic_ring import ElasticRing
+from babbitt.reynolds.deformation.half_space import HalfSpace
 from babbitt.reynolds.model import Cavitation
 
 __all__ = ["film_citations", "iso7902_citations", "long_film_citations", "segment_citations"]
@@ -59,6 +62,16 @@ ROELANDS = (
     "oils. Thesis, Delft 1966."
 )
 
+GREENWOOD = (
+    "J. A. Greenwood, J. H. Tripp: The contact of two nominally flat rough surfaces. Proceedings of the "
+    "Institution of Mechanical Engineers 185 (1970) 625-633."
+)
+TIMOSHENKO = "S. Timoshenko, J. N. Goodier: Theory of Elasticity, 3rd ed., articles 28 and 43 (thick rings)."
+ROACHE = (
+    "P. J. Roache: Perspective: a method for uniform reporting of grid refinement studies. Journal of Fluids "
+    "Engineering 116 (1994) 405-413."
+)
+
 
 def iso7902_citations(problem: DesignCase) -> Iterator[str]:
     """Procedure, and where the characteristics come from."""
@@ -73,7 +86,7 @@ def iso7902_citations(problem: DesignCase) -> Iterator[str]:
 
 
 def film_citations(problem: FilmCase) -> Iterator[str]:
-    """Equation, conditions of rupture, coefficients, and the laws of flow and heat."""
+    """Equation, conditions of rupture, coefficients, laws of flow, heat, bore and contact, estimate of errors."""
     yield REYNOLDS
     yield from _metal(problem)
     if problem.cavitation is Cavitation.MASS_CONSERVING:
@@ -87,6 +100,14 @@ def film_citations(problem: FilmCase) -> Iterator[str]:
         yield DOWSON
     if problem.pressure_viscosity is not None:
         yield BARUS if problem.pressure_viscosity.law is PressureLaw.BARUS else ROELANDS
+    if any(isinstance(one, ColumnLiner | HalfSpace) for one in problem.bearing.compliance):
+        yield JOHNSON
+    if any(isinstance(one, ElasticRing) for one in problem.bearing.compliance):
+        yield TIMOSHENKO
+    if problem.asperities is not None:
+        yield GREENWOOD
+    if problem.error_estimate:
+        yield ROACHE
 
 
 def long_film_citations(problem: LongFilmCase) -> Iterator[str]:
