@@ -4,7 +4,12 @@ import pytest
 
 from babbitt.case import case_from_dict
 from babbitt.core.result import Verdict
-from babbitt.kinds.journal.one_temperature import HOTTER_BY_SHEAR, heat_of_shear, loaded_temperature
+from babbitt.kinds.journal.one_temperature import (
+    HOTTER_BESIDE_PRESSED,
+    HOTTER_BY_SHEAR,
+    heat_of_shear,
+    loaded_temperature,
+)
 from babbitt.solving import solve
 
 FAST = {
@@ -51,3 +56,34 @@ def test_a_loaded_film_beside_a_groove_all_round_is_no_clean_pass(method):
     one, loaded = quick.values["effective_temperature"], loaded_temperature(check, quick.values)
     thinner = oil.dynamic_viscosity(loaded) / oil.dynamic_viscosity(one)
     assert film.values["minimum_film_thickness"] > check.value * thinner
+
+
+HALF_GROOVED = FAST | {
+    "diameter": "300 mm", "width": "60 mm", "span": "180 deg", "lubricant": "ISO VG 220",
+    "clearance": {"kind": "relative", "mean": "0.9 permille"}, "load": "36 kN",
+    "supply_element": {"kind": "groove_180", "width": "20 mm"},
+    "supply": {"temperature": "75 degC", "pressure": "0.3 MPa"},
+    "materials": {"bearing_metal": "AlSn20Cu", "bearing": "C45", "journal": "C45"}, "speed": "1528 rpm",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("method", [{}, {"method": "film", "accuracy": "draft"}])
+def test_hot_thick_oil_beside_half_a_groove_is_no_clean_pass(method):
+    """39 K lie between outlet and hottest bush, 9.6 K times U sqrt(η): what is pressed cools the outlet."""
+    quick, film = solved(HALF_GROOVED, **method), solved(HALF_GROOVED, **OWN)
+    assert [check.ok for check in film.checks if check.code == "C108"] == [False]
+    assert quick.verdict is Verdict.REMARKS
+    assert any("(C108)" in one.message for one in quick.warnings if one.code == "W191")
+    rise = film.values["maximum_bush_temperature"] - quick.values["outlet_temperature"]
+    assert HOTTER_BY_SHEAR < rise / heat_of_shear(quick.values) < HOTTER_BESIDE_PRESSED
+
+
+def test_friction_below_that_of_the_film_and_oil_that_does_not_thin_are_questioned():
+    plain = solved(FAST | {"speed": "1000 rpm"})
+    cooler = solved(FAST | {"speed": "1000 rpm", "friction": {"factor": 0.5}})
+    assert cooler.values["outlet_temperature"] < plain.values["outlet_temperature"]
+    constant = {"kind": "constant", "dynamic_viscosity": "30 mPa s", "density": "880 kg/m3"}
+    thick = solved(FAST | {"speed": "1000 rpm", "lubricant": constant})
+    given = solved(FAST | {"speed": "1000 rpm", "lubricant": constant, "effective_temperature": "60 degC"})
+    codes = [{one.code for one in found.warnings} & {"W216", "W217"} for found in (plain, cooler, thick, given)]
+    assert codes == [set(), {"W216"}, {"W217"}, set()]

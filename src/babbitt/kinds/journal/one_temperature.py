@@ -47,13 +47,15 @@ RISE_OF_METAL = 6.2e-3
 
 Assumption by the same measurement, at 15 to 60 m/s and 1.5 to 5 MPa: of nineteen of twenty it is less."""
 
-HOTTER_BY_SHEAR = 12.0
-"""K over m/s times the root of Pa s: by how much the hottest bush lies above the outlet, over U sqrt(η_eff).
+HOTTER_BY_SHEAR, HOTTER_BESIDE_PRESSED, PRESSED = 8.0, 12.0, 0.5
+"""K over m/s times the root of Pa s: by how much the hottest bush lies above the outlet, over U sqrt(η_eff), and
+the same where the supply presses more than a share of Q₃ through the gap, which cools the outlet alone.
 
 Its root is that of the heat of shear over conduction across the gap, η U²/λ. Assumption by measurement of 207
-bearings with ISO VG 22 to 460 (docs/theory/procedure.md, set ``thick``) and of narrow bearings with hot thick oil
+bearings with ISO VG 22 to 460 (docs/theory/procedure.md, set ``thick``) and of 120 narrow ones with hot thick oil
 and grooves around the bore or half of it (set ``hot``): the hottest bush of none is hotter than by this, by
-``HOTTER`` or ``RISE_OF_METAL``; of those beyond the last two it is at most 7.9, and 11.7 in the set ``hot``."""
+``HOTTER`` or ``RISE_OF_METAL``; of those beyond the last two it is at most 7.9, and 11.7 in the set ``hot`` (6.5
+where Q_p is less than half of Q₃)."""
 
 RISE_OF_LOADED_FILM = 2.1e-3
 """K over the root of Pa m/s: rise above the inlet of the oil that carries the load, over sqrt(p̄ U).
@@ -208,7 +210,9 @@ def warnings_about_unknown_metal(
 
 def hottest_metal(leaving: float, values: Mapping[str, float]) -> float:
     """Temperature in K that a bush may have whose oil leaves at one temperature."""
-    sheared = leaving + HOTTER_BY_SHEAR * heat_of_shear(values)
+    beside_pressed = values["supply_flow"] > PRESSED * values["side_flow"] if "supply_flow" in values else True
+    by_shear = HOTTER_BY_SHEAR + (HOTTER_BESIDE_PRESSED - HOTTER_BY_SHEAR) * beside_pressed
+    sheared = leaving + by_shear * heat_of_shear(values)
     return larger(larger(leaving + HOTTER, sheared), above_inlet(values, RISE_OF_METAL))
 
 
