@@ -1,10 +1,11 @@
 """How fast the workbench answers many visitors at once, and what it does when a worker process is killed.
 
-Run ``python benchmarks/workbench_load.py [SESSIONS] [SECONDS] [METHOD]`` on a quiet machine; METHOD is ``iso7902``,
-``film``, ``adiabatic`` or ``full``. A server runs in a process of its own; visitors speak to it as a browser does,
-over its websocket, and each moves the slider of the load every two seconds, which asks for an answer on the draft
-grid. Targets on two cores: of 20 visitors 95 % of answers within 300 ms of the change, of 50 within 1 s, no visitor lost, memory of the
-server less than 10 % larger at the end than after the first minute, a killed worker process replaced.
+Run ``python benchmarks/workbench_load.py [SESSIONS] [SECONDS] [METHOD]`` on a quiet machine; METHOD is one of
+``iso7902``, ``film``, ``adiabatic`` and ``full``. A server runs in a process of its own; visitors speak to it as a
+browser does, over its websocket, and each moves the slider of the load every two seconds, which asks for an answer
+on the draft grid. Targets on two cores: of 20 visitors 95 % of answers within 300 ms of the change, of 50 within
+1 s, no visitor lost, memory of the server less than 10 % larger at the end than after the first minute, a killed
+worker process replaced.
 """
 
 from __future__ import annotations

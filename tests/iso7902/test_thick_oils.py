@@ -1,5 +1,7 @@
 """Fast bearings in thick oils: what one temperature hides of metal and film."""
 
+import math
+
 import pytest
 
 from babbitt.case import case_from_dict
@@ -8,6 +10,7 @@ from babbitt.kinds.journal.one_temperature import (
     HOTTER_BESIDE_PRESSED,
     HOTTER_BY_SHEAR,
     heat_of_shear,
+    hottest_metal,
     loaded_temperature,
 )
 from babbitt.solving import solve
@@ -78,6 +81,16 @@ def test_hot_thick_oil_beside_half_a_groove_is_no_clean_pass(method):
     assert HOTTER_BY_SHEAR < rise / heat_of_shear(quick.values) < HOTTER_BESIDE_PRESSED
 
 
+def test_flow_by_supply_pressure_that_is_not_known_asks_for_the_larger_rise():
+    """Of some films only the sum of both flows is known."""
+    known = {"surface_speed": 24.0, "effective_viscosity": 0.03, "side_flow": 1e-4, "supply_flow": 1e-5}
+    calm, pressed, unknown = (
+        hottest_metal(363.15, known | {"supply_flow": flow}) - 363.15 for flow in (1e-5, 1e-4, math.nan)
+    )
+    assert pressed == unknown == pytest.approx(HOTTER_BESIDE_PRESSED * heat_of_shear(known))
+    assert calm == pytest.approx(HOTTER_BY_SHEAR * heat_of_shear(known))
+
+
 def test_friction_below_that_of_the_film_and_oil_that_does_not_thin_are_questioned():
     plain = solved(FAST | {"speed": "1000 rpm"})
     cooler = solved(FAST | {"speed": "1000 rpm", "friction": {"factor": 0.5}})
@@ -85,5 +98,8 @@ def test_friction_below_that_of_the_film_and_oil_that_does_not_thin_are_question
     constant = {"kind": "constant", "dynamic_viscosity": "30 mPa s", "density": "880 kg/m3"}
     thick = solved(FAST | {"speed": "1000 rpm", "lubricant": constant})
     given = solved(FAST | {"speed": "1000 rpm", "lubricant": constant, "effective_temperature": "60 degC"})
-    codes = [{one.code for one in found.warnings} & {"W216", "W217"} for found in (plain, cooler, thick, given)]
-    assert codes == [set(), {"W216"}, {"W217"}, set()]
+    kinematic = {"kind": "constant", "kinematic_viscosity": "34 mm2/s", "density": "880 kg/m3"}
+    hardly = solved(FAST | {"speed": "1000 rpm", "lubricant": kinematic})
+    every = (plain, cooler, thick, given, hardly)
+    codes = [{one.code for one in found.warnings} & {"W216", "W217"} for found in every]
+    assert codes == [set(), {"W216"}, {"W217"}, set(), {"W217"}]

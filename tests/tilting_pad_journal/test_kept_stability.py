@@ -90,13 +90,23 @@ def test_the_estimate_of_growth_is_that_of_the_growth_of_warm_pads():
     assert left_out_growth(problem, grown.values, 313.15) == pytest.approx(narrower, rel=0.1)
 
 
-@pytest.mark.parametrize("films", [{}, WALLS], ids=["global", "full"])
-def test_a_clearance_that_growth_closes_is_questioned_without_it(films):
+@pytest.mark.parametrize(("films", "share"), [({}, 0.51), (WALLS, 0.36)], ids=["global", "full, a warm housing"])
+def test_a_clearance_that_growth_closes_is_questioned_without_it(films, share):
     plain = result_of(**NARROW, **films)
     assert plain.verdict is Verdict.REMARKS
     (notice,) = notices(plain, "W422", "closes")
-    assert 0.5 < notice.values["share"] < 0.52
+    assert notice.values["share"] == pytest.approx(share, abs=0.01)
     assert result_of(**NARROW, **GROWN).verdict is Verdict.NO_SOLUTION
+
+
+@pytest.mark.parametrize("housing", [30.0, 35.0])
+def test_a_housing_that_is_known_counts(housing):
+    """A cold one makes less room: what closes in it is questioned without growth, too."""
+    walls = {"pads": {}, "housing": {"temperature": f"{housing} degC"}}
+    cold, warm = result_of(**NARROW | WALLS | {"walls": walls}), result_of(**NARROW | WALLS)
+    (of_cold,), (of_warm,) = (notices(found, "W422", "closes") for found in (cold, warm))
+    assert of_cold.values["share"] > of_warm.values["share"] + 0.03
+    assert not notices(cold, "W183")
 
 
 def test_usual_clearances_are_not_questioned_for_growth():

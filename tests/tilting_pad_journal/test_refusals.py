@@ -347,10 +347,6 @@ NOT_READ = {
         },
         ("walls", "reference_temperature", "materials.journal", "materials.housing", "materials.pads"),
     ),
-    "a housing that does not grow": (
-        {"thermal": "full", "walls": {"housing": {"temperature": "50 degC"}}},
-        ("walls.housing.temperature",),
-    ),
     "modulus of pads that do not bend": (GROWN | {"materials.pads": STEEL}, ("materials.pads.elastic_modulus",)),
     "expansion of rigid pads": (
         {"thermal": "full", "walls": {"pads": {}}, "materials.pads": {"thermal_expansion": "12e-6 1/K"}},

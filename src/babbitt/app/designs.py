@@ -7,6 +7,7 @@ from babbitt.case import CaseError, located
 from babbitt.core.notices import InputError
 from babbitt.report.designs_table import SAME, bearing_rows, kinds_said
 from babbitt.report.text import counted, plain_text
+from babbitt.report.us_words import OF_RESULTS, in_us_units
 from babbitt.study.designs import ComparedBearing, Designs, compare_designs
 
 __all__ = ["LABELS", "side_by_side"]
@@ -40,7 +41,7 @@ def _results(bearing: ComparedBearing) -> Table:
     left = len(rows) - len(shown)
     remarks = [f"left out: {counted(left, 'result')} that no design changes"] if left else []
     remarks += [
-        f"{label}: {one.outcome.value}; {plain_text(one.message)}"
+        f"{label}: {one.outcome.value}; {in_us_units(plain_text(one.message), OF_RESULTS)}"
         for label, one in zip(LABELS, bearing.results, strict=True)
         if one is not None and not one.outcome.solved
     ]

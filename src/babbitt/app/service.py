@@ -67,7 +67,7 @@ class Service:
             self._compiling.add_done_callback(self._end_compiling)
 
     def _load_behind(self, loaded: Any) -> None:
-        if _succeeded(loaded):
+        if not loaded.cancelled():
             self.solver.start(kernels_loaded)
 
     def _end_compiling(self, _: Any) -> None:

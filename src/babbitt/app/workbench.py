@@ -235,7 +235,7 @@ class Workbench:
 
     def _outdate(self) -> None:
         """Mark what was computed of another case; the study that is asked of a case does not change it."""
-        case = with_changed(self.document.given, ("study",), None)
+        case = with_changed(self.document.given, ("study",), None) | {"shown in": self._system()}
         if case != self._computed:
             self._computed = case
             outdate()

@@ -57,6 +57,9 @@ and grooves around the bore or half of it (set ``hot``): the hottest bush of non
 ``HOTTER`` or ``RISE_OF_METAL``; of those beyond the last two it is at most 7.9, and 11.7 in the set ``hot`` (6.5
 where Q_p is less than half of Q₃)."""
 
+THINS = 1.1
+"""Viscosity over that at a temperature ``HOTTER`` of an oil that thins; mineral oils have 1.5 to 2.5."""
+
 RISE_OF_LOADED_FILM = 2.1e-3
 """K over the root of Pa m/s: rise above the inlet of the oil that carries the load, over sqrt(p̄ U).
 
@@ -188,7 +191,7 @@ def warnings_about_heat_left_out(case: HeatBalancedProblem, values: Mapping[str,
     if case.friction_factor < 1.0:
         yield Notice("W216", values={"factor": case.friction_factor})
     viscosity, film = case.lubricant.dynamic_viscosity, values["effective_temperature"]
-    if viscosity(film) == viscosity(film + HOTTER):
+    if viscosity(film) < THINS * viscosity(film + HOTTER):
         yield Notice("W217")
 
 
@@ -210,8 +213,9 @@ def warnings_about_unknown_metal(
 
 def hottest_metal(leaving: float, values: Mapping[str, float]) -> float:
     """Temperature in K that a bush may have whose oil leaves at one temperature."""
-    beside_pressed = values["supply_flow"] > PRESSED * values["side_flow"] if "supply_flow" in values else True
-    by_shear = HOTTER_BY_SHEAR + (HOTTER_BESIDE_PRESSED - HOTTER_BY_SHEAR) * beside_pressed
+    # nan where only the sum of both is known: then the larger one is asked for
+    calm = values.get("supply_flow", math.nan) <= PRESSED * values.get("side_flow", math.nan)
+    by_shear = HOTTER_BESIDE_PRESSED - (HOTTER_BESIDE_PRESSED - HOTTER_BY_SHEAR) * calm
     sheared = leaving + by_shear * heat_of_shear(values)
     return larger(larger(leaving + HOTTER, sheared), above_inlet(values, RISE_OF_METAL))
 

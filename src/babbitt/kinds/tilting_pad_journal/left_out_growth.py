@@ -40,7 +40,8 @@ def warnings_about_left_out_growth(
     """
     if case.heat.growth is not None or case.oil_supply is None:
         return
-    share = left_out_growth(case, values, case.oil_supply.temperature)
+    housing = case.heat.housing_temperature
+    share = left_out_growth(case, values, case.oil_supply.temperature if housing is None else housing)
     if share > CLOSES:
         yield Notice("W422", "closes", {"share": share})
     elif near := kept_stability("W422", checks, 1.0 - LESS_STABLE_BY_GROWTH * share):

@@ -96,6 +96,8 @@ class HeatChoices:
     growth : PadGrowth or None
     materials : tuple of PadMaterial
         Of every pad what it has of its own; empty: all are alike.
+    housing_temperature : float or None
+        K; None: that of the fresh oil.
     """
 
     journal: JournalHeat | None = None
@@ -103,6 +105,7 @@ class HeatChoices:
     bending: PadBending | None = None
     growth: PadGrowth | None = None
     materials: tuple[PadMaterial, ...] = ()
+    housing_temperature: float | None = None
 
 
 @dataclass(frozen=True)

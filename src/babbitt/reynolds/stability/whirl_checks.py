@@ -22,8 +22,8 @@ __all__ = [
 ]
 
 
-STABLE = "the rotor is stable at this speed, and at every one up to ten times it as far as a film was found"
-WHIRLING = "the rotor whirls at this speed, and at every one down to a tenth of it as far as a film was found"
+STABLE = "the rotor is stable at this speed; no threshold was found up to ten times it"
+WHIRLING = "the rotor whirls at this speed; no threshold was found down to a tenth of it"
 """Why no threshold speed is told."""
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import replace
 from time import perf_counter
 
@@ -60,7 +60,7 @@ from babbitt.kinds.journal.film.thermal_results import (
 )
 from babbitt.kinds.journal.film.thinner_oil import film_over_viscosity
 from babbitt.kinds.journal.film.transition import transition_speed
-from babbitt.kinds.journal.film.unloaded import is_unloaded, missing_without_load
+from babbitt.kinds.journal.film.unloaded import NO_LOAD, is_unloaded, missing_without_load
 from babbitt.kinds.journal.film.values import fills_of, film_values, rows_of, supply_pressures, tilt_values
 from babbitt.kinds.journal.film.whirl import whirl_of
 from babbitt.kinds.journal.one_temperature import (
@@ -222,6 +222,7 @@ def film_solution(case: FilmCase, watch: ProgressCallback = no_progress) -> Solu
         values |= _supply_of_ducts(asked, beyond)
         values["iterations"] = float(found.evaluations)
     values["wall_time"] = perf_counter() - start
+    without_load = missing_without_load(case, found.film)
     result = Result(
         case.name,
         case.kind,
@@ -237,8 +238,8 @@ def film_solution(case: FilmCase, watch: ProgressCallback = no_progress) -> Solu
         {name: NO_CALM_FILM for name in ("side_flow", "supply_flow") if math.isnan(values.get(name, 0.0))}
         | ({"critical_mass": no_mass.message} if no_mass else {})
         | (dict.fromkeys(OF_TILT, no_tilt.message) if no_tilt else {})
-        | _missing_speeds(case, values, whirl)
-        | missing_without_load(case, found.film),
+        | _missing_speeds(case, values, whirl, without_load)
+        | without_load,
         failed,
     )
     return Solution(asked, result, solved)
@@ -287,10 +288,13 @@ def _running_values(case: FilmCase, state: FilmState, whirl: Whirl | None) -> di
     return values
 
 
-def _missing_speeds(case: FilmCase, values: Mapping[str, float], whirl: Whirl | None) -> dict[str, str]:
+def _missing_speeds(
+    case: FilmCase, values: Mapping[str, float], whirl: Whirl | None, without_load: Collection[str]
+) -> dict[str, str]:
     """The speeds that were not looked for or not found, each with the reason."""
     if case.limiting_speeds:
-        return missing_thresholds(whirl) if whirl is not None and case.whirl_speed else {}
+        sought = missing_thresholds(whirl) if whirl is not None and case.whirl_speed else {}
+        return dict.fromkeys(sought, NO_LOAD) if without_load else sought
     return {name: SPEED_NOT_ASKED for name, known_by in LIMITING_SPEEDS.items() if known_by in values}
 
 

@@ -152,8 +152,6 @@ def heat_not_read(case: TiltingPadJournalCase) -> Iterator[str]:
         if case.reference_temperature is not None:
             yield "reference_temperature"
         yield from (f"materials.{name}" for name in ("journal", "housing") if is_given(case.materials, name))
-        if full and case.walls.housing.temperature is not None:
-            yield "walls.housing.temperature"
     if case.pad_bending == "plate" and "bending" not in case.deformation:
         yield "method.pad_bending"
     if case.materials.pads is not None:
@@ -190,6 +188,7 @@ def heat_choices(case: TiltingPadJournalCase, supply: float | None) -> HeatChoic
         pad_bending(case),
         pad_growth(case),
         pad_materials(case),
+        housing,
     )
 
 
