@@ -18,8 +18,8 @@ __all__ = ["capacity"]
 
 STRIDE, MOST_STRIDES = 1.3, 60
 """Ratio of two loads that are tried one after the other, and how many: nearly seven orders of magnitude."""
-TOLERANCE = 1e-5
-"""Of the load, relative."""
+TOLERANCE, ROUGH = 1e-5, 2e-3
+"""Of the load, relative; of that of a draft which a finer grid follows."""
 NEXT = 1.01
 """Ratio of the loads on both sides of a draft's capacity between which that of a finer grid is sought first."""
 CONTACT = -1.0
@@ -45,8 +45,10 @@ def capacity(case: HydrostaticCase, found: Answer) -> float | None:
     """
     if isinstance(case.shape, RecessedJournal | ThrustRing):
         asked = replace(case, duty=carried(case, found))
-        rough = loaded_capacity(replace(asked, accuracy="draft"))
-        return rough if rough is None or case.accuracy == "draft" else refined(asked, rough)
+        if case.accuracy == "draft":
+            return loaded_capacity(asked, TOLERANCE)
+        rough = loaded_capacity(replace(asked, accuracy="draft"), ROUGH)
+        return None if rough is None else refined(asked, rough)
     return level_capacity(case)
 
 
@@ -54,8 +56,8 @@ def refined(case: HydrostaticCase, rough: float) -> float | None:
     """Capacity on the grid of the case, N, next to that of the draft."""
     kept, lost = rough / NEXT, rough * NEXT
     if margin(case, kept) >= 0.0 > margin(case, lost):
-        return between(case, kept, lost)
-    return loaded_capacity(replace(case, duty=replace(case.duty, load=rough)))
+        return between(case, kept, lost, TOLERANCE)
+    return loaded_capacity(replace(case, duty=replace(case.duty, load=rough)), TOLERANCE)
 
 
 def level_capacity(case: HydrostaticCase) -> float | None:
@@ -84,16 +86,16 @@ def carried(case: HydrostaticCase, found: Answer) -> OperatingConditions:
     return replace(duty, load=float(force[0]), moments=(-float(force[1]), -float(force[2])), gap=found.minimum_gap)
 
 
-def loaded_capacity(case: HydrostaticCase) -> float | None:
+def loaded_capacity(case: HydrostaticCase, tolerance: float) -> float | None:
     """Greatest load next to that of the case whose equilibrium keeps the least gap."""
     load = case.duty.load or first_load(case)
     here = margin(case, load)
     if here < 0.0:
         kept = towards_kept(case, load, here)
-        return None if kept is None else between(case, *kept)
+        return None if kept is None else between(case, *kept, tolerance)
     for _ in range(MOST_STRIDES):
         if margin(case, load * STRIDE) < 0.0:
-            return between(case, load, load * STRIDE)
+            return between(case, load, load * STRIDE, tolerance)
         load *= STRIDE
     return None
 
@@ -123,10 +125,10 @@ def towards_kept(case: HydrostaticCase, load: float, here: float) -> tuple[float
     return None
 
 
-def between(case: HydrostaticCase, kept: float, lost: float) -> float:
+def between(case: HydrostaticCase, kept: float, lost: float, tolerance: float) -> float:
     """Load between one that keeps the least gap and one that does not, N."""
     bounds = math.log(kept), math.log(lost)
-    return math.exp(bracketed_root(lambda log_load: margin(case, math.exp(log_load)), *bounds, TOLERANCE))
+    return math.exp(bracketed_root(lambda log_load: margin(case, math.exp(log_load)), *bounds, tolerance))
 
 
 def first_load(case: HydrostaticCase) -> float:
