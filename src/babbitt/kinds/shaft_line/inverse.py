@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass
+from functools import cache
 
 from babbitt.kinds.shaft_line.admissible_amplitude import Excess
 from babbitt.kinds.shaft_line.model import LineOperation, LineState, state_of
@@ -111,6 +112,7 @@ def _margin_of(duty: LineOperation, films: LoadCurve, margin: LimitMargin) -> Ex
 
 def _largest(of: Callable[[float], Excess], scale: float, shown: float) -> AdmissibleAmplitude:
     """Largest amplitude from 0 up to which all limits are kept, sought from a scale."""
+    of = cache(of)  # the search for the edge begins at two amplitudes that are known
     missed, code = of(0.0)
     if missed > 0.0:
         return AdmissibleAmplitude(0.0, code, 0.0)

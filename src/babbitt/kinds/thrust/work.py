@@ -15,9 +15,9 @@ from babbitt.core.picklable_error import PicklableError
 
 __all__ = ["COLD_FILM", "MOST_WORK", "WorkBoundError", "bounded_work", "spend"]
 
-MOST_WORK = 120_000
-"""Units of one bearing or line: about 25 s of processor, at 0.2 ms a unit as measured with the template with
-adiabatic films and its runout, which takes 36 000."""
+MOST_WORK = 95_000
+"""Units of one bearing or line: 20 to 55 s of processor, at 0.2 ms a unit as measured with the template with
+adiabatic films and its runout, which takes 36 000, and 0.55 ms with sixteen such pads (1 of 94 random lines)."""
 
 COLD_FILM = 7.0
 """Units of a film of one viscosity with its coefficients: eight to twenty passes and what goes around them."""
