@@ -140,8 +140,8 @@ def slider_of(elements: dict[str, Any]) -> tuple[int, str] | None:
 
 def processes_of(server: int) -> list[int]:
     """The server and its worker processes."""
-    children = Path(f"/proc/{server}/task/{server}/children").read_text().split()
-    return [server, *map(int, children)]
+    threads = Path(f"/proc/{server}/task").glob("*/children")  # of whichever thread started them
+    return [server, *(int(child) for thread in threads for child in thread.read_text().split())]
 
 
 def processor_time(process: int) -> float:
