@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from babbitt.core.language import ENGLISH, decimal, language, translated_if_known, written_in
+from babbitt.core.language import ENGLISH, decimal, language, listed, translated_if_known, written_in
 from babbitt.core.notices.explanation import Effect
 from babbitt.core.notices.words import PLACEHOLDER, explanations, words
 from babbitt.core.quantities import QUANTITIES, Quantity
@@ -113,10 +113,10 @@ def _shown(value: Any, measure: str) -> str:
     if isinstance(value, Notice):
         return value.message
     if isinstance(value, tuple):
-        clauses = any(isinstance(one, Notice) for one in value)
-        commas = language() != ENGLISH and any(isinstance(one, float) for one in value)  # within the numbers
-        joint = "; " if clauses or commas else ", "
-        return joint.join(_shown(one, measure) for one in value)
+        said = [_shown(one, measure) for one in value]
+        if any(isinstance(one, float) for one in value):
+            return listed(said)
+        return ("; " if any(isinstance(one, Notice) for one in value) else ", ").join(said)
     if isinstance(value, str):
         return value if measure == FIELDS else translated_if_known(value)
     quantity = quantity_shown(measure)

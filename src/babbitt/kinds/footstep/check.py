@@ -59,7 +59,7 @@ TITLES = {
 
 TURNING_FORCE = ("heel_force_along", "heel_force_across")
 NO_TURNING_FILM = "the film in two dimensions of the turning heel has not been solved"
-"""Why no force of it is told."""
+"""Why there is no force of it."""
 
 
 def heel_results(case: FootstepProblem) -> tuple[Result, ...]:

@@ -34,7 +34,7 @@ __all__ = ["hydrostatic_check"]
 
 USER = "set in the case"
 NO_COARSE_FILM = "the film on half the lines, with which it is compared, has not been solved"
-"""Why no error of the grid is told."""
+"""Why there is no error of the grid."""
 
 
 def hydrostatic_check(case: HydrostaticCase) -> Result:

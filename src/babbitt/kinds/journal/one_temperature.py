@@ -58,7 +58,8 @@ and grooves around the bore or half of it (set ``hot``): the hottest bush of non
 where Q_p is less than half of Q₃)."""
 
 THINS = 1.1
-"""Viscosity over that at a temperature ``HOTTER`` of an oil that thins; mineral oils have 1.5 to 2.5."""
+"""Viscosity over that at a temperature ``HOTTER`` of an oil that thins: those of the catalogue have 1.24 to
+2.55 from 40 to 120 °C, water 1.14 at the least."""
 
 RISE_OF_LOADED_FILM = 2.1e-3
 """K over the root of Pa m/s: rise above the inlet of the oil that carries the load, over sqrt(p̄ U).

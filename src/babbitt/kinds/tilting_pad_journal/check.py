@@ -293,7 +293,7 @@ def assumptions_of(case: PadCase) -> Iterator[str]:
         yield from thermal_assumptions(case)
     if case.thermal is not Thermal.ISOTHERMAL and not case.assumption_sensitivity:
         yield (
-            "How far carry-over, and what else is assumed of the heat, moves the answer is told by method: "
+            "How far carry-over, and what else is assumed of the heat, moves the answer: method: "
             "{assumption_sensitivity: true}."
         )
 

@@ -24,7 +24,7 @@ __all__ = [
 
 STABLE = "the rotor is stable at this speed; no threshold was found up to ten times it"
 WHIRLING = "the rotor whirls at this speed; no threshold was found down to a tenth of it"
-"""Why no threshold speed is told."""
+"""Why there is no threshold speed."""
 
 
 class CarriesRotor(Protocol):

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 
-from babbitt.core.language import ENGLISH, decimal, language
+from babbitt.core.language import listed
 from babbitt.core.units import ZERO_CELSIUS
 from babbitt.kinds.hydrostatic.geometry import AnnularPad, CircularPad, RecessedJournal, RectangularPad, ThrustRing
 from babbitt.kinds.hydrostatic.jacking_model import JackingCase
@@ -35,12 +35,12 @@ def geometry_rows(shape: Shape) -> Iterator[Said]:
             yield "Outer diameter", _mm(2.0 * shape.outer_radius), "mm"
             yield "Recess diameter", _mm(2.0 * shape.recess_radius), "mm"
         case AnnularPad():
-            yield "Diameters of edges and recess", _several(_mm(2.0 * r) for r in shape.radii), "mm"
+            yield "Diameters of edges and recess", listed(_mm(2.0 * r) for r in shape.radii), "mm"
         case RectangularPad():
             yield "Length × width of the pad", f"{_mm(shape.length)} × {_mm(shape.width)}", "mm"
             yield "Length × width of the recess", f"{_mm(shape.recess_length)} × {_mm(shape.recess_width)}", "mm"
         case ThrustRing():
-            yield "Diameters of edges and recesses", _several(_mm(2.0 * r) for r in shape.radii.radii), "mm"
+            yield "Diameters of edges and recesses", listed(_mm(2.0 * r) for r in shape.radii.radii), "mm"
             yield from _recesses(shape.recess_angles, shape.recess_extent, shape.groove_extent)
         case RecessedJournal():
             yield "Bore", _mm(shape.diameter), "mm"
@@ -53,7 +53,7 @@ def geometry_rows(shape: Shape) -> Iterator[Said]:
 def _recesses(angles: tuple[float, ...], extent: float, groove: float) -> Iterator[Said]:
     yield "Number of recesses", str(len(angles)), ""
     middles = (f"{math.degrees(math.remainder(angle, 2.0 * math.pi)):.4g}" for angle in angles)
-    yield "Middles of the recesses", _several(middles), "°"
+    yield "Middles of the recesses", listed(middles), "°"
     yield "Angle of a recess", f"{math.degrees(extent):.4g}", "°"
     if groove:
         yield "Angle of a drain groove", f"{math.degrees(groove):.4g}", "°"
@@ -112,13 +112,13 @@ def operation_rows(case: HydrostaticCase) -> Iterator[Said]:
     if duty.load is not None:
         yield "Load", f"{1e-3 * duty.load:.6g}", "kN"
         if any(duty.moments):
-            yield "Moments about x and y", _several(f"{one:.5g}" for one in duty.moments), "N m"
+            yield "Moments about x and y", listed(f"{one:.5g}" for one in duty.moments), "N m"
     elif case.is_journal:
-        yield "Prescribed position x, y", _several(f"{1e6 * one:.5g}" for one in duty.position), "µm"
+        yield "Prescribed position x, y", listed(f"{1e6 * one:.5g}" for one in duty.position), "µm"
     else:
         yield "Prescribed gap", f"{1e6 * duty.gap:.5g}", "µm"
         if any(duty.tilt):
-            yield "Prescribed tilt about x and y", _several(f"{1e3 * one:.5g}" for one in duty.tilt), "mm/m"
+            yield "Prescribed tilt about x and y", listed(f"{1e3 * one:.5g}" for one in duty.tilt), "mm/m"
     if duty.sliding_speed:
         yield "Sliding speed", f"{duty.sliding_speed:.4g}", "m/s"
     elif not isinstance(case.shape, RectangularPad):  # which does not turn
@@ -178,11 +178,6 @@ def jacking_groups(case: JackingCase) -> tuple[tuple[str, tuple[Said, ...]], ...
     if case.relief_pressure is not None:
         oil.append(("Relief valve opens at", f"{1e-6 * case.relief_pressure:.4g}", "MPa"))
     return ("Geometry", tuple(geometry_rows(case.bearing))), ("Lifting", tuple(oil))
-
-
-def _several(numbers: Iterable[str]) -> str:
-    """Numbers in a row, apart from each other also where their decimal sign is a comma."""
-    return (", " if language() == ENGLISH else "; ").join(map(decimal, numbers))
 
 
 def _mm(length: float) -> str:

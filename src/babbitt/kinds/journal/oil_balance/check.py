@@ -31,7 +31,10 @@ def oil_balance_solutions(problem: OilSystemProblem) -> tuple[Solution, ...]:
         )
         return (_solution(problem, Outcome.NOT_CONVERGED, failure), error.solution)
     if found.error > BALANCED:
-        failure = Notice("S004", "oil_balance_error", {"error": found.error})
+        ended = math.isfinite(found.error)
+        failure = (
+            Notice("S004", "oil_balance_error", {"error": found.error}) if ended else Notice("S004", "header")
+        )
         return (_solution(problem, Outcome.NOT_CONVERGED, failure),)
     made = proposed(problem)
     result = Result(
