@@ -137,8 +137,12 @@ def test_figures_and_published_cases_run_when_asked(page):
 
 
 def test_us_units_show_and_the_case_keeps_its_own(page):
+    tab(page, "Two designs")
+    page.get_by_role("button", name="Keep this design as A").click()
+    page.locator(".kept", has_text="µm").first.wait_for()
     page.get_by_role("button", name="US units").click()
     page.locator(".card", has_text="mil").first.wait_for()
+    page.locator(".kept", has_text="mil").first.wait_for()
     assert not page.locator(".card", has_text=re.compile("µm|°C|L/min")).count()
     until(page, lambda: page.get_by_label("Diameter", exact=True).input_value() == "4.72441")
     assert "diameter: 120 mm" in text_of(page)

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from nicegui import ui
 
-from babbitt.app.answer import Answer, Shown
+from babbitt.app.answer import Answer, Shown, answer
 from babbitt.app.designs import side_by_side
 from babbitt.app.parts import on_request, show_faults, show_table
 from babbitt.app.solver import Questions
@@ -22,7 +22,7 @@ class DesignsView:
     ----------
     solver : Questions
     page : callable
-        Text and answer of the case as they stand.
+        Text and answer of the case as they stand, and the system of units in which they are shown.
     replace : callable
         Puts another text on the page.
     kept : callable
@@ -32,12 +32,12 @@ class DesignsView:
     def __init__(
         self,
         solver: Questions,
-        page: Callable[[], tuple[str, Answer]],
+        page: Callable[[], tuple[str, Answer, str]],
         replace: Callable[[str], None],
         kept: Callable[[], None],
     ) -> None:
         self._solver, self._page, self._kept = solver, page, kept
-        self._text, self._answer = "", Answer()
+        self._text, self._answer, self._system = "", Answer(), ""
         with ui.row():
             ui.button(word("keep_design"), on_click=self._keep).props("outline no-caps")
             self._back = ui.button(word("back_to_design"), on_click=lambda: replace(self._text))
@@ -49,8 +49,21 @@ class DesignsView:
         """The bearing of the design that was kept at a place; None where there is none."""
         return self._answer.bearings[place] if place < len(self._answer.bearings) else None
 
+    async def follow(self, system: str) -> bool:
+        """Show the design that was kept in a system of units; whether that is another one.
+
+        Raises
+        ------
+        Ended
+        """
+        if not self._text or system == self._system:
+            return False
+        self._system = system
+        self._answer = await self._solver.ask(answer, self._text)
+        return True
+
     def _keep(self) -> None:
-        self._text, self._answer = self._page()
+        self._text, self._answer, self._system = self._page()
         name = self._answer.bearings[0].name if self._answer.bearings else ""
         self._said.text = word("design_kept", name=name)
         self._back.enable()

@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Callable
+from contextlib import suppress
 from itertools import count
 from typing import Any
 
@@ -123,7 +124,7 @@ class Workbench:
 
     def _designs_tab(self) -> None:
         self._designs = DesignsView(
-            self._solver, lambda: (self.document.text, self.found), self._replace, self._show
+            self._solver, lambda: (self.document.text, self.found, self._system()), self._replace, self._show
         )
 
     def _studies_tab(self) -> None:
@@ -262,6 +263,9 @@ class Workbench:
         self.found = found
         self.place = min(self.place, max(len(found.bearings) - 1, 0))
         self._show()
+        with suppress(Ended):  # the design that was kept stays as it was shown
+            if await self._designs.follow(self._system()):
+                self._show()
 
     def _show(self) -> None:
         if not (self.found.bearings or self.found.faults):
