@@ -105,5 +105,6 @@ def test_one_line_tells_what_is_compiled(capsys, folder):
     uncached = [_compiling.UNCACHED] if folder is None else []
     assert capsys.readouterr().err.splitlines() == [
         *uncached,
-        "babbitt: compiling the kernels for films of grooved and lobed bores, once: about 15 s",
+        "babbitt: compiling the kernels for films of grooved and lobed bores and of pads, "
+        "once: about 15 s, with temperatures a minute",
     ]

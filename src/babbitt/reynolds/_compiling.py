@@ -53,7 +53,7 @@ FOLDER = writable_folder(CACHE)
 UNCACHED = f"babbitt: {CACHE} cannot be written: kernels are compiled anew in every process; set NUMBA_CACHE_DIR"
 
 KINDS = {
-    "Axial": "films of grooved and lobed bores, once: about 15 s",
+    "Axial": "films of grooved and lobed bores and of pads, once: about 15 s, with temperatures a minute",
     "Surface": "films that differ across the width, once: about 15 s, with temperatures a minute",
 }
 
