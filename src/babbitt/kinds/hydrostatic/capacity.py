@@ -30,7 +30,7 @@ def capacity(case: HydrostaticCase, found: Answer) -> float | None:
     """Load whose equilibrium has the least gap, or where pumps of the recesses come to their pressure.
 
     Its direction is that of the case's load, and moments stand as they are; of a prescribed position those of the
-    force that was found there. Journals and rings are sought on the draft's grid, and found on that of the case.
+    force that was found there. Films of journals and rings are sought on the draft's grid, and found on that of the case.
 
     Parameters
     ----------
@@ -45,7 +45,7 @@ def capacity(case: HydrostaticCase, found: Answer) -> float | None:
     """
     if isinstance(case.shape, RecessedJournal | ThrustRing):
         asked = replace(case, duty=carried(case, found))
-        if case.accuracy == "draft":
+        if case.method != "film" or case.accuracy == "draft":  # no finer grid follows
             return loaded_capacity(asked, TOLERANCE)
         rough = loaded_capacity(replace(asked, accuracy="draft"), ROUGH)
         return None if rough is None else refined(asked, rough)
