@@ -30,7 +30,8 @@ def capacity(case: HydrostaticCase, found: Answer) -> float | None:
     """Load whose equilibrium has the least gap, or where pumps of the recesses come to their pressure.
 
     Its direction is that of the case's load, and moments stand as they are; of a prescribed position those of the
-    force that was found there. Films of journals and rings are sought on the draft's grid, and found on that of the case.
+    force that was found there. Films of journals and rings are sought on the draft's grid, and found on that of
+    the case.
 
     Parameters
     ----------

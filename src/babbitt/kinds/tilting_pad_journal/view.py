@@ -20,7 +20,10 @@ LUND = "J. W. Lund, Spring and damping coefficients for the tilting-pad journal 
 API_617 = (
     "API Standard 617, Axial and Centrifugal Compressors and Expander-compressors, stability analysis, level I"
 )
-ALLAIRE = "P. E. Allaire, J. K. Parsell, L. E. Barrett, Wear 72 (1981) 29 (the same for several motions of a pad)"
+ALLAIRE = (
+    "P. E. Allaire, J. K. Parsell, L. E. Barrett, A pad perturbation method for the dynamic coefficients of "
+    "tilting-pad journal bearings, Wear 72 (1981) 29 (the same for several motions of a pad)"
+)
 FILLON = (
     "M. Fillon, J.-C. Bligoud, J. Frene, Experimental study of tilting-pad journal bearings, ASME J. Tribology "
     "114 (1992) 579 (what temperatures are compared with: `babbitt validate fillon_1992`)"
