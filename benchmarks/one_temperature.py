@@ -7,8 +7,9 @@ Random bearings of a set, `ordinary` (0.8 to 5 MPa, 2 to 35 m/s, spans of 360 to
 around the bore or pockets of 0.5 to 0.89 of the width under 0.1 to 1 MPa whose Q_p is 0.5 to 10 times Q_3; its
 films on draft grids) or `thick` (ISO VG 22 to 460, 0.8 to 5 MPa, 2 to 60 m/s, any supply element, outlets up to
 115 degC; draft grids) or `hot` (ISO VG 150 to 460 that enters at 65 to 80 degC, 10 to 30 m/s, 1.5 to 6.5 MPa,
-B/D 0.25 to 0.4, grooves around the bore or half of it; outlets up to 115 degC; draft grids): diameters 60 to
-300 mm, B/D 0.5 to 1, clearances 1 to 1.5 times those of Vogelpohl's rule, pockets at both sides of 0.5 to 0.7 of
+B/D 0.25 to 0.4, grooves around the bore or half of it; outlets up to 115 degC; draft grids) or `heavy` (2.5 to
+7 MPa, 1.5 to 20 m/s, 40 to 450 mm, B/D 0.5 to 1.05, 0.8 to 3 permille, ISO VG 22 to 460; draft grids): diameters 60
+to 300 mm, B/D 0.5 to 1, clearances 1 to 1.5 times those of Vogelpohl's rule, pockets at both sides of 0.5 to 0.7 of
 the width, oils ISO VG 22 to 68 at 40 to 50 degC and 1 to 3 bar, tin and copper alloys. The film is `thermal:
 full`. Held against each other are the thinnest film, the hottest bush against the outlet, and outlet against
 outlet, with the flow that the supply delivers where that is less; the rise of the hottest bush above the inlet in
@@ -24,6 +25,7 @@ from collections import Counter
 import numpy as np
 
 from babbitt import parse_case
+from babbitt.case import CaseFile
 from babbitt.core.result import Result
 from babbitt.solving import solve
 
@@ -144,7 +146,35 @@ surface_speed: {speed:.1f} m/s
 """
 
 
-OF_ITS_OWN = {"pressed": pressed_bearing, "thick": thick_bearing, "hot": hot_bearing}
+def heavy_bearing(rng: Random, number: int) -> str:
+    """A heavily loaded bearing, short of oil or with much of it pressed through the unloaded gap."""
+    diameter, speed = math.exp(rng.uniform(math.log(40.0), math.log(450.0))), math.exp(rng.uniform(0.41, 3.0))
+    width, share = rng.uniform(0.5, 1.05) * diameter, rng.uniform(0.15, 0.75)
+    pocket = f"{{kind: pocket, width: {share * width:.1f} mm, place: "
+    elements = (
+        f"{{kind: hole, diameter: {min(0.12 * diameter, 0.3 * width):.1f} mm, place: opposite}}",
+        f"{pocket}both_sides, extent: {rng.uniform(8, 30):.0f} deg}}",
+        f"{pocket}opposite}}",
+        f"{{kind: groove_180, width: {0.3 * share * width:.1f} mm}}",
+    )
+    return f"""
+kind: journal
+name: bearing {number}
+diameter: {diameter:.1f} mm
+width: {width:.1f} mm
+clearance: {{kind: relative, mean: {rng.uniform(0.8, 3.0):.3f} permille}}
+clearance_cases: mean
+span: 360 deg
+supply_element: {elements[int(rng.integers(len(elements)))]}
+lubricant: ISO VG {rng.choice([22, 32, 46, 68, 100, 150, 220, 320, 460])}
+supply: {{temperature: {rng.uniform(30, 55):.0f} degC, pressure: {math.exp(rng.uniform(-3.5, 0.0)):.3f} MPa}}
+materials: {{bearing_metal: CuSn8P, bearing: C45, journal: C45}}
+specific_load: {rng.uniform(2.5, 7.0):.3f} MPa
+surface_speed: {speed:.2f} m/s
+"""
+
+
+OF_ITS_OWN = {"pressed": pressed_bearing, "thick": thick_bearing, "hot": hot_bearing, "heavy": heavy_bearing}
 """Sets whose bearings differ in more than speed, load and span."""
 
 HOTTEST_OUTLET = 388.15
@@ -157,14 +187,22 @@ def worse(result: Result, name: str, better: float) -> float:
     return better * min(better * value for value in known)
 
 
+def hotter_by(case: CaseFile, temperature: float, thinner: float) -> float:
+    """By how much hotter an oil has a share of its viscosity, K; at most 100."""
+    oil, warmer = case.problems()[0].lubricant, np.linspace(0.0, 100.0, 401)
+    share = oil.dynamic_viscosity(temperature + warmer) / oil.dynamic_viscosity(temperature)
+    return float(np.interp(-thinner, -share, warmer))
+
+
 def main(wanted: int = 48, seed: int = 3, chosen: str = "ordinary") -> None:
-    pressed, thick = chosen == "pressed", chosen in ("thick", "hot")
+    pressed, thick = chosen == "pressed", chosen in ("thick", "hot", "heavy")
     accuracy = "draft" if pressed or thick else "engineering"
     rng, number, rows, verdicts = np.random.default_rng(seed), 0, [], Counter()
     while len(rows) < wanted and number < 10 * wanted:
         number += 1
         text = OF_ITS_OWN[chosen](rng, number) if chosen in OF_ITS_OWN else bearing(rng, number, chosen)
-        (iso,) = solve(parse_case(text)).results
+        case = parse_case(text)
+        (iso,) = solve(case).results
         if pressed and not (iso.outcome.solved and 0.5 <= iso.supply_flow / iso.side_flow <= 10.0):
             continue
         if thick and not (iso.outcome.solved and iso.outlet_temperature <= HOTTEST_OUTLET):
@@ -181,7 +219,8 @@ def main(wanted: int = 48, seed: int = 3, chosen: str = "ordinary") -> None:
         rise = (film.maximum_bush_temperature - iso.supply_temperature) / fast
         shear = iso.surface_speed * math.sqrt(iso.effective_viscosity)
         turbulent = film.film_reynolds_number / iso.film_reynolds_number
-        rows.append((thin, hot, outlet, rise, turbulent, hot / shear))
+        loaded = hotter_by(case, worse(iso, "effective_temperature", -1.0), thin) / (1e-6 * iso.specific_load)
+        rows.append((thin, hot, outlet, rise, turbulent, hot / shear, loaded))
         near = "W191" in {notice.code for notice in iso.warnings}
         verdicts[(iso.verdict.value, "near" if near else "", film.verdict.value)] += 1
         print(
@@ -196,6 +235,7 @@ def main(wanted: int = 48, seed: int = 3, chosen: str = "ordinary") -> None:
         "rise over sqrt(pU)",
         "Re_film/Re_iso",
         "bush less outlet over U sqrt(eta)",
+        "loaded film less T_eff over p in K/MPa, the film as its viscosity",
     )
     for said, column in zip(names, np.array(rows).T, strict=True):
         print(said, *(f"{value:.2f}" for value in np.percentile(column, (0, 5, 25, 50, 75, 95, 100))))

@@ -81,6 +81,33 @@ def test_hot_thick_oil_beside_half_a_groove_is_no_clean_pass(method):
     assert HOTTER_BY_SHEAR < rise / heat_of_shear(quick.values) < HOTTER_BESIDE_PRESSED
 
 
+SMALL = FAST | {
+    "diameter": "40 mm", "width": "40 mm", "clearance": {"kind": "relative", "mean": "1.5 permille"},
+    "lubricant": "ISO VG 46", "load": "10.4 kN", "speed": "2800 rpm",
+    "supply_element": {"kind": "pocket", "width": "28 mm", "place": "both_sides", "extent": "10 deg"},
+    "supply": {"temperature": "30 degC", "pressure": "0.03 MPa"},
+    "materials": {"bearing_metal": "CuSn8P", "bearing": "C45", "journal": "42CrMo4"},
+}  # fmt: skip
+LARGE = SMALL | {
+    "diameter": "368 mm", "width": "359.5 mm", "clearance": {"kind": "relative", "mean": "2.2 permille"},
+    "lubricant": {"kind": "viscosity_index", "nu40": "163 mm2/s", "viscosity_index": 150}, "load": "924.7 kN",
+    "supply_element": {"kind": "hole", "diameter": "72 mm", "place": "opposite"}, "speed": "605 rpm",
+    "supply": {"temperature": "48 degC", "pressure": "0.5 MPa"}, "limits": {"minimum_film_thickness": "22 um"},
+    "materials": {"bearing_metal": "CuSn8P", "bearing": {"thermal_expansion": "23e-6 1/K"}, "journal": "C45"},
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", [SMALL, LARGE], ids=["little oil", "much oil pressed through"])
+def test_a_film_that_its_load_heats_is_no_clean_pass(case):
+    """Under 6.5 and 7 MPa films are half as thick as one temperature has them, whatever their speed."""
+    quick, film = solved(case, clearance_cases="mean"), solved(case, clearance_cases="mean", **OWN)
+    assert [check.ok for check in film.checks if check.code == "C101"] == [False]
+    assert quick.verdict is Verdict.REMARKS
+    checks = [one for one in quick.checks if one.code == "C101"]
+    assert all(one.ok and one.margin > 0.5 for one in checks)
+    assert any("(C101)" in one.message for one in quick.warnings if one.code == "W191")
+
+
 def test_flow_by_supply_pressure_that_is_not_known_asks_for_the_larger_rise():
     """Of some films only the sum of both flows is known."""
     known = {"surface_speed": 24.0, "effective_viscosity": 0.03, "side_flow": 1e-4, "supply_flow": 1e-5}

@@ -102,6 +102,21 @@ def test_a_groove_around_the_bore_behind_a_narrow_tube_gets_what_the_tube_passes
     assert 0.01 < narrow.tube_loss / viscous < 0.1  # Pa s of ISO VG 46 at 50 °C, with the ends of the tube
 
 
+@pytest.mark.parametrize("thermal", ["adiabatic", "full"])
+def test_films_with_temperatures_of_their_own_know_a_groove_around_the_bore_behind_a_tube(thermal):
+    """Without pressure the groove divides no lands: a film of other nodes, from which none goes on."""
+    warm = ALL_AROUND | {"effective_temperature": None, "thermal": thermal, "accuracy": "draft"}
+    tube = {"tubes": [{"diameter": "6 mm", "length": "2 m"}]}
+    bare, fed = (
+        film_bearings.answer(**warm, supply={"temperature": "50 degC", "pressure": "0.1 MPa"} | extra)
+        for extra in ({}, tube)
+    )
+    assert fed.element_pressure + fed.tube_loss == pytest.approx(0.1e6, rel=1e-5)
+    assert 0.0 < fed.total_flow < bare.total_flow
+    assert fed.outlet_temperature > bare.outlet_temperature
+    assert abs(fed.energy_balance_error) < 1e-6
+
+
 @pytest.mark.parametrize(
     ("supply", "words"),
     [

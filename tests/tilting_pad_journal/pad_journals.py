@@ -38,7 +38,7 @@ OIL = {
 
 def pad_case(changes=None, **fields):
     """The bearing with fields changed, and others at paths such as ``pads.extent``; None leaves a field out."""
-    given = copy.deepcopy(FILLON) | fields
+    given = copy.deepcopy(FILLON | fields)
     for path, value in (changes or {}).items():
         *way, last = path.split(".")
         at = given

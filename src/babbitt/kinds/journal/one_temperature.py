@@ -75,6 +75,14 @@ one temperature, over the root of U sqrt(η_eff).
 Assumption by measurement of the same bearings, 207 by ISO 7902 and 69 films of one temperature: none of their
 films with temperatures of their own is thinner than by its viscosity there, or by ``THINNER``."""
 
+LOADED_BY_PRESSURE = 4e-6
+"""K/Pa: by how much the oil that carries the load may be hotter than the one temperature, over p̄, where the supply
+presses more than ``PRESSED`` of Q₃ through the gap or delivers less than Q₃. About 7/(ρ c): what a film that keeps
+its heat warms by goes with p̄/(ρ c), whatever its oil and speed.
+
+Assumption by measurement of 256 bearings with 2.5 to 7 MPa and ISO VG 22 to 460 (docs/theory/procedure.md, set
+``heavy``): the films of none are thinner than by the viscosity at 3.9 K/MPa above."""
+
 TURBULENT_SOONER = 2.1
 """Reynolds number of films with temperatures of their own over that of one temperature.
 
@@ -214,9 +222,7 @@ def warnings_about_unknown_metal(
 
 def hottest_metal(leaving: float, values: Mapping[str, float]) -> float:
     """Temperature in K that a bush may have whose oil leaves at one temperature."""
-    # nan where only the sum of both is known: then the larger one is asked for
-    calm = values.get("supply_flow", math.nan) <= PRESSED * values.get("side_flow", math.nan)
-    by_shear = HOTTER_BESIDE_PRESSED - (HOTTER_BESIDE_PRESSED - HOTTER_BY_SHEAR) * calm
+    by_shear = HOTTER_BY_SHEAR + (HOTTER_BESIDE_PRESSED - HOTTER_BY_SHEAR) * much_pressed(values)
     sheared = leaving + by_shear * heat_of_shear(values)
     return larger(larger(leaving + HOTTER, sheared), above_inlet(values, RISE_OF_METAL))
 
@@ -270,10 +276,22 @@ def loaded_temperature(check: Check, values: Mapping[str, float]) -> float:
     >>> loaded_temperature(of_film, thick)  # 9.5 K times the root of 4
     339.0
     """
-    shear = heat_of_shear(values)
-    sheared = one_temperature(check, values) + LOADED_BY_SHEAR * functions_for(shear).sqrt(shear)
+    one, shear = one_temperature(check, values), heat_of_shear(values)
+    sheared = one + LOADED_BY_SHEAR * functions_for(shear).sqrt(shear)
     loaded: float = larger(above_inlet(values, RISE_OF_LOADED_FILM), sheared)
-    return loaded
+    if "specific_load" not in values:
+        return loaded
+    heated = 1.0 if is_limited(check.quantity) else much_pressed(values)
+    return larger(loaded, one + LOADED_BY_PRESSURE * values["specific_load"] * heated)
+
+
+def much_pressed(values: Mapping[str, float]) -> float:
+    """1 where the supply presses much oil through the gap, or where only the sum of both flows is known, else 0.
+
+    >>> much_pressed({"supply_flow": 1.0, "side_flow": 3.0}), much_pressed({"side_flow": 3.0})
+    (0.0, 1.0)
+    """
+    return 1.0 - (values.get("supply_flow", math.nan) <= PRESSED * values.get("side_flow", math.nan))
 
 
 def heat_of_shear(values: Mapping[str, float]) -> float:

@@ -26,7 +26,7 @@ SAME_TEMPERATURE = 0.05
 
 TOO_HOT = (Outcome.THERMAL_RUNAWAY, Outcome.NO_LUBRICANT_DATA)
 LEAST_CLEARANCE = 1e-12
-"""Assembled clearance in m that stands for none: of bearings that growth has closed, which are not solved."""
+"""Clearance in m that stands for none: of bearings that growth has closed, which are not solved."""
 
 
 def thermal_films(case: PadCase) -> Equilibrium[PadFilms]:
@@ -117,7 +117,7 @@ def running_pad(case: PadCase, pad: TiltingPad, heat: PadTemperatures, sense: fl
     _, viscosity, _ = properties_at(case.lubricant, film_temperature(heat))
     return replace(
         pad,
-        clearance=pad.clearance - heat.growth,
+        clearance=max(pad.clearance - heat.growth, LEAST_CLEARANCE),
         assembled_clearance=max(pad.assembled_clearance - heat.growth, LEAST_CLEARANCE),
         thickness=pad.thickness + heat.growth,
         viscosity=viscosity,

@@ -32,10 +32,16 @@ from babbitt.kinds.tilting_pad_journal.values import ramp_share
 from babbitt.reynolds.tilting_pads.dynamics import condensed_at, full_coefficients
 from babbitt.reynolds.tilting_pads.pivots import HertzContact, LineContact
 
-__all__ = ["about_stability_on_the_ramp", "starved_bounds", "warnings_about_kept_limits", "warnings_of_solution"]
+__all__ = [
+    "BORE_CHECKS",
+    "about_stability_on_the_ramp",
+    "starved_bounds",
+    "warnings_about_kept_limits",
+    "warnings_of_solution",
+]
 
-BORE_CHECKS = ("C108", "C404", "C405")
-"""Limits of bores: of the metal, alarm and trip of a probe."""
+BORE_CHECKS = ("C104", "C108", "C404", "C405")
+"""Limits of bores: of the case, of the metal, alarm and trip of a probe."""
 
 STARVED_CHECKS = (*FILM_CHECKS, *TEMPERATURE_CHECKS, "C111", "C404", "C405")
 """What pads that get less oil than they draw in keep the less, the thinner and hotter their films are."""

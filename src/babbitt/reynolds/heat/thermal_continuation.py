@@ -93,6 +93,8 @@ class ThermalTrail:
         begun, asked = time.perf_counter(), posed(film, load)
         density = line_density(asked.seen, self.last.position, self.last.gap)
         thermal = _continued(self.last, asked, heat, resolution, density)
+        if thermal is None:
+            return self.solve(film, heat, load, resolution)
         found = find_thermal_equilibrium(thermal, asked.load, self.last.position, resolution.tolerance, SETTLED)
         return self._noted(asked, _with_a_gap(stabilised(found, resolution, SETTLED)), begun)
 
@@ -104,9 +106,11 @@ class ThermalTrail:
 
 def _continued_from(
     last: ThermalEquilibrium, asked: Posed, heat: FilmHeat, resolution: Resolution
-) -> ThermalEquilibrium:
-    """Equilibrium of a film close to the last one, on its lines."""
+) -> ThermalEquilibrium | None:
+    """Equilibrium of a film close to the last one, on its lines; None where it has other nodes across."""
     thermal = _continued(last, asked, heat, resolution, last.thermal.density)
+    if thermal is None:
+        return None
     if last.mixed:
         return _with_a_gap(
             accelerated_equilibrium(thermal, asked.load, last.position, resolution.tolerance, SETTLED)
@@ -119,9 +123,14 @@ def _continued_from(
 
 def _continued(
     last: ThermalEquilibrium, asked: Posed, heat: FilmHeat, resolution: Resolution, density: Density | None
-) -> ThermalFilmState:
-    """Ring with the temperatures of the last film."""
+) -> ThermalFilmState | None:
+    """Ring with the temperatures of the last film; None where the nodes across are others.
+
+    As beside a groove around the bore, which makes lands of its own under pressure, and none without.
+    """
     lines = fresh_ring(asked.seen, heat, asked.scales, 2 * resolution.intervals, resolution, density)
+    if lines.sample.ring.mesh.nodes.size != last.thermal.sample.ring.mesh.nodes.size:
+        return None
     thermal = continued(lines, last.thermal)
     thermal.relaxation = last.thermal.relaxation  # it swings as the last one did
     return thermal
