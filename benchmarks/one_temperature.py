@@ -2,20 +2,19 @@
 
     python benchmarks/one_temperature.py [number [seed [set]]]
 
-Random bearings of a set, `ordinary` (0.8 to 5 MPa, 2 to 35 m/s, spans of 360 to 120 deg), `fast` (1.5 to 5 MPa,
-15 to 60 m/s), `short` (as ordinary, spans of 120 and 90 deg) or `pressed` (1 to 5 MPa, 5 to 35 m/s, with grooves
+Random bearings of a set, `ordinary` (0.8 to 5 MPa, 2 to 35 m/s, spans of 360 to 120 deg), `fast` (1.5 to 5 MPa, 15
+to 60 m/s), `short` (as ordinary, spans of 120 and 90 deg) or `pressed` (1 to 5 MPa, 5 to 35 m/s, with grooves
 around the bore or pockets of 0.5 to 0.89 of the width under 0.1 to 1 MPa whose Q_p is 0.5 to 10 times Q_3; its
 films on draft grids) or `thick` (ISO VG 22 to 460, 0.8 to 5 MPa, 2 to 60 m/s, any supply element, outlets up to
-115 degC; draft grids) or `hot` (ISO VG 150 to 460 that enters at 65 to 80 degC, 10 to 30 m/s, 1.5 to 6.5 MPa,
-B/D 0.25 to 0.4, grooves around the bore or half of it; outlets up to 115 degC; draft grids) or `heavy` (2.5 to
-7 MPa, 1.5 to 20 m/s, 40 to 450 mm, B/D 0.5 to 1.05, 0.8 to 3 permille, ISO VG 22 to 460; draft grids): diameters 60
-to 300 mm, B/D 0.5 to 1, clearances 1 to 1.5 times those of Vogelpohl's rule, pockets at both sides of 0.5 to 0.7 of
+115 degC; draft grids) or `hot` (ISO VG 150 to 460 that enters at 65 to 80 degC, 10 to 30 m/s, 1.5 to 6.5 MPa, B/D
+0.25 to 0.4, grooves around the bore or half of it; outlets up to 115 degC; draft grids) or `heavy` (2.5 to 7 MPa,
+1.5 to 20 m/s, 40 to 450 mm, B/D 0.5 to 1.05, 0.8 to 3 permille, ISO VG 22 to 460; draft grids): diameters 60 to
+300 mm, B/D 0.5 to 1, clearances 1 to 1.5 times those of Vogelpohl's rule, pockets at both sides of 0.5 to 0.7 of
 the width, oils ISO VG 22 to 68 at 40 to 50 degC and 1 to 3 bar, tin and copper alloys. The film is `thermal:
 full`. Held against each other are the thinnest film, the hottest bush against the outlet, and outlet against
 outlet, with the flow that the supply delivers where that is less; the rise of the hottest bush above the inlet in
 K over the root of specific load times speed in MPa m/s; and the Reynolds number. One line a bearing; quartiles,
-ends and twentieths; verdicts by
-both.
+ends and twentieths; verdicts by both.
 """
 
 import math

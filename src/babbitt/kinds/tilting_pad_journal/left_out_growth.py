@@ -15,7 +15,7 @@ from babbitt.reynolds.tilting_pads.pad_heat import STEEL_EXPANSION
 
 __all__ = ["CLOSES", "left_out_growth", "warnings_about_left_out_growth"]
 
-CLOSES = 0.2
+CLOSES = 0.22
 """Share of the assembled clearance that growth takes at the temperatures of films without it, from which on it may
 leave no film: narrower, the films warm further.
 
