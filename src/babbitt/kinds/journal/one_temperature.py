@@ -254,8 +254,8 @@ def thinner_oil(check: Check, values: Mapping[str, float], viscosity: Callable[[
     >>> from babbitt.core.result import Bound
     >>> of_film = Check("C101", "minimum_film_thickness", 2e-5, 1e-5, Bound.AT_LEAST, "")
     >>> warm = {"supply_temperature": 313.0, "specific_load": 4e6, "surface_speed": 25.0}
-    >>> thinner_oil(of_film, warm | {"effective_temperature": 320.0}, lambda kelvin: 1.0 / kelvin)  # 334 K there
-    1.04375
+    >>> thinner_oil(of_film, warm | {"effective_temperature": 320.0}, lambda kelvin: 1.0 / kelvin)  # 336 K there
+    1.05
     """
     one = one_temperature(check, values)
     return viscosity(one) / viscosity(larger(loaded_temperature(check, values), one))
