@@ -139,6 +139,25 @@ def test_growth_narrows_the_clearance_by_what_pads_and_journal_grow():
     )
 
 
+def test_pads_fed_nothing_but_what_they_carry_over_have_no_equilibrium():
+    """A flooded bearing of which no pad lets oil go at its sides: nothing carries its heat off."""
+    small = {
+        "diameter": "24.146135079775845 mm", "load": "46.183697495452506 N", "speed": "1435.867033481937 rad/s",
+        "lubricant": "ISO VG 32", "supply": {"temperature": "314.3325495373182 K"}, "feed": "flooded",
+        "pads": {
+            "number": 4, "first_pivot": "-45 deg", "extent": "1.3701696870757274 rad",
+            "width": "11.206832950698449 mm", "thickness": "4.477 mm",
+            "clearance": {"kind": "radial", "mean": "19.412187854708754 um"},
+            "preload": 0.06274425782455707,
+            "pivot": {"kind": "spring", "fraction": 0.57, "stiffness": "11561066.02699918 N/m"},
+        },
+        "thermal": "global",
+    }  # fmt: skip
+    found = result_of(**small)
+    assert found.outcome is Outcome.THERMAL_RUNAWAY
+    assert found.failure.code == "S002"
+
+
 def test_a_cold_housing_closes_the_clearance_and_the_share_with_a_film_is_told():
     narrow = {"pads.clearance": {"kind": "radial", "mean": "100 um"}, "pads.preload": 0.5}
     cold = dict(HEATED["E"], walls=CONDUCTING | {"housing": {"temperature": "-20 degC"}})

@@ -7,7 +7,7 @@ from pad_journals import OIL, pad_case, result_of
 from babbitt.case import case_from_dict
 from babbitt.core.result import Verdict
 from babbitt.kinds.tilting_pad_journal.coefficients_over_speed import run_over_speed
-from babbitt.kinds.tilting_pad_journal.left_out_growth import left_out_growth
+from babbitt.kinds.tilting_pad_journal.left_out_deformation import left_out_growth
 from babbitt.solving import solve
 
 STABLE = {

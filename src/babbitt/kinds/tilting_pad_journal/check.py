@@ -18,7 +18,7 @@ from babbitt.kinds.tilting_pad_journal.cross_coupling import SOUGHT, CrossCoupli
 from babbitt.kinds.tilting_pad_journal.dynamics import PadDynamics, dynamics_of
 from babbitt.kinds.tilting_pad_journal.failure import failure_of_pads, feasible_growth
 from babbitt.kinds.tilting_pad_journal.film import operating_films
-from babbitt.kinds.tilting_pad_journal.left_out_growth import warnings_about_left_out_growth
+from babbitt.kinds.tilting_pad_journal.left_out_deformation import warnings_about_left_out_deformation
 from babbitt.kinds.tilting_pad_journal.level_one import (
     about_synchronous_verdict,
     cross_coupling_checks,
@@ -130,7 +130,7 @@ def pad_solution(case: PadCase) -> Solution:
             *about_stability_on_the_ramp(checks, told),
             *warnings_about_kept_limits(films, checks),
             *warnings_about_one_temperature(case, checks, values),
-            *warnings_about_left_out_growth(case, checks, values),
+            *warnings_about_left_out_deformation(case, checks, values),
             *about_synchronous_verdict(values, least_decrement(case)[0]),
         ),
         not_checked=(

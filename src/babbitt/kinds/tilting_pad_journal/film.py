@@ -73,13 +73,12 @@ def film_at_temperature(temperature: float, case: PadCase) -> PadFilms:
         raise NoFilmError(solution.outcome)
     entering = sum(pad.inflow for pad in solution.pads)
     trailing = sum(pad.outflow for pad in solution.pads)
-    temperatures = None
+    fresh, temperatures = entering - case.feed.carry_over * trailing, None
     if case.thermal is not Thermal.ISOTHERMAL and case.oil_supply is not None:
+        if not fresh > 0.0:  # nothing carries their heat off
+            raise NoFilmError(Outcome.THERMAL_RUNAWAY)
         balance = HeatBalance(case.lubricant, case.oil_supply.temperature, case.feed.carry_over)
         temperatures = mixed_temperatures(
             balance, solution.friction_power, trailing, entering - trailing, temperature
         )
-    return PadFilms(
-        temperature, density, viscosity, capacity, relative, solution,
-        entering - case.feed.carry_over * trailing, temperatures,
-    )  # fmt: skip
+    return PadFilms(temperature, density, viscosity, capacity, relative, solution, fresh, temperatures)
