@@ -35,11 +35,11 @@ Assumptions by measurement (docs/theory/procedure.md, ``benchmarks/one_temperatu
 with temperatures of their own and walls that conduct differ by less with oils up to ISO VG 68, from ISO 7902 and
 from films of one temperature alike. Fast bearings and thick oils add ``HOTTER_BY_SHEAR``, ``LOADED_BY_SHEAR``."""
 
-THINNER_BESIDE_PRESSED = 0.7
-"""``THINNER`` where the supply presses more than ``PRESSED`` of Q₃ through the gap or delivers less than Q₃.
+THINNER_BESIDE_PRESSED, MUCH_PRESSED = 0.7, 5.0
+"""``THINNER`` where the supply presses several times Q₃ through the gap, and how many.
 
 Assumption by a search for the thinnest films among 2400 clean passes (docs/theory/procedure.md): wide slow
-bearings with a pocket opposite under 0.9 MPa have 0.60 of the film."""
+bearings with a pocket opposite under 0.9 MPa, which presses 10 to 22 times Q₃, have 0.60 of the film."""
 
 THINNER_OIL = 0.55
 """Viscosity over that of one temperature with which the film of a tilted journal must keep its limit.
@@ -170,7 +170,7 @@ def _near(
     """What of one limit that is kept may be too near."""
     if check.code in FILM_CHECKS or check.quantity.endswith("minimum_film_thickness"):
         thinner = thinner_oil(check, values, viscosity)
-        asked = larger(thinner - 1.0, least_margin(check, values))
+        asked = larger(thinner - 1.0, least_margin(values))
         # Any film keeps a limit of zero, and there is no share of it.
         by_little = (check.margin < asked) & (check.limit > 0.0)
         yield _Near(by_little, lambda: _about_film(check, values, thinner))
@@ -238,14 +238,13 @@ def hottest_metal(leaving: float, values: Mapping[str, float]) -> float:
     return larger(larger(leaving + HOTTER, sheared), above_inlet(values, rise))
 
 
-def least_margin(check: Check, values: Mapping[str, float]) -> float:
+def least_margin(values: Mapping[str, float]) -> float:
     """Margin of a limit of the film that films with temperatures of their own may need, whatever their oil."""
-    lacking = 1.0 if is_limited(check.quantity) else is_pressed(values)
-    return THINNER + (THINNER_BESIDE_PRESSED - THINNER) * lacking
+    return THINNER + (THINNER_BESIDE_PRESSED - THINNER) * is_pressed(values, MUCH_PRESSED)
 
 
 def _about_film(check: Check, values: Mapping[str, float], thinner: float) -> Notice:
-    if not holds_anywhere(thinner - 1.0 > least_margin(check, values)):
+    if not holds_anywhere(thinner - 1.0 > least_margin(values)):
         return Notice("W191", "film", {"margin": check.margin, "check": check.code})
     return Notice("W191", "loaded_film", {
         "margin": check.margin, "check": check.code, "loaded": loaded_temperature(check, values),
@@ -303,13 +302,13 @@ def loaded_temperature(check: Check, values: Mapping[str, float]) -> float:
     return larger(loaded, one + LOADED_BY_PRESSURE * values["specific_load"] * lacking)
 
 
-def is_pressed(values: Mapping[str, float]) -> float:
-    """1 where the supply is known to press much oil through the gap, else 0.
+def is_pressed(values: Mapping[str, float], share: float = PRESSED) -> float:
+    """1 where the supply is known to press more than a share of Q₃ through the gap, else 0.
 
     >>> is_pressed({"supply_flow": 2.0, "side_flow": 3.0}), is_pressed({"side_flow": 3.0})
     (1.0, 0.0)
     """
-    return 1.0 * (values.get("supply_flow", math.nan) > PRESSED * values.get("side_flow", math.nan))
+    return 1.0 * (values.get("supply_flow", math.nan) > share * values.get("side_flow", math.nan))
 
 
 def may_be_pressed(values: Mapping[str, float]) -> float:
