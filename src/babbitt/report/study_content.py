@@ -346,7 +346,8 @@ def _tolerance(study: Study) -> Iterator[StudyTable]:
         2 if several else 1,
         (
             translated(
-                "Cpk of a one-sided limit: mean margin over three standard deviations; holds for near-normal margins."
+                "Cpk of a one-sided limit: mean margin over three standard deviations; holds for near-normal "
+                "margins."
             ),
         ),
     )

@@ -18,7 +18,7 @@ from babbitt.report.study_figures import study_drawings
 from babbitt.report.text import plain_lines, plain_text
 from babbitt.study.study import Study
 
-__all__ = ["study_report", "write_study_report"]
+__all__ = ["report_content", "study_report", "write_study_report"]
 
 LONG = 40
 """Letters of a cell beyond which words share the width of a page."""
@@ -38,8 +38,13 @@ def write_study_report(study: Study, path: Path) -> None:
 
 def study_report(study: Study, suffix: str) -> bytes:
     """The report of a study, typeset; equal for equal input."""
+    return typeset(report_content(study), "study.typ", FORMATS[suffix])
+
+
+def report_content(study: Study) -> dict[str, Any]:
+    """Everything that the report of a study says, in the language that is written now."""
     told = study.description
-    data = {
+    return {
         "language": language(),
         "words": dict(phrases(language())),
         "name": _name(study) or translated("Unnamed case"),
@@ -52,7 +57,6 @@ def study_report(study: Study, suffix: str) -> bytes:
         "figures": [{"caption": one.caption, "svg": one.image.decode()} for one in study_drawings(study, "svg")],
         "text": plain_lines(_text(told)).strip("\n"),
     }
-    return typeset(data, "study.typ", FORMATS[suffix])
 
 
 def _name(study: Study) -> str:

@@ -64,7 +64,9 @@ def study_drawings(study: Study, image_format: str) -> tuple[Drawing, ...]:
         E007 when matplotlib is not installed.
     """
     study = as_read(study)
-    own_words = {word for one in study.inputs for word in (one["path"], *one.get("values", ()))}
+    own_words = {
+        word for one in study.inputs for word in (one["path"], axis_text(input_scale(one)), *one.get("values", ()))
+    }
     own_words |= set(study.columns["bearing"]) | set(study.columns["group"])
     with style():
         return tuple(
@@ -95,8 +97,8 @@ def _tolerance(study: Study) -> Iterator[Drawn]:
         own = lines_of(study.of(SAMPLE), bearing)
         of = of_bearing(bearing, bearings)
         caption = translated(
-            "Scatter of the results{of} over {number} samples ({drawn}); limits broken, where one is the same in all "
-            "samples that of the medians; hatched: beyond a limit of this result.",
+            "Scatter of the results{of} over {number} samples ({drawn}); limits broken, where one is the same in "
+            "all samples that of the medians; hatched: beyond a limit of this result.",
             of=of,
             number=own["row"].size,
             drawn=drawn,

@@ -212,8 +212,8 @@ _COMPARED = re.compile(r"[A-Z]\d{3} .+ = .+ [<>] .+")
 def reason_text(message: str, code: str, status: str = "") -> str:
     """Why a row has no answer or misses a limit, in the units that are spoken.
 
-    Rows keep it as a sentence in English. In other languages a missed limit has its numbers, anything else the title
-    of its code or how the calculation ended.
+    Rows keep it as a sentence in English. In other languages a missed limit has its numbers, anything else the
+    title of its code or how the calculation ended.
 
     Parameters
     ----------
