@@ -163,7 +163,7 @@ def _reasons(study: Study) -> StudyTable | None:
     """Why rows have no answer, the most frequent first; None where all have one."""
     lost = study.columns["verdict"] == Verdict.NO_SOLUTION.key
     counts: dict[str, int] = {}
-    for place in np.flatnonzero(lost):
+    for place in np.flatnonzero(lost).tolist():
         if reason := _reason(study.columns, place):
             counts[reason] = counts.get(reason, 0) + 1
     if not counts:
