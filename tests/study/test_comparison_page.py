@@ -5,7 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from babbitt.case import load_case
+from babbitt.case import load_case, parse_case
+from babbitt.case.kinds import template
 from babbitt.cli import main
 from babbitt.core.language import written_in
 from babbitt.core.notices import InputError
@@ -98,3 +99,12 @@ def test_the_command_writes_the_page_in_a_language(tmp_path, monkeypatch, capsys
     told = capsys.readouterr()
     assert "what the case asks for" in told.out
     assert "English" not in told.err
+
+
+@pytest.mark.parametrize("kind", ["screw_heel", "hydrostatic_pad", "jacking_pocket", "tilting_pad_journal"])
+def test_pages_of_other_kinds_lack_no_word(kind):
+    compared = compare_methods(parse_case(template(kind)))
+    for tongue in ("de", "ru"):
+        with written_in(tongue) as missing:
+            comparison_page(compared)
+        assert not list(missing)
