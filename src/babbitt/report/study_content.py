@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.core.check_text import distance
-from babbitt.core.language import ENGLISH, decimal, language, translated, translated_if_known
+from babbitt.core.language import ENGLISH, decimal, language, phrases, translated
 from babbitt.core.limited_flow import limited
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Verdict
@@ -146,8 +146,10 @@ def _heads(*names: str) -> tuple[tuple[str, str], ...]:
 def _meaning(meaning: str) -> str:
     """What a field is; a dash where the language has no words for it, since its path stands beside."""
     said = _first_words(meaning)
-    known = translated_if_known(said)
-    return known if known != said or language() == ENGLISH else DASH
+    if language() == ENGLISH:
+        return said
+    made_here = said.startswith("Share of ") or said.endswith(", on the diameter")
+    return translated(said) if made_here else phrases(language()).get(said, DASH)
 
 
 def _first_words(meaning: str) -> str:

@@ -54,7 +54,7 @@ SIZES = {"smallest": "minimum", "mean": "mean", "largest": "maximum"}
 """Clearances of a bearing whose kind computes one, where corners vary it, and what they are called elsewhere."""
 
 MEMBERS = {"minimum clearance": "minimum", "mean clearance": "mean", "maximum clearance": "maximum"} | {
-    state: state for state in ("smooth", "grooved")
+    state: state for state in ("smooth heel", "grooved heel")
 }
 """What a bearing is followed by where it has several results, and what that is called."""
 
