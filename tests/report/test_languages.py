@@ -18,6 +18,7 @@ import babbitt
 from babbitt.case import load_case, parse_case
 from babbitt.case.kinds import template
 from babbitt.case.parts.title_block import TitleBlock
+from babbitt.case.study_file import load_study
 from babbitt.core.kind import kinds
 from babbitt.core.language import LANGUAGES, composed, folders, phrases, plural, read_words, translated, written_in
 from babbitt.core.notices import InputError, Notice
@@ -43,7 +44,10 @@ from babbitt.report.content import content
 from babbitt.report.document import TEMPLATES, report, write_report
 from babbitt.report.figure_words import translate_figure
 from babbitt.report.labels import SHORT, label
+from babbitt.report.study_document import report_content
 from babbitt.solving import solve
+from babbitt.study.plan import plan
+from babbitt.study.study import run_study
 
 EXAMPLES = Path(babbitt.__file__).parents[2] / "examples"
 GEAR = EXAMPLES / "marine_reverse_gear.yaml"
@@ -251,6 +255,56 @@ def test_templates_and_examples_lack_no_word_and_have_the_same_numbers(kind, exa
             made = content(machine, Level.FULL)
         assert not list(missing)
         have_the_same_numbers(english, made)
+
+
+OF_STUDIES = {
+    "a size over choices": "{kind: size, vary: {clearance: [H7/e7, H7/d8]}, over_tolerance: true}",
+    "a size that is not permitted": "{kind: size, vary: {load: {range: [100 kN, 200 kN, 4]}}}",
+    "a size that has no solution": "{kind: size, vary: {supply.temperature: [58 degC, 400 degC]}}",
+    "a map that is not permitted": "{kind: map, vary: {load: [100 kN, 200 kN], speed: [900 rpm, 1000 rpm]}}",
+    "rows that are refused": "{kind: sweep, vary: {span: [360 deg, 400 deg], lubricant: [ISO VG 32]}}",
+    "laws": "{kind: tolerance, vary: {surfaces.tilt_offset: {half_normal: 1 um}, "
+    "surfaces.roughness_bearing: [4 um, 5 um]}, samples: 9}",
+    "a share": "{kind: sweep, vary: {'*.load': {range: [0.2, 1, 3]}}}",
+    "a best design": "{kind: optimise, vary: {width: {uniform: [45 mm, 60 mm]}}, "
+    "minimise: [friction_power], population: 4, generations: 1}",
+}
+"""Studies of what the examples have not: choices, what misses or has no answer."""
+
+
+@pytest.mark.parametrize(
+    "study",
+    [*sorted(one.stem for one in (EXAMPLES / "studies").glob("*.yaml") if one.stem != "bearing"), *OF_STUDIES],
+)
+def test_reports_of_studies_lack_no_word_and_have_the_same_numbers(study, words_alone, tmp_path):
+    file = EXAMPLES / "studies" / f"{study}.yaml"
+    if study in OF_STUDIES:
+        case = (EXAMPLES / "studies" / "bearing.yaml").read_text(encoding="utf-8")
+        file = tmp_path / "study.yaml"
+        file.write_text(f"{case}\nstudy: {OF_STUDIES[study]}\n", encoding="utf-8")
+    read = load_study(file)
+    found = run_study(plan(read.case, read.study))
+    english = report_content(found)
+    for language in OTHERS:
+        with written_in(language) as missing:
+            made = report_content(found)
+        assert not list(missing)
+        have_the_same_numbers(*(without_reasons(one, english) for one in (english, made)))
+        if language == "ru":
+            told = [text for path, text in texts(made) if path[0] in ("overview", "tables", "figures")]
+            assert not [text for text in told if re.search(ENGLISH_WORDS, text)]
+
+
+def without_reasons(made, english):
+    """What is told in the same numbers; reasons of refusals are sentences of the rows, in English alone."""
+    pairs = zip(made["tables"], english["tables"], strict=True)
+    kept = [one for one, own in pairs if not own["title"].startswith("Why rows")]
+    return made | {
+        "tables": [one | {"notes": one["notes"][:1]} if "kind: map" in made["text"] else one for one in kept]
+    }
+
+
+ENGLISH_WORDS = r"\b(the|of|is|are|and|by|within|limit|row|rows|no|not|values?|margin|case|reason|verdict)\b"
 
 
 @pytest.mark.parametrize("language", OTHERS)

@@ -5,14 +5,17 @@ from pathlib import Path
 
 import pytest
 
-from babbitt.case import load_case
+from babbitt.case import load_case, parse_case
+from babbitt.case.kinds import template
 from babbitt.cli import main
+from babbitt.core.language import written_in
 from babbitt.core.notices import InputError
 from babbitt.report.comparison_page import comparison_page, write_comparison_page
 from babbitt.report.comparison_table import compared_rows
 from babbitt.study.comparison import compare_methods
 
-CASE = Path(__file__).parents[2] / "examples" / "input_pinion_heat.yaml"
+EXAMPLES = Path(__file__).parents[2] / "examples"
+CASE = EXAMPLES / "input_pinion_heat.yaml"
 
 
 @pytest.fixture(scope="module")
@@ -62,3 +65,46 @@ def test_the_column_of_quantities_keeps_its_width_beside_many_others(found):
     page = comparison_page(found)
     assert re.search(r"table\.compared td:first-child \{ min-width: \d+em; \}", page)
     assert page.count('<table class="sheet compared">') == 1 + bool(found[0].choices)
+
+
+@pytest.mark.parametrize("tongue", ["de", "ru"])
+def test_the_page_in_another_language_lacks_no_word_and_has_the_same_numbers(found, tongue):
+    with written_in(tongue) as missing:
+        made = comparison_page(found)
+    assert not list(missing)
+    assert f'<html lang="{tongue}">' in made
+    cells = re.compile(r'<td class="number">([^<\d]*[\d.,]+)[^<]*</td>')
+    numbers = [re.findall(r"[\d.]+", one.replace(",", ".")) for one in cells.findall(made)]
+    assert numbers == [re.findall(r"[\d.]+", one) for one in cells.findall(comparison_page(found))]
+    (told,) = re.findall(r"<body>(.*?)<h3>[^<]*(?:Warnungen|Предупреждения)", made, re.DOTALL)
+    assert not re.search(r"\b(the|of|is|by|film at|neglects|temperatures?|heat)\b", told)
+
+
+def test_the_command_writes_the_page_in_a_language(tmp_path, monkeypatch, capsys):
+    page = tmp_path / "page.html"
+    call = [
+        "babbitt",
+        "compare",
+        str(EXAMPLES / "spindle_bearing.yaml"),
+        "--report",
+        str(page),
+        "--language",
+        "de",
+    ]
+    monkeypatch.setattr("sys.argv", call)
+    with pytest.raises(SystemExit) as ended:
+        main()
+    assert not ended.value.code
+    assert "Ergebnisse im Vergleich" in page.read_text(encoding="utf-8")
+    told = capsys.readouterr()
+    assert "what the case asks for" in told.out
+    assert "English" not in told.err
+
+
+@pytest.mark.parametrize("kind", ["screw_heel", "hydrostatic_pad", "jacking_pocket", "tilting_pad_journal"])
+def test_pages_of_other_kinds_lack_no_word(kind):
+    compared = compare_methods(parse_case(template(kind)))
+    for tongue in ("de", "ru"):
+        with written_in(tongue) as missing:
+            comparison_page(compared)
+        assert not list(missing)

@@ -298,3 +298,20 @@ def test_a_quantity_is_swept_in_all_places_at_once(run, tmp_path):
     assert run("sweep", "two.yaml", "*.power", "0.5, 1")[2].startswith(
         "study.vary.*.power: the case gives no power"
     )
+
+
+def test_the_report_is_in_the_language_asked_for_or_that_of_the_case(run, tmp_path):
+    pytest.importorskip("typst")
+    case = {**JOURNAL, "document": {"language": "ru"}, "study": STUDIES["sweep"]}
+    (tmp_path / "case.yaml").write_text(yaml.safe_dump(case), encoding="utf-8")
+    stored, report = tmp_path / "a.study", tmp_path / "a.html"
+    code, printed, _ = run("study", tmp_path / "case.yaml", "--workers", 1, "--out", stored, "--report", report)
+    assert code == 0
+    assert "Что изменяется" in report.read_text(encoding="utf-8")
+    assert "What varies" in printed
+    for language, said in ((), "Что изменяется"), (("--language", "de"), "Was variiert wird"):
+        assert run("study", "show", stored, "--report", report, *language)[0] == 0
+        assert said in report.read_text(encoding="utf-8")
+    code, _, refusal = run("study", tmp_path / "case.yaml", "--language", "de")
+    assert code == 2
+    assert "--language is of report and plots" in refusal

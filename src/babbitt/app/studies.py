@@ -269,6 +269,9 @@ def study_file(study: Study, ending: str) -> bytes:
         from babbitt.report.study_workbook import study_workbook
 
         return study_workbook(study, f"study{ending}")
+    from babbitt.core.language import written_in
     from babbitt.report.study_document import study_report
+    from babbitt.report.study_output import language_of_study
 
-    return study_report(study, ending)
+    with written_in(language_of_study(study)):
+        return study_report(study, ending)

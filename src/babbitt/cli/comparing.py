@@ -39,7 +39,7 @@ def compare(
     ] = None,
     language: Annotated[
         Tongue | None,
-        typer.Option(help="Of the page of several designs: else that of the first case, else English."),
+        typer.Option(help="Of the page: else that of the first case, else English."),
     ] = None,
     units: Units = System.SI,
     allow_outside: AllowOutside = False,
@@ -48,7 +48,7 @@ def compare(
     from babbitt.case import load_case
 
     several = len(files) > 1
-    unfit = [("--plots", plots)] if several else [("--json", json), ("--csv", csv), ("--language", language)]
+    unfit = [("--plots", plots)] if several else [("--json", json), ("--csv", csv)]
     for option, value in unfit:
         if value is not None:
             says = "is of one file, by every method" if several else "is of several designs"
@@ -59,7 +59,7 @@ def compare(
     if several:
         solved = _designs(files, cases, (json, csv, report), units, language)
     else:
-        solved = _methods(files[0], cases[0], plots, report, units)
+        solved = _methods(files[0], cases[0], plots, report, units, language)
     if not solved:
         raise typer.Exit(NO_SOLUTION)
 
@@ -74,17 +74,13 @@ def _designs(
     """Several designs side by side; whether all have a solution."""
     from babbitt.report.designs_output import require_designs_outputs, write_designs_outputs
     from babbitt.report.designs_table import print_designs
-    from babbitt.report.languages import chosen_language
     from babbitt.report.outputs import inputs_of, left_in_english
     from babbitt.study.designs import compare_designs
 
     json, csv, report = targets
     inputs = inputs_of(files, [path for case in cases for path in case.files])
     require_designs_outputs(inputs, json, csv, report)
-    if report is not None:
-        chosen_language(cases[0].title_block, [case.kind for case in cases], language)
-    elif language is not None:
-        raise InputError("E007", "--language is of the page, and there is none; add --report OUT.html")
+    _language_of_page(cases, report, language)
     found = compare_designs(cases, [file.stem for file in files])
     write_designs_outputs(found, json, None, None)  # in SI always
     with displayed_in(units):
@@ -95,11 +91,22 @@ def _designs(
     return found.solved
 
 
-def _methods(file: Path, case: CaseFile, plots: Path | None, report: Path | None, units: System) -> bool:
+def _language_of_page(cases: list[CaseFile], report: Path | None, language: Tongue | None) -> str:
+    """The language of the page; refuses one where there is no page, or that lacks the words of a kind."""
+    from babbitt.report.languages import chosen_language
+
+    if report is None and language is not None:
+        raise InputError("E007", "--language is of the page, and there is none; add --report OUT.html")
+    return chosen_language(cases[0].title_block, [case.kind for case in cases if report is not None], language)
+
+
+def _methods(
+    file: Path, case: CaseFile, plots: Path | None, report: Path | None, units: System, language: Tongue | None
+) -> bool:
     """One case by every method; whether it has a solution as given."""
     from babbitt.core.files.writing import require_distinct
     from babbitt.report.comparison_table import print_comparison
-    from babbitt.report.outputs import inputs_of
+    from babbitt.report.outputs import inputs_of, left_in_english
     from babbitt.study.comparison import compare_methods
 
     require_distinct([path for path in (report, plots) if path is not None], inputs_of([file], case.files))
@@ -111,6 +118,7 @@ def _methods(file: Path, case: CaseFile, plots: Path | None, report: Path | None
         from babbitt.report.comparison_page import require_page
 
         require_page(report)
+    tongue = _language_of_page([case], report, language)
     found = compare_methods(case)
     if plots is not None:
         from babbitt.report.comparison_plots import write_comparison_plots
@@ -127,6 +135,8 @@ def _methods(file: Path, case: CaseFile, plots: Path | None, report: Path | None
         from babbitt.report.comparison_page import write_comparison_page
 
         with displayed_in(units):
-            write_comparison_page(found, report)
+            missing = write_comparison_page(found, report, tongue)
+        if missing:
+            print(left_in_english(report, missing), file=sys.stderr)
     with displayed_in(units):
         return print_comparison(found)

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from babbitt.cli.app import NO_SOLUTION, System, Units, app
-from babbitt.cli.studying import Kept, PlotFolder, Processes, Report, Workbook, computed
+from babbitt.cli.studying import Kept, PlotFolder, Processes, Report, StudyTongue, Workbook, computed
 from babbitt.core.notices import InputError
 
 __all__ = ["design"]
@@ -50,12 +50,13 @@ def design(
     xlsx: Workbook = None,
     report: Report = None,
     plots: PlotFolder = None,
+    language: StudyTongue = None,
     units: Units = System.SI,
 ) -> None:
     """Propose bearings for a diameter, a load and a speed: width, fit, oil and feed, ranked, with reasons."""
     from babbitt.core.quantities import displayed_in
     from babbitt.core.units import QuantityError, read
-    from babbitt.report.study_output import require_study_outputs, write_study
+    from babbitt.report.study_output import require_language, require_study_outputs, write_study
     from babbitt.report.study_table import print_study
     from babbitt.study.best_designs import require_designs, write_designs
     from babbitt.study.design import designs_of, duty_study
@@ -80,9 +81,10 @@ def design(
     }
     oils = [one for one in lubricant or () if one != "any"]
     case, block = duty_study(kind, given, oils, fit or (), reserve=least, proposals=proposals)
+    require_language(case, language, report, plots)
     found = computed(case.name, case, block, out, workers)
     with displayed_in(units):
-        write_study(found, xlsx, report, plots)
+        write_study(found, xlsx, report, plots, language)
         print_study(found)
         if out_dir is not None:
             for path in write_designs(found, out_dir):

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from babbitt.cli.app import NO_SOLUTION, AllowOutside, System, Units, app, reach
-from babbitt.cli.studying import Kept, PlotFolder, Processes, Report, Workbook, computed
+from babbitt.cli.studying import Kept, PlotFolder, Processes, Report, StudyTongue, Workbook, computed
 
 __all__ = ["size"]
 
@@ -54,6 +54,7 @@ def size(
     xlsx: Workbook = None,
     report: Report = None,
     plots: PlotFolder = None,
+    language: StudyTongue = None,
     units: Units = System.SI,
     allow_outside: AllowOutside = False,
 ) -> None:
@@ -61,7 +62,7 @@ def size(
     from babbitt.case.variation import case_variation
     from babbitt.core.quantities import displayed_in
     from babbitt.report.size_output import write_size
-    from babbitt.report.study_output import require_study_outputs, write_study
+    from babbitt.report.study_output import require_language, require_study_outputs, write_study
     from babbitt.report.study_table import print_study
     from babbitt.study.size import size_block, size_of
 
@@ -70,11 +71,12 @@ def size(
         dict.fromkeys((file, *variation.inputs), "an input of the run"), xlsx, report, plots, json
     )
     case, field = variation.unchanged, variation.whole_path
+    require_language(case, language, report, plots)
     block = size_block(case, field, first, last, points, _parts(among), _parts(limits), over_tolerance, preferred)
     found = computed(file, case, block, out, workers)
     write_size(found, json)
     with displayed_in(units):
-        write_study(found, xlsx, report, plots)
+        write_study(found, xlsx, report, plots, language)
         print_study(found)
     if not size_of(found).permitted:
         raise typer.Exit(NO_SOLUTION)

@@ -80,9 +80,8 @@ def solve(
         from babbitt.cli.solving_table import require_table, solve_rows
 
         unread: dict[str, object] = {"--json": json, "--plots": plots, "--fields": fields, "--document": document}
-        unread |= {"--language": language}
         rows = require_table(table, files, unread)
-        solve_rows(files[0], rows, (csv, xlsx, report), workers, strict, reach(allow_outside), units)
+        solve_rows(files[0], rows, (csv, xlsx, report), workers, strict, reach(allow_outside), units, language)
         return
     from babbitt.case import CaseError, Problem, load_cases, located
     from babbitt.core.notices import InputError

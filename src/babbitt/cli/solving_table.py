@@ -45,6 +45,7 @@ def solve_rows(
     strict: bool,
     reach: Reach,
     units: str,
+    language: str | None = None,
 ) -> None:
     """Solve the bearings in the rows of a table, print and write them.
 
@@ -64,12 +65,15 @@ def solve_rows(
         Where the case may name other files.
     units : str
         System of units of what is printed and written.
+    language : {"en", "de", "ru"}, optional
+        Of the report; that of the case if not given, English if that has none.
     """
     from babbitt.case import load_case
     from babbitt.core.quantities import displayed_in
     from babbitt.report.study_output import (
         STANDARD_OUTPUT,
         require_csv,
+        require_language,
         require_study_outputs,
         write_study,
         write_study_csv,
@@ -87,6 +91,7 @@ def solve_rows(
     inputs = dict.fromkeys((file, rows, *case.files), "an input of the run")
     require_csv(inputs, csv)
     require_study_outputs(inputs, xlsx, report, None)
+    require_language(case, language, report, None)
     made = plan_table(case, read_table(rows))
     try:
         with raised_interrupts(), StudyProgress(f"{case.name}: {rows.name}") as watch:
@@ -95,7 +100,7 @@ def solve_rows(
         print(f"interrupted: {error}" if str(error) else "interrupted", file=sys.stderr)
         raise typer.Exit(INTERRUPTED) from None
     with displayed_in(units):
-        write_study(found, xlsx, report, None)
+        write_study(found, xlsx, report, None, language)
         if csv is not None:
             write_study_csv(found, csv)
         if csv != STANDARD_OUTPUT:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from babbitt.cli.app import NO_SOLUTION, AllowOutside, System, Units, app, reach
+from babbitt.cli.app import NO_SOLUTION, AllowOutside, System, Tongue, Units, app, reach
 from babbitt.cli.interruption import INTERRUPTED, raised_interrupts
 from babbitt.core.files.printing import printable
 from babbitt.core.notices import InputError
@@ -22,7 +22,17 @@ if TYPE_CHECKING:
     from babbitt.study.study import Study
     from babbitt.study.workers import Workers
 
-__all__ = ["Kept", "PlotFolder", "Processes", "Report", "Scheduler", "Workbook", "computed", "study"]
+__all__ = [
+    "Kept",
+    "PlotFolder",
+    "Processes",
+    "Report",
+    "Scheduler",
+    "StudyTongue",
+    "Workbook",
+    "computed",
+    "study",
+]
 
 ALONE = ("map", "corners")
 """Kinds of study that need no fields to be named."""
@@ -46,6 +56,9 @@ Scheduler = Annotated[
 Workbook = Annotated[Path | None, typer.Option(metavar="OUT", help="Write inputs, results and summary: OUT.xlsx.")]
 Report = Annotated[Path | None, typer.Option(metavar="OUT", help="Write the report: OUT.pdf or OUT.html.")]
 PlotFolder = Annotated[Path | None, typer.Option(metavar="DIR", help="Write the figures into a folder.")]
+StudyTongue = Annotated[
+    Tongue | None, typer.Option("--language", help="Of report and plots: else that of the case, else English.")
+]
 
 
 @app.command()
@@ -73,12 +86,13 @@ def study(
     xlsx: Workbook = None,
     report: Report = None,
     plots: PlotFolder = None,
+    language: StudyTongue = None,
     units: Units = System.SI,
     allow_outside: AllowOutside = False,
 ) -> None:
     """Study many variants of a case: sweep, size, tolerance, map, corners, sensitivity, optimise, spectrum."""
     from babbitt.core.quantities import displayed_in
-    from babbitt.report.study_output import require_study_outputs, write_study
+    from babbitt.report.study_output import language_of_study, require_language, require_study_outputs, write_study
     from babbitt.report.study_table import print_study
 
     stored = words[0] == "show" and len(words) == 2
@@ -89,13 +103,15 @@ def study(
 
         require_study_outputs({Path(words[1]): "a stored study"}, xlsx, report, plots)
         found = open_study(words[1])
+        language_of_study(found, language)
     else:
         read = _read(Path(words[0]), kind, points, allow_outside)
         assert read.study is not None, "a file without a study is refused"
         require_study_outputs(dict.fromkeys(read.files, "an input of the run"), xlsx, report, plots)
+        require_language(read.case, language, report, plots)
         found = computed(words[0], read.case, read.study, out, workers, scheduler)
     with displayed_in(units):
-        write_study(found, xlsx, report, plots)
+        write_study(found, xlsx, report, plots, language)
         print_study(found)
     if not (found.columns["status"] == "converged").any():
         raise typer.Exit(NO_SOLUTION)

@@ -8,11 +8,22 @@ from html import escape
 from pathlib import Path
 
 from babbitt.core.files.writing import require_writable, write_file
+from babbitt.core.language import ENGLISH, language, translated, translated_if_known, written_in
 from babbitt.core.notices import InputError
-from babbitt.report.comparison_table import AS_ASKED, compared_rows, contradiction, head, objected, spoken
+from babbitt.report.comparison_table import (
+    AS_ASKED,
+    compared_rows,
+    contradiction,
+    head,
+    objected,
+    spoken,
+    told_left_out,
+)
 from babbitt.report.document import GENERATOR_TAG, TEMPLATES
 from babbitt.report.drawing import rendered, style
+from babbitt.report.names import shown_name
 from babbitt.report.text import plain_text
+from babbitt.report.us_words import OF_RESULTS, in_us_units
 from babbitt.study.comparison import Comparison, Variant
 
 __all__ = ["comparison_page", "require_page", "write_comparison_page"]
@@ -20,7 +31,7 @@ __all__ = ["comparison_page", "require_page", "write_comparison_page"]
 CAPTION = "Least film thickness, friction power, oil flow and temperatures, as far as the methods tell them."
 
 
-def write_comparison_page(comparisons: Sequence[Comparison], path: Path) -> None:
+def write_comparison_page(comparisons: Sequence[Comparison], path: Path, tongue: str = ENGLISH) -> tuple[str, ...]:
     """Write the page of all bearings compared.
 
     Parameters
@@ -28,6 +39,12 @@ def write_comparison_page(comparisons: Sequence[Comparison], path: Path) -> None
     comparisons : sequence of Comparison
     path : Path
         Ends in ``.html``.
+    tongue : {"en", "de", "ru"}
+
+    Returns
+    -------
+    tuple of str
+        Texts of the page that the language lacks, which stand there in English.
 
     Raises
     ------
@@ -35,7 +52,10 @@ def write_comparison_page(comparisons: Sequence[Comparison], path: Path) -> None
         E007 for another suffix, a path that cannot be written, or matplotlib that is not installed.
     """
     require_page(path)
-    write_file(path, comparison_page(comparisons).encode())
+    with written_in(tongue) as missing:
+        made = comparison_page(comparisons)
+    write_file(path, made.encode())
+    return tuple(missing)
 
 
 def require_page(path: Path) -> None:
@@ -49,10 +69,11 @@ def comparison_page(comparisons: Sequence[Comparison]) -> str:
     """The page as HTML; equal for equal input."""
     css = (TEMPLATES / "report.css").read_text(encoding="utf-8")
     bodies = "\n".join(part for comparison in comparisons for part in _bearing(comparison))
-    title = escape(", ".join(plain_text(one.name) for one in comparisons))
+    names = ", ".join(shown_name(one.name) for one in comparisons)
+    title = escape(translated("{names}: methods compared", names=names))
     return (
-        f'<!DOCTYPE html>\n<html lang="en"><head>{GENERATOR_TAG}<meta charset="utf-8">'
-        f"<title>{title}: methods compared</title>"
+        f'<!DOCTYPE html>\n<html lang="{language()}"><head>{GENERATOR_TAG}<meta charset="utf-8">'
+        f"<title>{title}</title>"
         f"<style>\n{css}</style></head>\n<body>\n{bodies}\n</body></html>\n"
     )
 
@@ -60,37 +81,46 @@ def comparison_page(comparisons: Sequence[Comparison]) -> str:
 def _bearing(comparison: Comparison) -> Iterator[str]:
     methods, others, asked = comparison.methods, comparison.choices, comparison.asked
     figure = list(_figure(comparison))
-    yield f"<h1>{escape(plain_text(comparison.name))}</h1>"
-    yield (
-        f'<p class="method">The same bearing by {len(methods)} methods; the case asks for '
-        f"{_text(asked.label)} (marked{AS_ASKED}). The methods differ in what they neglect: see the notes on each "
-        f"below{' the figure' if figure else ''}.</p>"
+    yield f"<h1>{escape(shown_name(comparison.name))}</h1>"
+    about = translated(
+        "The same bearing by {number} methods; the case asks for {label} (marked{mark}). The methods differ in "
+        "what they neglect: see the notes on each {where}.",
+        number=len(methods),
+        label=spoken(asked.label),
+        mark=AS_ASKED,
+        where=translated("below the figure" if figure else "below"),
     )
+    yield f'<p class="method">{_told(about)}</p>'
     if comparison.sentences:
-        yield f"<h3>{_text(comparison.heading)}</h3>"
+        yield _heading(comparison.heading)
         yield from (f"<p>{_text(said)}</p>" for said in comparison.sentences)
     yield from figure
-    yield "<h3>What each method sees and neglects</h3>"
+    yield _heading("What each method sees and neglects")
     yield from _remarks(methods)
     for line in comparison.left_out.splitlines():
-        yield f'<p class="note">{_text(line)}</p>'
-    yield "<h3>Results side by side</h3>"
+        yield f'<p class="note">{escape(plain_text(told_left_out(line)))}</p>'
+    yield _heading("Results side by side")
     yield from _table(comparison.compared, methods, asked)
     if comparison.note:
         yield f'<p class="note">{_text(comparison.note)}</p>'
     if others:
-        yield "<h3>Other choices within a method</h3>"
+        yield _heading("Other choices within a method")
         yield from _remarks(others)
         yield from _table(comparison.compared, others, asked)
     raised = [one for variant in comparison.variants for one in variant.result.warnings]
     warned = {one.code: one.message for one in reversed(raised)}  # by the first that raises it
     if warned:
-        yield "<h3>Warnings</h3>"
-        yield from (f'<p class="finding"><b>{code}</b>: {_text(warned[code])}</p>' for code in sorted(warned))
+        yield _heading("Warnings")
+        yield from (f'<p class="finding"><b>{code}</b>: {_told(warned[code])}</p>' for code in sorted(warned))
     assumed = list(dict.fromkeys(asked.result.assumptions))
     if assumed:
-        yield f"<h3>What {_text(asked.label)} takes for granted</h3>"
-        yield from (f'<p class="finding">{_text(said)}</p>' for said in assumed)
+        label = spoken(asked.label)
+        yield f"<h3>{_told(translated('What {label} takes for granted', label=label))}</h3>"
+        yield from (f'<p class="finding">{_told(translated_if_known(said))}</p>' for said in assumed)
+
+
+def _heading(words: str) -> str:
+    return f"<h3>{escape(translated(words))}</h3>"
 
 
 def _figure(comparison: Comparison) -> Iterator[str]:
@@ -99,7 +129,8 @@ def _figure(comparison: Comparison) -> Iterator[str]:
         drawn = b64encode(rendered(figure, "svg")).decode() if figure is not None else ""
     if not drawn:
         return
-    caption = _text(f"{CAPTION} {comparison.caption}".strip())
+    captions = (CAPTION, comparison.caption)
+    caption = _told(" ".join(translated(one) for one in captions if one))
     yield (
         f'<figure><img alt="{caption}" src="data:image/svg+xml;base64,{drawn}">'
         f"<figcaption>{caption}</figcaption></figure>"
@@ -108,19 +139,21 @@ def _figure(comparison: Comparison) -> Iterator[str]:
 
 def _remarks(variants: Sequence[Variant]) -> Iterator[str]:
     if disagree := contradiction(variants):
-        yield f'<p class="finding"><b>{_text(disagree)}</b></p>'
+        yield f'<p class="finding"><b>{_told(disagree)}</b></p>'
     for one in variants:
         said = f"<b>{_text(one.label)}</b>: {_text(one.remark)}."
         if not one.result.outcome.solved:
-            said += f" No solution: {_text(one.result.outcome.value)}; {_text(one.result.message)}"
+            why = f"{translated(one.result.outcome.value)}; {one.result.message}"
+            said += f" {_told(translated('No solution'))}: {_told(why)}"
         if objections := objected(one.result):
-            said += f" This result {_text(objections)}."
+            said += f" {_told(translated('This result {objections}.', objections=objections))}"
         yield f'<p class="finding">{said}</p>'
 
 
 def _table(compared: Sequence[str], variants: Sequence[Variant], asked: Variant) -> Iterator[str]:
-    heads = "".join(f'<th class="number">{_text(head(one, asked))}</th>' for one in variants)
-    yield f'<div class="wide"><table class="sheet compared"><tr><th>quantity</th><th>unit</th>{heads}</tr>'
+    words = "".join(f"<th>{escape(translated(word))}</th>" for word in ("quantity", "unit"))
+    heads = "".join(f'<th class="number">{_told(head(one, asked))}</th>' for one in variants)
+    yield f'<div class="wide"><table class="sheet compared"><tr>{words}{heads}</tr>'
     for row in compared_rows(compared, variants):
         cells = "".join(f'<td class="number">{escape(cell)}</td>' for cell in row.cells)
         yield f"<tr><td>{escape(row.meaning)}</td><td>{escape(row.unit)}</td>{cells}</tr>"
@@ -129,3 +162,8 @@ def _table(compared: Sequence[str], variants: Sequence[Variant], asked: Variant)
 
 def _text(said: str) -> str:
     return escape(spoken(plain_text(said)))
+
+
+def _told(said: str) -> str:
+    """What is in the language already, in the units that are spoken."""
+    return escape(str(in_us_units(plain_text(said), OF_RESULTS)))

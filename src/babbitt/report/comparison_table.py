@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from io import StringIO
@@ -12,7 +13,9 @@ from rich.table import Table
 from rich.text import Text
 
 from babbitt.core.check_text import margin
+from babbitt.core.language import ENGLISH, decimal, language, translated, translated_if_known
 from babbitt.core.result import Check, Result, Verdict
+from babbitt.report.labels import label
 from babbitt.report.meanings import meaning
 from babbitt.report.table import PIPED_WIDTH, console
 from babbitt.report.text import plain_text
@@ -76,9 +79,24 @@ def short_comparison(comparison: Comparison) -> str:
 
 
 def spoken(said: str) -> str:
-    """What variants say, in the units that are spoken: it was composed before these were chosen."""
-    turned: str = in_us_units(said, OF_RESULTS)
+    """What variants say, in the language and units that are spoken: it was composed before these were chosen."""
+    turned: str = in_us_units(_with_decimals(translated(said)), OF_RESULTS)
     return turned
+
+
+def _with_decimals(said: str) -> str:
+    """Numbers of a sentence with the sign of the language, apart by semicolons where it is a comma."""
+    if language() == ENGLISH:
+        return said
+    return decimal(re.sub(r"(?<=\d), (?=[\d–])", "; ", said) if re.search(r"\d\.\d", said) else said)
+
+
+def told_left_out(line: str) -> str:
+    """A method that does not apply, in English with the reason, which no other language has."""
+    if language() == ENGLISH:
+        return spoken(line)
+    which = re.split(r" (?:is|are) left out: ", line)[0]
+    return translated("left out: {which}", which=translated_if_known(which))
 
 
 def head(variant: Variant, asked: Variant) -> str:
@@ -90,8 +108,8 @@ def head(variant: Variant, asked: Variant) -> str:
 def objected(result: Result) -> str:
     """Limits that a result misses, and codes of warnings that touch its verdict; empty for none."""
     missed, codes = missed_codes(result), result.questioning_codes
-    said = [f"misses {', '.join(missed)}"] if missed else []
-    return "; ".join(said + ([f"warns {', '.join(codes)}"] if codes else []))
+    said = [translated("misses {codes}", codes=", ".join(missed))] if missed else []
+    return "; ".join(said + ([translated("warns {codes}", codes=", ".join(codes))] if codes else []))
 
 
 def _table(title: Text, compared: Sequence[str], variants: Sequence[Variant], asked: Variant) -> Table:
@@ -124,16 +142,18 @@ def compared_rows(compared: Sequence[str], variants: Sequence[Variant]) -> Itera
             continue
         quantity = suited_among(name, *(result.values for result in results if result.outcome.solved))
         cells = ("–" if value is None else quantity.format(value) for value in known)
-        said = meaning(name, variants[0].result.kind)
+        kind = variants[0].result.kind
+        said = meaning(name, kind) if language() == ENGLISH else label(name, kind)
         yield Row(f"{said}, {quantity.symbol}", quantity.display.label, tuple(cells))
     for said, check_of in MARGINS.items():
         margins = [_margin(variant.result, check_of) for variant in variants]
         if set(margins) != {"–"}:
-            yield Row(said, "", tuple(margins))
-    yield Row("Verdict", "", tuple(variant.result.verdict.value for variant in variants))
+            yield Row(translated(said), "", tuple(margins))
+    verdicts = tuple(translated(variant.result.verdict.value) for variant in variants)
+    yield Row(translated("Verdict"), "", verdicts)
     open_checks = [len(variant.result.not_checked) if variant.result.outcome.solved else 0 for variant in variants]
     if any(open_checks):
-        yield Row("Checks not made", "", tuple(map(str, open_checks)))
+        yield Row(translated("Checks not made"), "", tuple(map(str, open_checks)))
 
 
 MARGINS: dict[str, Callable[[Result], Check | None]] = {
@@ -158,7 +178,11 @@ def contradiction(variants: Sequence[Variant]) -> str:
     failing = [spoken(one.label) for one in variants if one.result.verdict is Verdict.FAIL]
     if not passing or not failing:
         return ""
-    return f"The methods disagree: limits kept by {', '.join(passing)} are missed by {', '.join(failing)}."
+    return translated(
+        "The methods disagree: limits kept by {passing} are missed by {failing}.",
+        passing=", ".join(passing),
+        failing=", ".join(failing),
+    )
 
 
 def _print_remarks(to: Console, variants: Sequence[Variant]) -> None:
@@ -168,6 +192,6 @@ def _print_remarks(to: Console, variants: Sequence[Variant]) -> None:
         label, result = spoken(variant.label), variant.result
         to.print(f"  {label}: {spoken(variant.remark)}", markup=False)
         if not result.outcome.solved:
-            to.print(f"  {label}: {result.outcome.value}; {spoken(result.message)}", markup=False)
+            to.print(f"  {label}: {result.outcome.value}; {in_us_units(result.message, OF_RESULTS)}", markup=False)
         if objections := objected(result):
             to.print(f"  {label}: {objections}", markup=False)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from babbitt.core.language import translated
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Verdict
 from babbitt.report.drawing import GREY, INK, Sheet
@@ -41,14 +42,14 @@ def design_figures(study: Study) -> Iterator[tuple[str, str, Figure]]:
         best = (power.shown(one.power), 100.0 * one.margin)
         panel.plot(*best, "o", color=INK, markerfacecolor="none", markersize=8.0, markeredgewidth=0.8)
         panel.annotate(str(place), best, xytext=(5, 4), textcoords="offset points", fontsize=8, weight="bold")
-    panel.set_xlabel(f"friction power in {power.display.label}")
-    panel.set_ylabel("least margin in %")
-    panel.legend(frameon=False, fontsize=6, handlelength=1.0, loc="best")
-    which = "Designs within all limits" if found.within else "The nearest misses"
-    yield (
-        "designs",
-        f"{which}, by their oil: least margin over largest friction power of all clearances. "
-        "Open: with remarks or beyond a limit; rings: the proposals; dashed: the margin from which they are ranked"
-        " by power.",
-        figure,
+    panel.set_xlabel(
+        translated("{quantity} in {unit}", quantity=translated("friction power"), unit=power.display.label)
     )
+    panel.set_ylabel(translated("least margin in %"))
+    panel.legend(frameon=False, fontsize=6, handlelength=1.0, loc="best")
+    caption = translated(
+        "{which}, by their oil: least margin over largest friction power of all clearances. Open: with remarks or "
+        "beyond a limit; rings: the proposals; dashed: the margin from which they are ranked by power.",
+        which=translated("Designs within all limits" if found.within else "The nearest misses"),
+    )
+    yield "designs", caption, figure

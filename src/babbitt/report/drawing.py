@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import io
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from importlib.util import find_spec
@@ -168,9 +168,9 @@ class Sheet:
         return figure, axes
 
 
-def rendered(figure: Figure, image_format: str) -> bytes:
+def rendered(figure: Figure, image_format: str, own_words: Collection[str] = ()) -> bytes:
     """Write a figure without any date, so that equal figures are equal bytes; in the language and units
-    of the report."""
+    of the report. Words of the case, such as paths of its fields, are named: they stay."""
     if is_spoken("us"):
         from babbitt.report.us_figure import turn_figure
 
@@ -178,7 +178,7 @@ def rendered(figure: Figure, image_format: str) -> bytes:
     if language() != ENGLISH:
         from babbitt.report.figure_words import translate_figure
 
-        translate_figure(figure)
+        translate_figure(figure, own_words)
     target = io.BytesIO()
     figure.savefig(target, format=image_format, dpi=200, metadata=_UNDATED[image_format])
     return target.getvalue()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from typing import TYPE_CHECKING
 
 from matplotlib.text import Text
@@ -17,14 +17,22 @@ if TYPE_CHECKING:
 __all__ = ["translate_figure"]
 
 
-def translate_figure(figure: Figure) -> None:
-    """Translate the texts of a figure, and give the numbers at its axes the decimal sign of the language."""
+def translate_figure(figure: Figure, own_words: Collection[str] = ()) -> None:
+    """Translate the texts of a figure, and give the numbers at its axes the decimal sign of the language.
+
+    Parameters
+    ----------
+    figure : Figure
+    own_words : collection of str
+        Lines that stay as they are: words of the case.
+    """
     for axes in figure.axes:
         for axis in (axes.xaxis, axes.yaxis):
             axis.set_major_formatter(_Localised(axis.get_major_formatter()))
     for text in figure.findobj(Text):
         assert isinstance(text, Text)
-        text.set_text("\n".join(_line(line) for line in text.get_text().split("\n")))
+        lines = text.get_text().split("\n")
+        text.set_text("\n".join(line if line in own_words else _line(line) for line in lines))
 
 
 def _line(said: str) -> str:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from babbitt.core.language import listed, translated
 from babbitt.report.drawing import GREY, INK, PALE, Sheet, mathematics
 from babbitt.report.study_panels import WIDTH, Drawn, axis_text, scaled
 from babbitt.report.study_values import Scale, input_scale, output_scale
@@ -36,20 +37,29 @@ def optimum_figures(study: Study) -> Iterator[Drawn]:
     varying = [one for one in study.inputs if len(set(study.columns[one["path"]].tolist())) > 1]
     if len(varying) == len(found.objectives) == 1:
         path, goal = plain_text(varying[0]["path"]), plain_text(output_scale(found.objectives[0]).name)
-        said = f"{goal} over {path}: designs within all limits (filled), beyond one (crosses), the best (ringed)."
+        said = translated(
+            "{goal} over {field}: designs within all limits (filled), beyond one (crosses), the best (ringed).",
+            goal=goal,
+            field=path,
+        )
         yield "designs", said, _over_field(designs(study), varying[0], found)
         return
     if len(found.objectives) > 1:
-        said = f"Pareto front: of {found.feasible} designs within all limits (pale) no other is better in both."
+        said = translated(
+            "Pareto front: of {number} designs within all limits (pale) no other is better in both.",
+            number=found.feasible,
+        )
         yield "pareto", said, _front(study, found)
     axes, alike = _axes_of(study, designs(study))
     if len(axes) > 1:
-        caption = (
-            "Designs within all limits in parallel coordinates, each axis from its least to its largest value;"
+        caption = translated(
+            "Designs within all limits in parallel coordinates, each axis from its least to its largest value; "
+            "black: the best ones."
         )
-        caption += " black: the best ones."
         if alike:
-            caption += f" All these designs have the same: {', '.join(map(plain_text, alike))}."
+            caption += translated(
+                " All these designs have the same: {values}.", values=listed(map(plain_text, alike))
+            )
         yield "designs", caption, _parallel(study, found.rows, axes)
 
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from babbitt import __version__
 from babbitt.core.files.writing import write_file
+from babbitt.core.language import translated
 from babbitt.report.drawing import GREY, INK, Sheet
 from babbitt.report.study_values import Scale
 from babbitt.study.permitted import Trial
@@ -105,7 +106,7 @@ def size_figure(size: Size, scale: Scale) -> Figure:
     if size.present is not None and first <= size.present <= last:
         panel.axvline(scale.shown(size.present), color=GREY, linewidth=0.7, linestyle=(0, (2, 2)))
     panel.set_xlabel(scale.heading)
-    panel.set_ylabel("least margin in %")
+    panel.set_ylabel(translated("least margin in %"))
     return figure
 
 

@@ -7,9 +7,17 @@ from collections.abc import Iterator, Mapping
 from itertools import groupby
 
 from babbitt.core.check_text import distance
-from babbitt.report.study_values import DASH, MARGIN_DECIMALS, Scale, StudyTable, input_scale
+from babbitt.core.language import decimal, translated
+from babbitt.report.study_values import (
+    DASH,
+    MARGIN_DECIMALS,
+    Scale,
+    StudyTable,
+    bearing_text,
+    input_scale,
+    reason_text,
+)
 from babbitt.report.text import plain_text
-from babbitt.report.us_words import in_us_units
 from babbitt.study.appraisal import ALL_LIMITS, RECOMMENDED
 from babbitt.study.permitted import Trial
 from babbitt.study.size import LOGARITHMIC_FROM, Size, size_of
@@ -36,24 +44,26 @@ def size_tables(study: Study) -> Iterator[StudyTable]:
     """Every permitted interval with what ends it, or the nearest miss where there is none; choices likewise."""
     size, scale = size_of(study), size_scale(study)
     if size.choices:
-        yield _tried(f"Choices of {size.path} {_limits(size)}", "choice", size.choices)
+        title = translated("Choices of {field} {limits}", field=size.path, limits=_limits(size))
+        yield _tried(title, translated("choice"), size.choices)
     elif size.intervals:
         yield _intervals(study, size, scale)
         yield from _remarks(size, scale)
     else:
         miss = size.nearest_miss or size.scan[0]
         row = (scale.text(miss.value), _reason(miss, alone=False), _margin(miss))
-        heads = ((size.path, scale.unit), ("nearest miss", ""), ("margin", ""))
-        title = f"No value of the scan is {_limits(size)}"
+        heads = ((size.path, scale.unit), (translated("nearest miss"), ""), (translated("margin"), ""))
+        title = translated("No value of the scan is {limits}", limits=_limits(size))
         yield StudyTable(title, heads, (row,), 2, (_scanned(size, scale),))
     if size.preferred:
         numbers = {f"{scale.text(one.value)} {scale.unit}".strip(): one for one in size.preferred}
-        yield _tried("Preferred numbers (R20 of ISO 3)", size.path, numbers)
+        yield _tried(translated("Preferred numbers (R20 of ISO 3)"), size.path, numbers)
 
 
 def _intervals(study: Study, size: Size, scale: Scale) -> StudyTable:
     alone = len(set(study.columns["bearing"]) - {""}) == 1
-    heads = (("from", scale.unit), ("to", scale.unit), ("below it", ""), ("above it", ""))
+    first, last, below, above = map(translated, ("from", "to", "below it", "above it"))
+    heads = ((first, scale.unit), (last, scale.unit), (below, ""), (above, ""))
     rows = tuple(
         (
             rounded(scale.shown(one.lower.value), upward=True),
@@ -65,7 +75,7 @@ def _intervals(study: Study, size: Size, scale: Scale) -> StudyTable:
         )
         for one in size.intervals
     )
-    columns = (*heads, ("largest margin", ""), ("at", scale.unit))
+    columns = (*heads, (translated("largest margin"), ""), (translated("at"), scale.unit))
     return StudyTable(f"{size.path} {_limits(size)}", columns, rows, 4, (_scanned(size, scale),))
 
 
@@ -76,22 +86,24 @@ def _remarks(size: Size, scale: Scale) -> Iterator[StudyTable]:
     alike = groupby(size.scan, lambda one: (one.permitted, one.remarks))
     runs = [(codes, list(run)) for (permitted, codes), run in alike if permitted]
     rows = tuple(
-        (scale.text(run[0].value), scale.text(run[-1].value), str(len(run)), " ".join(codes) or "none")
+        (scale.text(run[0].value), scale.text(run[-1].value), str(len(run)), " ".join(codes) or translated("none"))
         for codes, run in runs
     )
-    heads = (("from", scale.unit), ("to", scale.unit), ("values", ""), ("remarks", ""))
-    note = "Values of the scan, from the first to the last of a kind; babbitt explain says what a code means."
-    yield StudyTable("Remarks on permitted values", heads, rows, 2, (note,))
+    first, last, values, remarks = map(translated, ("from", "to", "values", "remarks"))
+    heads = ((first, scale.unit), (last, scale.unit), (values, ""), (remarks, ""))
+    note = translated(
+        "Values of the scan, from the first to the last of a kind; babbitt explain says what a code means."
+    )
+    yield StudyTable(translated("Remarks on permitted values"), heads, rows, 2, (note,))
 
 
 def _tried(title: str, first: str, trials: Mapping[str, Trial]) -> StudyTable:
-    heads = tuple(
-        (name, "") for name in (first, "permitted", "why not, or remarks", "governed by", "least margin")
-    )
+    others = ("permitted", "why not, or remarks", "governed by", "least margin")
+    heads = ((first, ""), *((translated(name), "") for name in others))
     rows = tuple(
         (
             plain_text(choice),
-            "yes" if one.permitted else "no",
+            translated("yes" if one.permitted else "no"),
             _reason(one, alone=True) or " ".join(one.remarks),
             one.code or DASH,
             _margin(one),
@@ -107,29 +119,36 @@ def _margin(one: Trial) -> str:
 
 def _limits(size: Size) -> str:
     """Which limits count."""
-    which = LIMITS.get(size.limits[0], f"within {', '.join(size.limits)} alone")
-    return f"{which}, at smallest, mean and largest clearance" if size.over_tolerance else which
+    known = LIMITS.get(size.limits[0])
+    which = translated(known) if known else translated("within {codes} alone", codes=", ".join(size.limits))
+    if not size.over_tolerance:
+        return which
+    return translated("{limits}, at smallest, mean and largest clearance", limits=which)
 
 
 def _scanned(size: Size, scale: Scale) -> str:
     first, last = size.scan[0].value, size.scan[-1].value
     step = "equal ratios" if first > 0.0 and last >= LOGARITHMIC_FROM * first else "equal distances"
-    ends = " to ".join(_plain(scale.shown(one)) for one in (first, last))
-    said = f"Scanned at {len(size.scan)} values from {ends} {scale.unit}".rstrip()
-    return f"{said} at {step}; what is narrower than a step may be missed."
+    return translated(
+        "Scanned at {number} values from {first} to {last} at {step}; what is narrower than a step may be missed.",
+        number=len(size.scan),
+        first=_plain(scale.shown(first)),
+        last=f"{_plain(scale.shown(last))} {scale.unit}".rstrip(),
+        step=translated(step),
+    )
 
 
 def _said(outside: Trial | None, alone: bool) -> str:
     """Why a value next to an interval is not permitted."""
     if outside is None:
-        return "end of the scan"
+        return translated("end of the scan")
     return _reason(outside, alone=alone)
 
 
 def _reason(one: Trial, *, alone: bool) -> str:
     """Why a value is not permitted, in the units that are spoken, behind its bearing where there are others."""
-    said: str = in_us_units(one.reason)
-    return plain_text(said if alone or not one.bearing else f"{one.bearing}: {said}")
+    said = reason_text(one.reason, one.code)
+    return plain_text(said if alone or not one.bearing else f"{bearing_text(one.bearing)}: {said}")
 
 
 def rounded(value: float, *, upward: bool) -> str:
@@ -154,4 +173,4 @@ def _plain(value: float) -> str:
     >>> _plain(12345.0), _plain(0.00123456), _plain(1e9)
     ('12340', '0.001235', '1e+09')
     """
-    return f"{float(f'{value:.{DIGITS}g}'):.8g}"
+    return decimal(f"{float(f'{value:.{DIGITS}g}'):.8g}")

@@ -10,6 +10,7 @@ from babbitt.case.loading import STUDY, read_tree
 from babbitt.case.parts.study import StudyBlock
 from babbitt.case.with_units import case_text
 from babbitt.core.files.writing import require_writable, write_file
+from babbitt.core.language import language, phrases, translated, translated_if_known
 from babbitt.core.units import AS_WRITTEN
 from babbitt.report.document import FORMATS, typeset
 from babbitt.report.study_content import StudyTable, overview, study_tables
@@ -17,7 +18,7 @@ from babbitt.report.study_figures import study_drawings
 from babbitt.report.text import plain_lines, plain_text
 from babbitt.study.study import Study
 
-__all__ = ["study_report", "write_study_report"]
+__all__ = ["report_content", "study_report", "write_study_report"]
 
 LONG = 40
 """Letters of a cell beyond which words share the width of a page."""
@@ -37,9 +38,16 @@ def write_study_report(study: Study, path: Path) -> None:
 
 def study_report(study: Study, suffix: str) -> bytes:
     """The report of a study, typeset; equal for equal input."""
+    return typeset(report_content(study), "study.typ", FORMATS[suffix])
+
+
+def report_content(study: Study) -> dict[str, Any]:
+    """Everything that the report of a study says, in the language that is written now."""
     told = study.description
-    data = {
-        "name": plain_text(str(told["name"])) or "Unnamed case",
+    return {
+        "language": language(),
+        "words": dict(phrases(language())),
+        "name": _name(study) or translated("Unnamed case"),
         "version": str(told["babbitt"]),
         "hash": str(told["case_hash"]),
         "overview": overview(study),
@@ -49,7 +57,12 @@ def study_report(study: Study, suffix: str) -> bytes:
         "figures": [{"caption": one.caption, "svg": one.image.decode()} for one in study_drawings(study, "svg")],
         "text": plain_lines(_text(told)).strip("\n"),
     }
-    return typeset(data, "study.typ", FORMATS[suffix])
+
+
+def _name(study: Study) -> str:
+    """The name of the case; that of a duty says what it is in the language of the report."""
+    name = str(study.description["name"])
+    return plain_text(translated_if_known(name) if study.kind == "design" else name)
 
 
 def _text(told: Mapping[str, Any]) -> str:
@@ -60,7 +73,7 @@ def _text(told: Mapping[str, Any]) -> str:
         block = StudyBlock.model_validate(stated, context=AS_WRITTEN)
         if block.model_dump(exclude_defaults=True, mode="json") == told["study"]:
             return text
-    return f"{text.rstrip()}\n\n# The study that was computed\n{case_text({STUDY: told['study']})}"
+    return f"{text.rstrip()}\n\n# {translated('The study that was computed')}\n{case_text({STUDY: told['study']})}"
 
 
 def _table(table: StudyTable) -> dict[str, Any]:

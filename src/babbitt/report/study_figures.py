@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.core.files.writing import write_files
+from babbitt.core.language import decimal, translated
 from babbitt.core.limited_flow import whole
 from babbitt.report.design_figure import design_figures
 from babbitt.report.drawing import GREY, INK, PALE, Drawing, legend_columns, mathematics, rendered, style
@@ -29,7 +30,7 @@ from babbitt.report.study_panels import (
     panels_for,
     scaled,
 )
-from babbitt.report.study_values import input_scale, output_scale
+from babbitt.report.study_values import bearing_text, input_scale, output_scale
 from babbitt.report.text import plain_text
 from babbitt.study.grids import SAMPLE
 from babbitt.study.held_film import as_read
@@ -63,9 +64,13 @@ def study_drawings(study: Study, image_format: str) -> tuple[Drawing, ...]:
         E007 when matplotlib is not installed.
     """
     study = as_read(study)
+    own_words = {
+        word for one in study.inputs for word in (one["path"], axis_text(input_scale(one)), *one.get("values", ()))
+    }
+    own_words |= set(study.columns["bearing"]) | set(study.columns["group"])
     with style():
         return tuple(
-            Drawing(name, caption, rendered(figure, image_format), wide=True)
+            Drawing(name, caption, rendered(figure, image_format, own_words), wide=True)
             for name, caption, figure in _OF_KIND[study.kind](study)
         )
 
@@ -87,26 +92,34 @@ def write_study_plots(study: Study, folder: Path) -> tuple[Path, ...]:
 def _tolerance(study: Study) -> Iterator[Drawn]:
     bearings = bearings_of(study)
     summary = tolerance_summary(study)
-    drawn = SAMPLING[study.block.sampling]
+    drawn = translated(SAMPLING[study.block.sampling])
     for bearing in bearings:
         own = lines_of(study.of(SAMPLE), bearing)
         of = of_bearing(bearing, bearings)
-        caption = (
-            f"Scatter of the results{of} over {own['row'].size} samples ({drawn}); limits broken, where one is "
+        caption = translated(
+            "Scatter of the results{of} over {number} samples ({drawn}); limits broken, where one is the same in "
+            "all samples that of the medians; hatched: beyond a limit of this result.",
+            of=of,
+            number=own["row"].size,
+            drawn=drawn,
         )
-        caption += "the same in all samples that of the medians; hatched: beyond a limit of this result."
         names = [name for name in study.outputs if np.isfinite(own[name]).any()] or list(study.outputs[:1])
         for page, together in enumerate(np.array_split(names, math.ceil(len(names) / MOST_PANELS)), 1):
             what = "histograms" if page == 1 else f"histograms_{page}"
             yield file_name(what, bearing, bearings), caption, _histograms(study, own, together.tolist())
         shares = {name: by for (of_bearing, name), by in summary.tornado.items() if of_bearing == bearing}
         if any(shares.values()):
-            caption = f"What drives the scatter{of}: squared rank correlation of each field with each result; "
-            caption += "pale: the result falls as the field rises."
+            caption = translated(
+                "What drives the scatter{of}: squared rank correlation of each field with each result; "
+                "pale: the result falls as the field rises.",
+                of=of,
+            )
             yield file_name("tornado", bearing, bearings), caption, _tornado(shares)
         pairs = [one for one in study.inputs if "values" not in one][:4]
         if len(pairs) > 1:
-            caption = f"Samples{of} within all limits (pale) and outside (crosses), over pairs of fields."
+            caption = translated(
+                "Samples{of} within all limits (pale) and outside (crosses), over pairs of fields.", of=of
+            )
             yield file_name("pairs", bearing, bearings), caption, _pairs(pairs, own)
 
 
@@ -133,7 +146,7 @@ def _histograms(study: Study, own: Columns, names: Sequence[str]) -> Figure:
         panel.bar(middle[~beyond], counts[~beyond], width, color=PALE)
         panel.bar(middle[beyond], counts[beyond], width, color="white", edgecolor=INK, linewidth=0.3, hatch="////")
         panel.set_xlabel(axis_text(scale))
-        panel.set_ylabel("samples")
+        panel.set_ylabel(translated("samples"))
     return figure
 
 
@@ -147,7 +160,8 @@ def _tornado(shares: Mapping[str, Mapping[str, float]]) -> Figure:
         colours = [INK if by[path] >= 0.0 else PALE for path in order]
         panel.barh(range(len(order)), [100.0 * abs(by[path]) for path in order], color=colours, height=0.35)
         _named_bars(panel, order)
-        panel.set_title("margin" if name == "margin" else mathematics(output_scale(name).name), fontsize=8, pad=3)
+        title = translated(name) if name == "margin" else mathematics(output_scale(name).name)
+        panel.set_title(title, fontsize=8, pad=3)
         panel.set_xlim(0.0, 100.0)
         panel.set_xlabel("%")
     return figure
@@ -180,12 +194,13 @@ def _pairs(inputs: list[dict[str, Any]], own: Columns) -> Figure:
 
 def _size(study: Study) -> Iterator[Drawn]:
     size = size_of(study)
-    said = "dashed: what the case has." if size.present is not None else ""
     if not size.choices:
-        caption = (
-            f"Least margin over {plain_text(size.path)}, with the check that governs; grey: permitted; {said}"
+        caption = translated(
+            "Least margin over {field}, with the check that governs; grey: permitted",
+            field=plain_text(size.path),
         )
-        yield "size", caption.rstrip("; "), size_figure(size, size_scale(study))
+        caption += translated("; dashed: what the case has.") if size.present is not None else ""
+        yield "size", caption, size_figure(size, size_scale(study))
 
 
 def _sweep(study: Study) -> Iterator[Drawn]:
@@ -197,13 +212,16 @@ def _sweep(study: Study) -> Iterator[Drawn]:
     for bearing in bearings:
         own = lines_of(study.columns, bearing)
         others = [one for one in study.inputs if one is not along]
-        caption = f"Results{of_bearing(bearing, bearings)} over {plain_text(along['path'])}"
-        caption += (
-            f", a curve for each {' and '.join(plain_text(one['path']) for one in others)}" if others else ""
+        named = f" {translated('and')} ".join(plain_text(one["path"]) for one in others)
+        caption = translated(
+            "Results{of} over {field}{curves}. Open circles: beyond a limit.",
+            of=of_bearing(bearing, bearings),
+            field=plain_text(along["path"]),
+            curves=translated(", a curve for each {fields}", fields=named) if others else "",
         )
         yield (
             file_name("sweep", bearing, bearings),
-            f"{caption}. Open circles: beyond a limit.",
+            caption,
             _curves(study, along, others, own, "" if len(bearings) == 1 else bearing),
         )
 
@@ -215,14 +233,15 @@ def _corners(study: Study) -> Iterator[Drawn]:
         return
     along, others = numeric[0], [one for one in study.inputs if one is not numeric[0]]
     drawn_together = [names[first : first + 3] for first in range(0, len(names), 3)]
-    said = "".join(f", for each {plain_text(one['path'])}" for one in others)
+    said = "".join(translated(", for each {field}", field=plain_text(one["path"])) for one in others)
+    caption = translated("Clearances by temperature of the oil{said}. Open circles: beyond a limit.", said=said)
     for number, together in enumerate(drawn_together, 1):
         chosen = np.isin(study.columns["bearing"], together)
         own = {name: column[chosen] for name, column in study.columns.items()}
         by_name = {"path": "bearing", "values": together, "support": []}
         yield (
             "corners" if len(drawn_together) == 1 else f"corners-{number}",
-            f"Clearances by temperature of the oil{said}. Open circles: beyond a limit.",
+            caption,
             _curves(study, along, [by_name, *others], own),
         )
 
@@ -256,15 +275,17 @@ def _curves(
         figure.subplots_adjust(top=1.0 - (6.0 + LEGEND_LINE * lines) / high)
         figure.legend(
             handles, labels, loc="upper left", ncols=columns, frameon=False, fontsize=6, handlelength=2.0,
-            title=plain_text(title) or None, title_fontsize=7, alignment="left",
+            title=bearing_text(title) or None, title_fontsize=7, alignment="left",
         )  # fmt: skip
     elif title:
-        figure.text(0.01, 0.99, plain_text(title), fontsize=7, va="top")
+        figure.text(0.01, 0.99, bearing_text(title), fontsize=7, va="top")
     return figure
 
 
 def _named(one: Mapping[str, Any], value: Any) -> str:
     """A value of a field in a legend: words alone, numbers with the field and its unit."""
+    if one["path"] == "bearing":
+        return bearing_text(str(value))
     scale = input_scale(one)
     text = scale.text(value)
     return text if isinstance(value, str) else f"{scale.name} {text} {scale.unit}".rstrip()
@@ -277,8 +298,9 @@ def _sensitivity(study: Study) -> Iterator[Drawn]:
         varying = [one for one in found if one.bearing == bearing and any(map(math.isfinite, one.total))]
         own = varying[:MOST_PANELS]
         if own:
-            caption = (
-                f"Sobol indices{of_bearing(bearing, bearings)}: first order (black), total (pale), 95 % intervals."
+            caption = translated(
+                "Sobol indices{of}: first order (black), total (pale), 95 % intervals.",
+                of=of_bearing(bearing, bearings),
             )
             yield file_name("indices", bearing, bearings), caption, _bars(own)
 
@@ -293,7 +315,7 @@ def _bars(found: list[Indices]) -> Figure:
         _named_bars(panel, one.inputs)
         panel.set_title(mathematics(output_scale(one.output).name), fontsize=8, pad=3)
         panel.set_xlim(0.0, 1.15)
-        panel.set_xlabel("share of the variance")
+        panel.set_xlabel(translated("share of the variance"))
     return figure
 
 
@@ -309,14 +331,18 @@ def _spectrum(study: Study) -> Iterator[Drawn]:
             "marker": "o",
             "markersize": 3.0,
         }
-        panels[0].plot(own["row"], 100.0 * own["margin"], label=plain_text(bearing), **look)
+        panels[0].plot(own["row"], 100.0 * own["margin"], label=bearing_text(bearing), **look)
     panels[0].axhline(0.0, color=GREY, linewidth=0.7, linestyle=(0, (5, 2)))
-    labels = [f"{plain_text(name)}\n{100.0 * share:.3g} %" for name, share in zip(names, shares, strict=True)]
+    labels = [
+        f"{plain_text(name)}\n{decimal(f'{100.0 * share:.3g}')} %"
+        for name, share in zip(names, shares, strict=True)
+    ]
     panels[0].set_xticks(range(len(names)), labels)
-    panels[0].set_ylabel("governing margin in %")
+    panels[0].set_ylabel(translated("governing margin in %"))
     if len(bearings) > 1:
         panels[0].legend(frameon=False, fontsize=6)
-    yield "spectrum", "Margin of the governing check in each load case, with its share of time.", figure
+    caption = translated("Margin of the governing check in each load case, with its share of time.")
+    yield "spectrum", caption, figure
 
 
 _OF_KIND: Mapping[str, Callable[[Study], Iterator[Drawn]]] = {

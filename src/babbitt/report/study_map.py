@@ -9,8 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.core.check_text import distance
+from babbitt.core.language import ENGLISH, language, translated, translated_if_known
 from babbitt.core.result import ROUND_OFF, Verdict
-from babbitt.report.drawing import GREY, INK, Sheet, mathematics
+from babbitt.report.drawing import GREY, INK, Sheet
 from babbitt.report.study_panels import (
     WIDTH,
     Drawn,
@@ -25,6 +26,7 @@ from babbitt.report.study_values import (
     DASH,
     MARGIN_DECIMALS,
     StudyTable,
+    bearing_text,
     check_title,
     input_scale,
     output_scale,
@@ -69,7 +71,7 @@ def map_tables(study: Study) -> Iterator[StudyTable]:
     for bearing in bearings:
         own = lines_of(study.columns, bearing)
         yield _verdicts(study, own, bearing)
-        yield _checks(study, own, plain_text(bearing))
+        yield _checks(study, own, bearing_text(bearing))
 
 
 def _verdicts(study: Study, own: Columns, bearing: str) -> StudyTable:
@@ -82,11 +84,22 @@ def _verdicts(study: Study, own: Columns, bearing: str) -> StudyTable:
     }
     rows = tuple((scales[1].text(y), *(letters.get((x, y), DASH) for x in axes[0])) for y in reversed(axes[1]))
     heads = ((scales[1].heading, ""), *((scales[0].text(x), "") for x in axes[0]))
-    title = f"Map of {plain_text(bearing)}: {scales[1].name} up, {scales[0].heading} across"
-    note = "○ within all limits; a code: the check that governs where one is missed; ? no verdict; – no solution."
-    shares = [f"{one['path']}: {one['meaning'][0].lower()}{one['meaning'][1:]}." for one in (across, up)]
-    shares = [said for said, one in zip(shares, (across, up), strict=True) if one["form"] == "share"]
+    title = translated(
+        "Map of {bearing}: {up} up, {across} across",
+        bearing=bearing_text(bearing),
+        up=scales[1].name,
+        across=scales[0].heading,
+    )
+    note = translated(
+        "○ within all limits; a code: the check that governs where one is missed; ? no verdict; – no solution."
+    )
+    shares = [f"{one['path']}: {_begun(one['meaning'])}." for one in (across, up) if one["form"] == "share"]
     return StudyTable(title, heads, rows, 1, (note, *shares))
+
+
+def _begun(meaning: str) -> str:
+    """What a field is, as it stands behind a colon."""
+    return meaning[0].lower() + meaning[1:] if language() == ENGLISH else translated_if_known(meaning)
 
 
 def _letter(columns: Columns, place: int) -> str:
@@ -110,29 +123,44 @@ def _checks(study: Study, own: Columns, bearing: str) -> StudyTable:
         warm = np.full(margin.size, np.nan) if kelvin is None else kelvin
         order = np.argsort(np.where(known, margin, np.inf))
         ends = (distance(margin[at], warm[at], MARGIN_DECIMALS) for at in (order[0], order[known.sum() - 1]))
-        rows.append((check_title(code), what, str(int((margin[known] < -ROUND_OFF).sum())), *ends))
+        rows.append((check_title(code), translated(what), str(int((margin[known] < -ROUND_OFF).sum())), *ends))
     within = int(np.isin(own["verdict"], WITHIN).sum())
-    notes = [f"{within} of {solved.size} points within all limits, {int((~solved).sum())} without a solution."]
+    notes = [
+        translated(
+            "{within} of {points} points within all limits, {without} without a solution.",
+            within=within,
+            points=solved.size,
+            without=int((~solved).sum()),
+        )
+    ]
     if not within:
         notes.append(_why_empty(own, solved))
     notes += [
-        f"No line of {check_title(one['code'])}: {one['message']}." for one in study.description["not_checked"]
+        translated("No line of {check}", check=check_title(one["code"]))
+        + (f": {one['message']}." if language() == ENGLISH else ".")
+        for one in study.description["not_checked"]
     ]
-    heads = (("check", ""), ("kind", ""), ("missed at", "points"), ("least margin", ""), ("largest margin", ""))
-    return StudyTable(f"Checks over the map of {bearing}", heads, tuple(rows), 2, tuple(notes))
+    check, kind, missed, least, largest = map(
+        translated, ("check", "kind", "missed at", "least margin", "largest margin")
+    )
+    heads = ((check, ""), (kind, ""), (missed, translated("points")), (least, ""), (largest, ""))
+    title = translated("Checks over the map of {bearing}", bearing=bearing)
+    return StudyTable(title, heads, tuple(rows), 2, tuple(notes))
 
 
 def _why_empty(own: Columns, solved: NDArray[np.bool_]) -> str:
     """Why no point is within the limits."""
     if not solved.any():
-        return "No point has a solution."
+        return translated("No point has a solution.")
     if not (own["verdict"] == Verdict.FAIL.key).any():
-        return "No point has a verdict: no limit was held against the results, or what was held does not suffice."
+        return translated(
+            "No point has a verdict: no limit was held against the results, or what was held does not suffice."
+        )
     codes = [set(str(one).split()) for one in own["failed_checks"][solved]]
     everywhere = sorted(set.intersection(*codes))
     if everywhere:
-        return f"At every point that has a solution {', '.join(everywhere)} is missed."
-    return "Every point that has a solution misses some limit."
+        return translated("At every point that has a solution {codes} is missed.", codes=", ".join(everywhere))
+    return translated("Every point that has a solution misses some limit.")
 
 
 def _lines(study: Study, own: Columns) -> dict[tuple[str, str], Array]:
@@ -164,16 +192,23 @@ def map_figures(study: Study) -> Iterator[Drawn]:
 def _caption(study: Study, own: Columns, of: str, second: str) -> str:
     across, up = (plain_text(one["path"]) for one in study.inputs)
     said = [
-        f"Region{of} within all limits (white) over {across} and {up}, with contours of the governing margin in "
-        "percent. Bold: margin zero; broken: of a single limit, by its code"
+        translated(
+            "Region{of} within all limits (white) over {across} and {up}, with contours of the governing margin "
+            "in percent. Bold: margin zero; broken: of a single limit, by its code",
+            of=of,
+            across=across,
+            up=up,
+        )
     ]
     crossed = [code for (code, what), line in _lines(study, own).items() if what != "limit" and _crosses(line)]
     if crossed:
-        said.append(f"; dotted: of a recommendation or screening, {', '.join(map(check_title, crossed))}")
-    said.append(". Grey: beyond a limit, or (crosses) no solution; dots: no verdict.")
+        titles = ", ".join(map(check_title, crossed))
+        said.append(translated("; dotted: of a recommendation or screening, {checks}", checks=titles))
+    said.append(translated(". Grey: beyond a limit, or (crosses) no solution; dots: no verdict."))
     if second:
         scale = output_scale(second)
-        said.append(f" Right: {plain_text(scale.name)} in {scale.unit}, and the line of margin zero.")
+        name = translated("{quantity} in {unit}", quantity=plain_text(scale.name), unit=scale.unit)
+        said.append(translated(" Right: {quantity}, and the line of margin zero.", quantity=name))
     return "".join(said)
 
 
@@ -219,11 +254,10 @@ def _figure(
             _contours(panels[1], x, y, field(output_scale(second).shown(own[second])), region)
     panels[0].plot(x[at_x[lost]], y[at_y[lost]], "x", color=INK, markersize=3.0, markeredgewidth=0.6)
     panels[0].plot(x[at_x[unjudged]], y[at_y[unjudged]], ".", color=INK, markersize=1.5)
-    panels[0].set_title("governing margin in %", fontsize=8, pad=3)
+    panels[0].set_title(translated("governing margin in %"), fontsize=8, pad=3)
     panels[0].set_ylabel(axis_text(input_scale(up)))
     if second:
-        scale = output_scale(second)
-        panels[1].set_title(f"{mathematics(scale.name)} in {scale.unit}", fontsize=8, pad=3)
+        panels[1].set_title(axis_text(output_scale(second)), fontsize=8, pad=3)
     for panel in panels:
         panel.set_xlabel(axis_text(input_scale(across)))
         panel.set_xlim(x[0], x[-1])

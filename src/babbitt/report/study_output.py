@@ -2,18 +2,35 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Mapping
 from pathlib import Path
+from typing import TYPE_CHECKING
 
+from babbitt.case.loading import DOCUMENT, read_tree
+from babbitt.case.parts.title_block import TitleBlock
 from babbitt.core.files.printing import printable
 from babbitt.core.files.spreadsheet import openpyxl_library, rows_text
 from babbitt.core.files.writing import require_distinct, require_folder, require_writable, write_file
+from babbitt.core.language import written_in
 from babbitt.core.notices import InputError
-from babbitt.report.outputs import STANDARD_OUTPUT
+from babbitt.report.languages import chosen_language
+from babbitt.report.outputs import STANDARD_OUTPUT, left_in_english
 from babbitt.report.study_workbook import study_rows, study_workbook
 from babbitt.study.study import Study
 
-__all__ = ["STANDARD_OUTPUT", "require_csv", "require_study_outputs", "write_study", "write_study_csv"]
+if TYPE_CHECKING:
+    from babbitt.case.case_file import CaseFile
+
+__all__ = [
+    "STANDARD_OUTPUT",
+    "language_of_study",
+    "require_csv",
+    "require_language",
+    "require_study_outputs",
+    "write_study",
+    "write_study_csv",
+]
 
 
 def require_study_outputs(
@@ -86,21 +103,67 @@ def write_study_csv(study: Study, csv: str) -> None:
         write_file(Path(csv), text.encode())
 
 
-def write_study(study: Study, xlsx: Path | None, report: Path | None, plots: Path | None) -> None:
-    """Write a study as a workbook, a report and figures, as far as asked for.
+def require_language(case: CaseFile, tongue: str | None, report: Path | None, plots: Path | None) -> None:
+    """Find out before any work is done whether a language can be written.
 
     Raises
     ------
     InputError
-        E007 when a file cannot be written.
+        E005 for a language that is not known, or that lacks the words of the kind; E007 for one that is asked for
+        where neither report nor figures are.
+    """
+    if report is not None or plots is not None:
+        chosen_language(case.title_block, [case.kind], tongue)
+    elif tongue is not None:
+        raise InputError(
+            "E007", "--language is of report and plots, and there are none; add --report OUT.pdf or --plots DIR"
+        )
+
+
+def language_of_study(study: Study, asked: str | None = None) -> str:
+    """The language of a report: the one asked for, else that of the title block of the case, else English.
+
+    Raises
+    ------
+    InputError
+        E005 for one that is not known, or that lacks the words of the kind.
+    """
+    text = str(study.description["text"])
+    stated = (read_tree(text, "").plain() if text else {}).get(DOCUMENT) or {}
+    block = TitleBlock(language=stated.get("language"))
+    return chosen_language(block, [str(study.description["kind"])], asked)
+
+
+def write_study(
+    study: Study, xlsx: Path | None, report: Path | None, plots: Path | None, tongue: str | None = None
+) -> None:
+    """Write a study as a workbook, a report and figures, as far as asked for.
+
+    Parameters
+    ----------
+    study : Study
+    xlsx, report, plots : Path or None
+    tongue : {"en", "de", "ru"}, optional
+        Of report and figures, as `language_of_study` takes it; the workbook is in English.
+
+    Raises
+    ------
+    InputError
+        E005 as `language_of_study`; E007 when a file cannot be written.
     """
     if xlsx is not None:
         write_file(xlsx, study_workbook(study, printable(xlsx)))
-    if report is not None:
-        from babbitt.report.study_document import write_study_report
+    written = report or plots
+    if written is None:
+        return
+    with written_in(language_of_study(study, tongue)) as missing:
+        if report is not None:
+            from babbitt.report.study_document import write_study_report
 
-        write_study_report(study, report)
-    if plots is not None:
-        from babbitt.report.study_figures import write_study_plots
+            write_study_report(study, report)
+        if plots is not None:
+            from babbitt.report.study_figures import write_study_plots
 
-        write_study_plots(study, plots)
+            write_study_plots(study, plots)
+    if missing:
+        print(left_in_english(written, tuple(missing)), file=sys.stderr)

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from babbitt.core.language import translated
 from babbitt.report.drawing import Sheet, mathematics
-from babbitt.report.study_values import Scale, input_scale
-from babbitt.report.text import plain_text
+from babbitt.report.study_values import Scale, bearing_text, input_scale
 from babbitt.study.rows import Columns
 from babbitt.study.study import Study
 
@@ -59,13 +59,13 @@ def file_name(what: str, bearing: str, bearings: list[str]) -> str:
 
 def of_bearing(bearing: str, bearings: list[str]) -> str:
     """Which bearing a caption speaks of; nothing for the only one."""
-    return "" if len(bearings) == 1 else f" of {plain_text(bearing)}"
+    return "" if len(bearings) == 1 else translated(" of {bearing}", bearing=bearing_text(bearing))
 
 
 def axis_text(scale: Scale) -> str:
     """Name and unit at an axis."""
     name = mathematics(scale.name) if scale.quantity else scale.name.replace("$", r"\$")
-    return f"{name} in {scale.unit}" if scale.unit else name
+    return translated("{quantity} in {unit}", quantity=name, unit=scale.unit) if scale.unit else name
 
 
 def panels_for(count: int, height: float = 46.0, **settings: Any) -> tuple[Figure, list[Axes]]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -11,11 +12,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.core.check_text import distance
+from babbitt.core.language import ENGLISH, decimal, language, translated, unit_sign
 from babbitt.core.notices import explanations
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.quantities.display import SI, in_system, written_in_system
+from babbitt.core.result import Outcome
 from babbitt.core.units import KINDS
+from babbitt.report.names import format_members
 from babbitt.report.text import plain_text
+from babbitt.report.us_words import in_us_units
 from babbitt.study.rows import Columns, kelvin_name
 
 __all__ = [
@@ -23,12 +28,14 @@ __all__ = [
     "MARGIN_DECIMALS",
     "Scale",
     "StudyTable",
+    "bearing_text",
     "check_title",
     "input_scale",
     "kelvin_scale",
     "margin_text",
     "output_scale",
     "percent",
+    "reason_text",
     "significant",
 ]
 
@@ -42,6 +49,14 @@ SHOWN = {"um": "µm", "degC": "°C", "degF": "°F", "deg": "°", "mm2/s": "mm²/
 
 USUAL = {"rad/s": "rpm", "Pa": "MPa", "K": "degC", "m2/s": "mm2/s", "rad": "deg", "m3/s": "L/min", "Pa s": "mPa s"}
 """Units that are taken whatever the size of the number."""
+
+SIZES = {"smallest": "minimum", "mean": "mean", "largest": "maximum"}
+"""Clearances of a bearing whose kind computes one, where corners vary it, and what they are called elsewhere."""
+
+MEMBERS = {"minimum clearance": "minimum", "mean clearance": "mean", "maximum clearance": "maximum"} | {
+    state: state for state in ("smooth heel", "grooved heel")
+}
+"""What a bearing is followed by where it has several results, and what that is called."""
 
 SMALL_RATIO = 0.05
 """Numbers without unit below which permille read better."""
@@ -72,7 +87,7 @@ class Scale:
     @property
     def heading(self) -> str:
         """Name and unit for an axis."""
-        return f"{self.name} in {self.unit}" if self.unit else self.name
+        return translated("{quantity} in {unit}", quantity=self.name, unit=self.unit) if self.unit else self.name
 
     def shown(self, values: Any) -> Any:
         """Values in the unit, for numbers and arrays alike."""
@@ -81,7 +96,7 @@ class Scale:
     def text(self, value: Any) -> str:
         """One value as text; words as they are."""
         if isinstance(value, str):
-            return plain_text(value)
+            return translated(SIZES[value]) if value in SIZES and language() != ENGLISH else plain_text(value)
         if not math.isfinite(value):
             return DASH
         return QUANTITIES[self.quantity].format(value) if self.quantity else significant(self.shown(value))
@@ -110,6 +125,19 @@ class StudyTable:
     notes: tuple[str, ...] = ()
 
 
+def bearing_text(name: str) -> str:
+    """The bearing of a row, its clearance or state in the language that is written now.
+
+    Rows keep names as text alone, so that it is read out of it.
+
+    >>> bearing_text("Fan shaft [full] (minimum clearance)"), bearing_text("Gear (hot)")
+    ('Fan shaft [full] (minimum clearance)', 'Gear (hot)')
+    """
+    bearing, _, member = name.rpartition(" (")
+    which = MEMBERS.get(member.removesuffix(")")) if bearing else None
+    return plain_text(name) if which is None else f"{plain_text(bearing)} ({format_members([which])})"
+
+
 def significant(value: float, digits: int = 4) -> str:
     """A number with some significant digits.
 
@@ -119,9 +147,9 @@ def significant(value: float, digits: int = 4) -> str:
     if not math.isfinite(value):
         return DASH
     if value != 0.0 and not 1e-4 <= abs(value) < 1e7:
-        return f"{value:.{digits - 1}e}"
+        return decimal(f"{value:.{digits - 1}e}")
     text = f"{value:.{digits}g}"
-    return f"{value:.0f}" if "e" in text else text
+    return f"{value:.0f}" if "e" in text else decimal(text)
 
 
 def margin_text(columns: Columns, place: int) -> str:
@@ -132,7 +160,7 @@ def margin_text(columns: Columns, place: int) -> str:
 
 def percent(share: float, digits: int = 1) -> str:
     """A share in percent."""
-    return f"{100.0 * share:.{digits}f} %" if math.isfinite(share) else DASH
+    return decimal(f"{100.0 * share:.{digits}f} %") if math.isfinite(share) else DASH
 
 
 def input_scale(one: Mapping[str, Any], values: NDArray[Any] | None = None) -> Scale:
@@ -153,7 +181,8 @@ def input_scale(one: Mapping[str, Any], values: NDArray[Any] | None = None) -> S
     )
     wanted = written_in_system(wanted)
     factor = 1.0 / kind.everyday[wanted]
-    return Scale(name, SHOWN.get(wanted, wanted), factor, -kind.offsets.get(wanted, 0.0) * factor)
+    sign = unit_sign(SHOWN.get(wanted, wanted))
+    return Scale(name, sign, factor, -kind.offsets.get(wanted, 0.0) * factor)
 
 
 def output_scale(name: str) -> Scale:
@@ -174,3 +203,31 @@ def check_title(code: str) -> str:
     """A check with its title."""
     known = explanations().get(code)
     return f"{code} {known.title}" if known is not None else code
+
+
+_COMPARED = re.compile(r"[A-Z]\d{3} .+ = .+ [<>] .+")
+"""What tells of a limit that is missed, in symbols and numbers alone."""
+
+
+def reason_text(message: str, code: str, status: str = "") -> str:
+    """Why a row has no answer or misses a limit, in the units that are spoken.
+
+    Rows keep it as a sentence in English. In other languages a missed limit has its numbers, anything else the
+    title of its code or how the calculation ended.
+
+    Parameters
+    ----------
+    message, code, status : str
+        Of the row, as `babbitt.study.rows` has them; without a status where that is unknown.
+    """
+    said: str = in_us_units(message)
+    if language() == ENGLISH or not message:
+        return said
+    if _COMPARED.fullmatch(message):
+        shown = decimal(re.sub(r"(?<=\d )rpm\b", unit_sign("rpm"), said))
+        return shown.replace("(rounded)", translated("{value} (rounded)", value="").strip())
+    if status.upper() in Outcome.__members__:
+        return translated(Outcome[status.upper()].value)
+    return (
+        check_title(code) if code in explanations() and code[0] != "E" else translated("not accepted by the case")
+    )

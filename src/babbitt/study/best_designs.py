@@ -12,6 +12,7 @@ from babbitt.core.check_text import distance
 from babbitt.core.files.marks import is_output, sealed
 from babbitt.core.files.printing import printable
 from babbitt.core.files.writing import replace_synced, require_folder
+from babbitt.core.language import translated
 from babbitt.core.notices import InputError
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Verdict
@@ -128,14 +129,29 @@ def recommendation(study: Study) -> str:
     (one, again), *_ = design.designs_of(study).proposals
     first, second = design.rules_of(study.description["kind"]).METHODS
     power = QUANTITIES["friction_power"].with_unit(one.power)
-    margins = " and ".join(
-        f"{distance(each.margin, each.kelvin)} ({each.code}) by {method}"
+    margins = f" {translated('and')} ".join(
+        translated(
+            "{margin} ({code}) by {method}",
+            margin=distance(each.margin, each.kelvin),
+            code=each.code,
+            method=method,
+        )
         for each, method in ((one, first), (again, second))
     )
-    remarks = tuple(dict.fromkeys((*one.remarks, *again.remarks)))
-    passes = f"passes with remarks ({', '.join(remarks)})" if remarks else "passes without remarks"
-    missed = f"misses {', '.join(one.departures)}" if one.departures else ALL_KEPT
-    return f"no. 1 {passes}, margin {margins}, friction {power}; it {missed}"
+    remarks = ", ".join(dict.fromkeys((*one.remarks, *again.remarks)))
+    passes = translated("passes without remarks")
+    if remarks:
+        passes = translated("passes with remarks ({codes})", codes=remarks)
+    missed = (
+        translated("misses {codes}", codes=", ".join(one.departures)) if one.departures else translated(ALL_KEPT)
+    )
+    return translated(
+        "no. 1 {passes}, margin {margins}, friction {power}; it {missed}",
+        passes=passes,
+        margins=margins,
+        power=power,
+        missed=missed,
+    )
 
 
 def verdict_said(one: Candidate) -> str:
@@ -144,7 +160,7 @@ def verdict_said(one: Candidate) -> str:
     >>> verdict_said(Candidate(0, {}, "remarks", "C104", 0.2, 1.0, 1.0, ({},), ("W190",), ()))
     'pass with remarks W190'
     """
-    said = Verdict[one.verdict.upper()].value
+    said = translated(Verdict[one.verdict.upper()].value)
     return f"{said} {', '.join(one.remarks)}".strip() if one.within else said
 
 
@@ -164,7 +180,12 @@ def edges(study: Study) -> Iterator[str]:
             ]
             if at:
                 name = path.rpartition(".")[2].replace("_", " ")
-                yield f"No. {', '.join(at)}: the {word} {name} that was tried ({reasons[path]})"
+                yield translated(
+                    "No. {numbers}: the {end} that was tried ({reason})",
+                    numbers=", ".join(at),
+                    end=translated(f"{word} {name}"),
+                    reason=translated(reasons[path]),
+                )
 
 
 def reasons_of(study: Study, one: Candidate) -> tuple[str, ...]:

@@ -19,10 +19,10 @@ METHOD = "method"
 """Path of the input that tells by what a design is solved."""
 
 CRITERION = (
-    "all limits kept at the smallest, mean and largest clearance with the oil that the feed delivers, first "
-    "without remarks; with a margin of at least {0} to each limit; then with the fewest recommendations and usual "
-    "rules missed, these by the least in steps of a tenth; then least friction power, then least flow. Designs "
-    "with less margin follow, by their margin"
+    "all limits kept at the smallest, mean and largest clearance with the oil that the feed delivers, "
+    "first without remarks; with a margin of at least {reserve} to each limit; then with the fewest "
+    "recommendations and usual rules missed, these by the least in steps of a tenth; then least friction "
+    "power, then least flow. Designs with less margin follow, by their margin"
 )
 """How designs are ranked."""
 

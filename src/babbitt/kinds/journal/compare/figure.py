@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from babbitt.core.language import translated
 from babbitt.core.result import Result
 from babbitt.core.units import ZERO_CELSIUS
 from babbitt.kinds.journal.film.field import field_of
@@ -68,20 +69,20 @@ def _around(panel: Axes, variants: Sequence[Variant]) -> None:
     for one in variants:
         if "film_temperature" in one.result.arrays:
             places, film = _around_from(start, one.result)
-            panel.plot(places, film, LINES[level % len(LINES)], color=GREY, label=one.label)
+            panel.plot(places, film, LINES[level % len(LINES)], color=GREY, label=translated(one.label))
             level += 1
         elif _has_own_temperatures(one):
             thermal = one.solution.state.thermal
             field = field_of(thermal.film, one.solution.problem.load_angle - math.pi)
             line = centre_line(thermal, field)
             places = np.degrees(line.theta)
-            panel.plot(places, line.highest - ZERO_CELSIUS, LINES[curve % len(LINES)], color=INK,
-                       label=f"{one.label}, hottest across the gap")  # fmt: skip
+            named = translated("{label}, hottest across the gap", label=translated(one.label))
+            panel.plot(places, line.highest - ZERO_CELSIUS, LINES[curve % len(LINES)], color=INK, label=named)
             curve += 1
         else:
             panel.axhline(
                 one.result.values["effective_temperature"] - ZERO_CELSIUS, color=GREY, linewidth=0.9,
-                linestyle=LINES[level % len(LINES)], label=f"{one.label}, $T_\\mathrm{{eff}}$",
+                linestyle=LINES[level % len(LINES)], label=f"{translated(one.label)}, $T_\\mathrm{{eff}}$",
             )  # fmt: skip
             level += 1
     if field is not None:

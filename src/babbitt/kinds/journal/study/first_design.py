@@ -11,6 +11,7 @@ from typing import Any, cast
 from babbitt.case.case_file import CaseFile
 from babbitt.case.parts.study import Vary
 from babbitt.core.check_text import number, written
+from babbitt.core.language import decimal, translated, translated_if_known
 from babbitt.core.notices import InputError
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.units import QuantityError, read
@@ -312,10 +313,14 @@ def shown(fields: Mapping[str, Any], values: Mapping[str, float]) -> dict[tuple[
         **{name: value_held(values, name) for name in ("minimum_film_thickness", "outlet_temperature")},
     }
     return {
-        ("lubricant", ""): str(fields["lubricant"]),
-        ("clearance", ""): str(fields["clearance"]).replace("permille", "‰").replace("imum", "."),
-        ("feed", ""): feed.replace("place ", "").replace("width ", "").replace("diameter ", ""),
-        (QUANTITIES["width"].symbol, QUANTITIES["width"].display.label): (
+        (translated("lubricant"), ""): str(fields["lubricant"]),
+        (translated("clearance"), ""): translated_if_known(
+            str(fields["clearance"]).replace("permille", "‰").replace("imum", ".")
+        ),
+        (translated("feed"), ""): translated_if_known(
+            feed.replace("place ", "").replace("width ", "").replace("diameter ", "")
+        ),
+        (QUANTITIES["width"].symbol, QUANTITIES["width"].display.label): decimal(
             f"{QUANTITIES['width'].shown(fields['width']):.4g}"
         ),
         **{
@@ -353,27 +358,49 @@ def reasons(lines: Sequence[Mapping[str, Any]], limits: Mapping[str, float]) -> 
     values = lines[len(lines) // 2]
     pressure = values["specific_load"]
     if (most := limits.get("C105", limits.get("C103"))) is not None:
-        yield f"p̄ = {written('specific_load', pressure)} of {written('specific_load', most)} that the metal bears"
+        yield translated(
+            "p̄ = {pressure} of {most} that the metal bears",
+            pressure=written("specific_load", pressure),
+            most=written("specific_load", most),
+        )
     mean, wanted = values["relative_clearance"], values["recommended_relative_clearance"]
     sign = "≥" if mean >= wanted else "<"
-    rule = "0.8e-3 U^(1/4) (Vogelpohl)"
-    yield f"ψ = {1e3 * mean:.2f} ‰ {sign} {1e3 * wanted:.2f} ‰, the {rule}"
-    low, high = WIDTH_RATIOS
-    yield f"B/D = {values['width_ratio']:.2f}, usual {low:g} to {high:g} (assumption)"
+    yield translated(
+        "ψ = {mean} ‰ {sign} {wanted} ‰, the {rule}",
+        mean=decimal(f"{1e3 * mean:.2f}"),
+        sign=sign,
+        wanted=decimal(f"{1e3 * wanted:.2f}"),
+        rule=translated("0.8e-3 U^(1/4) (Vogelpohl)"),
+    )
+    low, high = (decimal(f"{end:g}") for end in WIDTH_RATIOS)
+    yield translated(
+        "B/D = {ratio}, usual {low} to {high} (assumption)",
+        ratio=decimal(f"{values['width_ratio']:.2f}"),
+        low=low,
+        high=high,
+    )
     ratio = least(map(_over_transition, lines))
     if math.isfinite(ratio):
-        usual = f"usual at least {_least_over_transition(values):.3g}, U in m/s"
-        rule = f"{usual} and no less than {LEAST_OVER_TRANSITION:g} (assumption)"
-        yield f"the speed is {ratio:.3g} times the transition speed, {rule}"
+        yield translated(
+            "the speed is {ratio} times the transition speed, usual at least {usual}, U in m/s and no less than "
+            "{least} (assumption)",
+            ratio=decimal(f"{ratio:.3g}"),
+            usual=decimal(f"{_least_over_transition(values):.3g}"),
+            least=decimal(f"{LEAST_OVER_TRANSITION:g}"),
+        )
     share = least(line["supply_capacity"] / line["side_flow"] for line in lines)
     if math.isfinite(share):
         held = "" if share >= 1.0 else f"; {_more_pressure(lines)}"
-        yield f"the feed gives at least {share:.2g} of Q₃ (ISO 7902), whatever the clearance{held}"
+        said = translated(
+            "the feed gives at least {share} of Q₃ (ISO 7902), whatever the clearance",
+            share=decimal(f"{share:.2g}"),
+        )
+        yield f"{said}{held}"
 
 
 def _more_pressure(lines: Sequence[Mapping[str, Any]]) -> str:
     """What follows from a feed that gives less than Q₃, and the pressure that presses the missing oil through."""
-    held = "the limits are held against the hotter film with that flow"
+    held = translated("the limits are held against the hotter film with that flow")
     lacks = [
         (line["side_flow"] - line["supply_capacity"]) / pressed
         for line in lines
@@ -382,4 +409,5 @@ def _more_pressure(lines: Sequence[Mapping[str, Any]]) -> str:
     more = 1.0 + max(lacks, default=math.inf)
     if not more <= MOST_PRESSURE:
         return held
-    return f"{held}; about {more:.1f} times the supply pressure would give it all"
+    needed = translated("about {more} times the supply pressure would give it all", more=decimal(f"{more:.1f}"))
+    return f"{held}; {needed}"
