@@ -83,11 +83,15 @@ def test_the_metal_is_held_to_its_limit_by_more_than_the_outlet():
     assert near.verdict is Verdict.REMARKS
 
 
+CALM = {"supply_flow": 0.0, "side_flow": 1.0}
+"""Nothing is pressed through the gap."""
+
+
 @pytest.mark.parametrize(("margin", "told"), [(THINNER - 0.01, True), (THINNER + 0.01, False), (-0.01, False)])
 def test_margins_at_the_usual_difference(margin, told):
     """A missed limit needs no doubt, and one that is advice neither."""
     film = Check("C102", "minimum_film_thickness", (1.0 + margin) * 9e-6, 9e-6, Bound.AT_LEAST, "test")
-    assert bool(list(warnings_about_margins((film,), {}, (), alike))) is told
+    assert bool(list(warnings_about_margins((film,), CALM, (), alike))) is told
     hot = Check("C108", "outlet_temperature", 388.15 - HOTTER * (1.0 + margin), 388.15, Bound.AT_MOST, "test")
     assert not list(warnings_about_margins((hot,), {}, (), alike))
 
@@ -254,7 +258,7 @@ def test_thickness_and_reynolds_number_go_with_the_viscosity_of_the_loaded_film(
         return 0.02 if kelvin < 334.0 else 0.01
 
     values = {"supply_temperature": 313.15, "specific_load": 4e6, "surface_speed": 25.0}
-    values |= {"effective_temperature": temperature}
+    values |= {"effective_temperature": temperature, **CALM}
     for margin in (0.9, 1.1):
         kept = thinner * (1.0 + THINNER) - 1.0 if thinner == 1.0 else thinner - 1.0
         film = Check("C101", "minimum_film_thickness", (1.0 + margin * kept) * 9e-6, 9e-6, Bound.AT_LEAST, "test")

@@ -89,7 +89,7 @@ LOADED_BY_PRESSURE = 4e-6
 presses more than ``PRESSED`` of Q₃ through the gap or delivers less than Q₃. About 7/(ρ c): what a film that keeps
 its heat warms by goes with p̄/(ρ c), whatever its oil and speed.
 
-Assumption by measurement of 256 bearings with 2.5 to 7 MPa and ISO VG 22 to 460 (docs/theory/procedure.md, set
+Assumption by measurement of 378 bearings with 2.5 to 7 MPa and ISO VG 22 to 460 (docs/theory/procedure.md, set
 ``heavy``): the films of none are thinner than by the viscosity at 3.9 K/MPa above."""
 
 TURBULENT_SOONER = 2.9
@@ -234,13 +234,13 @@ def hottest_metal(leaving: float, values: Mapping[str, float]) -> float:
     """Temperature in K that a bush may have whose oil leaves at one temperature."""
     by_shear = HOTTER_BY_SHEAR + (HOTTER_BESIDE_PRESSED - HOTTER_BY_SHEAR) * may_be_pressed(values)
     sheared = leaving + by_shear * heat_of_shear(values)
-    rise = RISE_OF_METAL + (RISE_OF_METAL_BESIDE_PRESSED - RISE_OF_METAL) * is_pressed(values)
+    rise = RISE_OF_METAL + (RISE_OF_METAL_BESIDE_PRESSED - RISE_OF_METAL) * may_be_pressed(values)
     return larger(larger(leaving + HOTTER, sheared), above_inlet(values, rise))
 
 
 def least_margin(values: Mapping[str, float]) -> float:
     """Margin of a limit of the film that films with temperatures of their own may need, whatever their oil."""
-    return THINNER + (THINNER_BESIDE_PRESSED - THINNER) * is_pressed(values, MUCH_PRESSED)
+    return THINNER + (THINNER_BESIDE_PRESSED - THINNER) * may_be_pressed(values, MUCH_PRESSED)
 
 
 def _about_film(check: Check, values: Mapping[str, float], thinner: float) -> Notice:
@@ -270,8 +270,9 @@ def thinner_oil(check: Check, values: Mapping[str, float], viscosity: Callable[[
     >>> from babbitt.core.result import Bound
     >>> of_film = Check("C101", "minimum_film_thickness", 2e-5, 1e-5, Bound.AT_LEAST, "")
     >>> warm = {"supply_temperature": 313.0, "specific_load": 4e6, "surface_speed": 25.0}
-    >>> thinner_oil(of_film, warm | {"effective_temperature": 320.0}, lambda kelvin: 1.0 / kelvin)  # 336 K there
-    1.05
+    >>> calm = warm | {"effective_temperature": 320.0, "supply_flow": 0.0, "side_flow": 1.0}
+    >>> thinner_oil(of_film, calm, lambda kelvin: 1.0 / kelvin)  # 334 K there
+    1.04375
     """
     one = one_temperature(check, values)
     return viscosity(one) / viscosity(larger(loaded_temperature(check, values), one))
@@ -294,7 +295,7 @@ def loaded_temperature(check: Check, values: Mapping[str, float]) -> float:
     """
     one, shear = one_temperature(check, values), heat_of_shear(values)
     sheared = one + LOADED_BY_SHEAR * functions_for(shear).sqrt(shear)
-    rise = RISE_OF_LOADED_FILM + (LOADED_BESIDE_PRESSED - RISE_OF_LOADED_FILM) * is_pressed(values)
+    rise = RISE_OF_LOADED_FILM + (LOADED_BESIDE_PRESSED - RISE_OF_LOADED_FILM) * may_be_pressed(values)
     loaded: float = larger(above_inlet(values, rise), sheared)
     if "specific_load" not in values:
         return loaded
@@ -302,22 +303,13 @@ def loaded_temperature(check: Check, values: Mapping[str, float]) -> float:
     return larger(loaded, one + LOADED_BY_PRESSURE * values["specific_load"] * lacking)
 
 
-def is_pressed(values: Mapping[str, float], share: float = PRESSED) -> float:
-    """1 where the supply is known to press more than a share of Q₃ through the gap, else 0.
-
-    >>> is_pressed({"supply_flow": 2.0, "side_flow": 3.0}), is_pressed({"side_flow": 3.0})
-    (1.0, 0.0)
-    """
-    return 1.0 * (values.get("supply_flow", math.nan) > share * values.get("side_flow", math.nan))
-
-
-def may_be_pressed(values: Mapping[str, float]) -> float:
-    """`is_pressed`, and 1 where only the sum of both flows is known, as of some films.
+def may_be_pressed(values: Mapping[str, float], share: float = PRESSED) -> float:
+    """1 where the supply presses more than a share of Q₃ through the gap, or the flows are not known, else 0.
 
     >>> may_be_pressed({"supply_flow": 1.0, "side_flow": 3.0}), may_be_pressed({"side_flow": 3.0})
     (0.0, 1.0)
     """
-    return 1.0 - (values.get("supply_flow", math.nan) <= PRESSED * values.get("side_flow", math.nan))
+    return 1.0 - (values.get("supply_flow", math.nan) <= share * values.get("side_flow", math.nan))
 
 
 def heat_of_shear(values: Mapping[str, float]) -> float:

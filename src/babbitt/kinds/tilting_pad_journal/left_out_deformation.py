@@ -11,7 +11,7 @@ from babbitt.core.result import Check
 from babbitt.design.bounds import FILM_CHECKS
 from babbitt.kinds.tilting_pad_journal.model import PadCase
 from babbitt.kinds.tilting_pad_journal.one_temperature import LESS_STABLE, kept_stability
-from babbitt.kinds.tilting_pad_journal.warnings import BORE_CHECKS
+from babbitt.kinds.tilting_pad_journal.warnings import is_of_bore
 from babbitt.reynolds.tilting_pads.pad_heat import STEEL_EXPANSION
 
 __all__ = ["CLOSES", "left_out_growth", "warnings_about_left_out_deformation"]
@@ -34,7 +34,7 @@ THINNER_BY_BENDING, LESS_STABLE_BY_BENDING = 0.06, 0.18
 bearings less in nineteen of twenty, half of them 0 and 0.03 (assumption by measurement; most of thin pads)."""
 
 OF_FILM = (*FILM_CHECKS, "C111")
-"""Limits of the film thickness, also by the speed at which it is reached."""
+"""Limits of the film thickness, that of transition among them."""
 
 
 @dataclass(frozen=True)
@@ -61,10 +61,8 @@ def warnings_about_left_out_deformation(
     values : Mapping of str to float
         Named results.
     """
-    if case.oil_supply is None:
-        return
-    supply, share = case.oil_supply.temperature, 0.0
-    if case.heat.growth is None:
+    supply, share = math.nan if case.oil_supply is None else case.oil_supply.temperature, 0.0
+    if case.heat.growth is None and case.oil_supply is not None:
         housing = case.heat.housing_temperature
         share = max(left_out_growth(case, values, supply if housing is None else housing), 0.0)
     if share > CLOSES:
@@ -84,6 +82,8 @@ def warnings_about_left_out_deformation(
 def _kept_by_little(checks: Iterable[Check], left: _LeftOut, supply_temperature: float) -> Iterator[Notice]:
     """Limits that less stability, thinner films and hotter bores would miss, each with its margin.
 
+    Of bores none where the temperature of the supply is not known (nan).
+
     >>> from babbitt.core.result import Bound
     >>> film = Check("C101", "minimum_film_thickness", 1.15e-5, 1e-5, Bound.AT_LEAST, "")
     >>> bore = Check("C108", "maximum_temperature", 380.0, 387.0, Bound.AT_MOST, "")
@@ -98,7 +98,7 @@ def _kept_by_little(checks: Iterable[Check], left: _LeftOut, supply_temperature:
             continue
         if one.code in OF_FILM and (1.0 - left.film) * one.value < one.limit:
             yield Notice("W422", "stable", {"margin": one.margin, "check": one.code})
-        if one.code in BORE_CHECKS and one.value + left.hotter * (one.value - supply_temperature) > one.limit:
+        if is_of_bore(one) and one.value + left.hotter * (one.value - supply_temperature) > one.limit:
             yield Notice("W422", "temperature", {"margin": one.limit - one.value, "check": one.code})
 
 

@@ -33,8 +33,8 @@ from babbitt.reynolds.tilting_pads.dynamics import condensed_at, full_coefficien
 from babbitt.reynolds.tilting_pads.pivots import HertzContact, LineContact
 
 __all__ = [
-    "BORE_CHECKS",
     "about_stability_on_the_ramp",
+    "is_of_bore",
     "starved_bounds",
     "warnings_about_kept_limits",
     "warnings_of_solution",
@@ -184,7 +184,7 @@ def warnings_about_kept_limits(films: PadFilms, checks: Sequence[Check]) -> Iter
     if films.thermal is None:
         return
     yield from about_kept_film("W415", checks)
-    of_bore = [check for check in checks if check.code in BORE_CHECKS]
+    of_bore = [check for check in checks if is_of_bore(check)]
     near = kept_by_little(of_bore, films.thermal.heat.supply_temperature)
     if near:
         yield Notice("W415", "kept", {
@@ -193,6 +193,11 @@ def warnings_about_kept_limits(films: PadFilms, checks: Sequence[Check]) -> Iter
                 Notice("W415", "temperature", {"margin": one.margin, "check": one.check}) for one in near
             ),
         })  # fmt: skip
+
+
+def is_of_bore(check: Check) -> bool:
+    """Whether a limit is one of a bore: where the case sets none, C104 holds the outlet to a general one."""
+    return check.code in BORE_CHECKS and check.quantity != "outlet_temperature"
 
 
 def starved_bounds(case: PadCase, films: PadFilms) -> Bounds:
