@@ -462,7 +462,8 @@ def test_the_rule_below_the_title_of_a_study_stands_clear_of_its_letters():
     """Rows of pixels: no letter, of a name with descenders, touches the widest dark one."""
     image = pytest.importorskip("matplotlib.image")
     data = {
-        "name": "Typography", "version": "1", "hash": "0" * 16, "overview": "", "source": "", "notes": "",
+        "name": "Typography", "language": "en", "words": {}, "version": "1", "hash": "0" * 16, "overview": "",
+        "source": "", "notes": "",
         "tables": [], "figures": [], "text": "",
     }  # fmt: skip
     shade = image.imread(BytesIO(typeset(data, "study.typ", "png")))[:, :, :3].mean(axis=2)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 
 from babbitt.core.notices import Notice
 from babbitt.core.result import Check
@@ -76,7 +76,9 @@ def warnings_about_left_out_deformation(
         hotter=HOTTER_BY_GROWTH * share,
     )
     if (share > 0.0 or stiff) and (near := tuple(_kept_by_little(checks, left, supply))):
-        yield Notice("W422", "kept", {"share": share, "kept": near, **asdict(left)})
+        yield Notice("W422", "kept", {
+            "share": share, "kept": near, "stable": left.stable, "film": left.film, "hotter": left.hotter,
+        })  # fmt: skip
 
 
 def _kept_by_little(checks: Iterable[Check], left: _LeftOut, supply_temperature: float) -> Iterator[Notice]:
