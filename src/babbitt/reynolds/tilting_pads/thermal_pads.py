@@ -65,6 +65,8 @@ BOUNCES = 4
 large as these lead from the temperatures of either state to the other."""
 MOST_FILMS = 40_000
 """Solutions of the film of a pad in one attempt: about 0.3 s."""
+MOST_GROWING_FILMS = 60_000
+"""The same of all steps of growth: behind them the share at which a film was found is not refined."""
 ENDS = (Outcome.CONVERGED, Outcome.PAD_AT_LIMIT, Outcome.OUTSIDE_CLEARANCE)
 """What smaller steps would not change, unless a pad bounced into its limit."""
 DECIDED = (*ENDS, Outcome.NO_CLEARANCE)
@@ -201,17 +203,19 @@ def grow(failed: Settled, load: Array | None, at: Array) -> Settled:
             break
         bounced = best if best.bounces else bounced
     best = behind_bounces(best, bounced)
-    share, step, last = 0.0, FIRST_SHARE, best
-    while best.outcome.solved and share < 1.0 and step >= LEAST_SHARE:
+    share, step, last, work = 0.0, FIRST_SHARE, best, 0
+    while best.outcome.solved and share < 1.0 and step >= LEAST_SHARE and work <= MOST_GROWING_FILMS:
         trial = best.films.copied()
-        trial.share = min(share + step, 1.0)
+        trial.share, work = min(share + step, 1.0), work - trial.solved
         found = settle(trial, load, best.placement.at, CAREFUL, GROWING_PASSES)
-        passes += found.passes
+        passes, work = passes + found.passes, work + trial.solved
         if found.outcome.solved:
             best, share, step = found, trial.share, 1.5 * step
         else:
             step, last = 0.5 * step, found
-    if best.outcome.solved and share < 1.0:
+    if last.outcome.solved and share < 1.0:
+        best = replace(best, outcome=Outcome.WORK_BOUND)
+    elif best.outcome.solved and share < 1.0:
         closes = last.outcome in CLOSING and not taken(best.films) < LEAST_TAKEN * share
         best = replace(best, outcome=Outcome.NO_CLEARANCE) if closes else last
     return replace(best, passes=passes)
