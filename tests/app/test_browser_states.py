@@ -25,9 +25,9 @@ def test_form_and_slider_show_the_same_load(page):
 
 
 def test_a_slider_that_stops_moves_its_own_field_alone(page):
-    """Shown in pounds, the load of the case stays one in kilonewtons; no other control is drawn anew."""
+    """In US units it moves a load in pounds; no other control is drawn anew."""
     load, diameter = page.get_by_label("Load", exact=True), page.get_by_label("Diameter", exact=True)
-    page.get_by_role("button", name="Inch units").click()
+    page.get_by_role("button", name="US units").click()
     until(page, lambda: diameter.input_value() == "4.72441")
     section(page, "Operation")
     before = load.input_value()
@@ -38,10 +38,8 @@ def test_a_slider_that_stops_moves_its_own_field_alone(page):
     until(page, lambda: load.input_value() != before)
     assert diameter.get_attribute("data-drawn") == "once"
     moved, unit = load_of_slider(page).split()
-    assert unit == "kN"
-    assert abs(float(load.input_value()) / (float(moved) / 4.4482216e-3) - 1.0) < 1e-3
-    text_of(page)
-    until(page, lambda: f"load: {moved} kN" in page.locator(".cm-content").inner_text())
+    assert unit == "lbf"
+    assert abs(float(load.input_value()) / float(moved.replace(",", "")) - 1.0) < 1e-3
 
 
 def test_numbers_of_a_case_that_was_wrong_are_faint_until_it_is_mended(page):
