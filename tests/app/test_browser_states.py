@@ -2,7 +2,7 @@
 
 import re
 
-from browsing import IN_BROWSER, section, tab, text_of, until
+from browsing import IN_BROWSER, section, tab, until
 
 pytestmark = IN_BROWSER
 
