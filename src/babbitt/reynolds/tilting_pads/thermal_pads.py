@@ -66,7 +66,7 @@ large as these lead from the temperatures of either state to the other."""
 MOST_FILMS = 40_000
 """Solutions of the film of a pad in one attempt: about 0.3 s."""
 MOST_GROWING_FILMS = 60_000
-"""The same of all steps of growth: behind them the share at which a film was found is not refined."""
+"""The same of all steps of growth, about 0.6 s: behind them the share at which a film was found is not refined."""
 ENDS = (Outcome.CONVERGED, Outcome.PAD_AT_LIMIT, Outcome.OUTSIDE_CLEARANCE)
 """What smaller steps would not change, unless a pad bounced into its limit."""
 DECIDED = (*ENDS, Outcome.NO_CLEARANCE)
@@ -74,8 +74,9 @@ DECIDED = (*ENDS, Outcome.NO_CLEARANCE)
 CLOSING = (Outcome.NOT_CONVERGED, Outcome.OUTSIDE_CLEARANCE)
 """How a step of growth ends behind which no film exists: gaps shrink from pass to pass, or a pad is touched."""
 LEAST_TAKEN = 0.1
-"""Share of an assembled clearance that all growth takes below which it closes none: what closes loses a fifth. A
-step that fails sooner, as where wet sets of a pad without load flip, has not converged."""
+"""Share of an assembled clearance that all growth takes below which it closes none: of 82 random bearings that it
+closes it is 0.44 or more. A step that fails sooner, as where wet sets of a pad without load flip, has not converged:
+of one such bearing it is 0.04."""
 
 
 def find_thermal_tilting_pads(
