@@ -39,8 +39,8 @@ THINNER_BESIDE_PRESSED, MUCH_PRESSED = 0.7, 5.0
 """``THINNER`` where the supply presses several times Q₃ through the gap, and how many.
 
 Assumption by a search for the thinnest films among 2400 clean passes (docs/theory/procedure.md): wide slow
-bearings with a pocket opposite under 0.9 MPa, which presses 10 to 22 times Q₃, have 0.60 of the film; no film below 1.3 times Q₃ asked for more than the other
-bounds, and five times lies between."""
+bearings with a pocket opposite under 0.9 MPa, which presses 10 to 22 times Q₃, have 0.60 of the film. From
+which share on is not measured: five times is an assumption, on the safe side of these."""
 
 THINNER_OIL = 0.55
 """Viscosity over that of one temperature with which the film of a tilted journal must keep its limit.

@@ -75,8 +75,8 @@ CLOSING = (Outcome.NOT_CONVERGED, Outcome.OUTSIDE_CLEARANCE)
 """How a step of growth ends behind which no film exists: gaps shrink from pass to pass, or a pad is touched."""
 LEAST_TAKEN = 0.1
 """Share of an assembled clearance that all growth takes below which it closes none: of 82 random bearings that it
-closes it is 0.44 or more. A step that fails sooner, as where wet sets of a pad without load flip, has not converged:
-of one such bearing it is 0.04."""
+closes it is 0.44 or more. A step that fails sooner, as where wet sets of a pad without load flip, has not
+converged: of one such bearing it is 0.04."""
 
 
 def find_thermal_tilting_pads(
