@@ -134,3 +134,30 @@ def test_the_reason_why_a_film_gave_way_is_kept():
     assert found.outcome is Outcome.OVERLOADED
     assert found.failure is not None
     assert found.failure.capacity == 7.0
+
+
+def test_a_film_that_is_not_found_a_second_time_is_an_outcome():
+    """Films of a bore that gives way begin with what films before have told: one may be lost near its limit."""
+    asked = set()
+
+    def film_at(temperature):
+        if temperature > 350.0 or (temperature in asked and temperature > 340.0):
+            raise NoFilmError(Outcome.NOT_CONVERGED)
+        asked.add(temperature)
+        return Film(temperature, 1000.0)
+
+    found = find_equilibrium(COOLED, film_at, COARSE_SEARCH)
+    assert (found.outcome, found.film) == (Outcome.NOT_CONVERGED, None)
+    assert 349.0 < found.last_temperature <= 350.0
+
+
+def test_a_gap_between_films_is_an_outcome():
+    """Three films enclose a least surplus, and there is none where it would be."""
+
+    def film_at(temperature):
+        if 343.0 < temperature < 347.0:
+            raise NoFilmError(Outcome.OVERLOADED)
+        return Film(temperature, (temperature - 300.0) + 0.05 * ((temperature - 345.0) ** 2 + 4.0))
+
+    found = find_equilibrium(COOLED, film_at, COARSE_SEARCH)
+    assert found.outcome is Outcome.OVERLOADED

@@ -220,6 +220,8 @@ def coolest_equilibrium(
         return _coolest(search, coolest, policy, ceiling)
     except _SpentError:
         return search.given_up()
+    except NoFilmError as failure:  # between films that were found, or of one that is not found a second time
+        return search.ended(failure, search.temperature)
 
 
 def _coolest(search: _Search[FilmT], coolest: float, policy: SearchPolicy, ceiling: float) -> Equilibrium[FilmT]:
@@ -344,11 +346,16 @@ class _Search(Generic[FilmT]):
             film = None
         return Equilibrium(failure.outcome, film, self._evaluations, temperature, failure)
 
+    @property
+    def temperature(self) -> float:
+        """At which a film was sought last, K."""
+        return self._coolest if self._last is None else self._last[0]
+
     def given_up(self) -> Equilibrium[FilmT]:
         """End where the films allowed have run out."""
-        temperature, found = self._last or (self._coolest, None)
-        film = None if found is None or isinstance(found, NoFilmError) else found
-        return Equilibrium(Outcome.NOT_CONVERGED, film, self._evaluations, temperature)
+        found = None if self._last is None else self._last[1]
+        film = None if isinstance(found, NoFilmError) else found
+        return Equilibrium(Outcome.NOT_CONVERGED, film, self._evaluations, self.temperature)
 
     def _film(self, temperature: float) -> FilmT:
         """Film at a temperature; the last two are kept, for a search closes in between them and ends at one."""

@@ -314,7 +314,7 @@ def may_be_pressed(values: Mapping[str, float], share: float = PRESSED) -> float
 
 
 def heat_of_shear(values: Mapping[str, float]) -> float:
-    """`shear_heat` of a film; 0 of unknown viscosity."""
+    """`shear_heat` of a film, with all the oil that it wants, as measured; 0 of unknown viscosity."""
     if "effective_viscosity" not in values:
         return 0.0
     found: float = shear_heat(values["surface_speed"], values["effective_viscosity"])

@@ -93,17 +93,18 @@ def line_answer(design: LineDesign) -> LineAnswer:
     similar = duty.bearing.pad.is_plane and not isinstance(films, ThermalLoadCurve)
     wanted = RINGS if similar and not attitude_at_rest(duty.bearing).is_tilted else FEWER_RINGS
     nonlinear, not_repeating = _nonlinear(state) if design.nonlinear else (None, None)
-    rings = usual_rings(duty, state, wanted)
+    bearable = admissible(duty, films, limit_margin(design))
+    points = ring_sweep(duty, films, usual_rings(duty, state, wanted))
     return LineAnswer(
         static=static,
         state=state,
         modes=natural,
         resonances=resonances_of(state, natural),
         causes=attribution(state),
-        bearable=admissible(duty, films, limit_margin(design)),
+        bearable=bearable,
         wanted_rings=wanted,
-        rings=ring_sweep(duty, films, rings),
-        half=ring_for_loss(duty, films, 0.5 * state.losses.mean_bound, rings[:: 3 if wanted == RINGS else 1]),
+        rings=points,
+        half=ring_for_loss(duty, films, 0.5 * state.losses.mean_bound, points),
         campbell=speed_sweep(duty, design.films_at, design.speeds),
         nonlinear=nonlinear,
         not_repeating=not_repeating,

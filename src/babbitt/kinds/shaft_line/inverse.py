@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, partial
 
 from babbitt.kinds.shaft_line.admissible_amplitude import Excess
 from babbitt.kinds.shaft_line.model import LineOperation, LineState, state_of
@@ -148,11 +148,11 @@ def rounded_down(value: float, step: float) -> float:
 
 
 def ring_for_loss(
-    duty: LineOperation, films: LoadCurve, loss: float, rings: tuple[float, ...]
+    duty: LineOperation, films: LoadCurve, loss: float, points: Sequence[RingPoint]
 ) -> RingPoint | None:
-    """The stiffest ring on which L1 (bound) falls to ``loss``; None where no ring among ``rings`` reaches it.
+    """The stiffest ring on which L1 (bound) falls to ``loss``; None where no ring of a sweep reaches it.
 
-    Where the pads find no film on rings between two of ``rings``, or the work that is allowed ends, it is the
+    Where the pads find no film on rings between two of the sweep, or the work that is allowed ends, it is the
     stiffest of those that reach it.
 
     Parameters
@@ -160,29 +160,18 @@ def ring_for_loss(
     duty : LineOperation
     films : LoadCurve
     loss : float
-    rings : tuple of float
-        Stiffnesses between which it is sought, N/m.
+    points : sequence of RingPoint
+        The line on the rings of a sweep, see `babbitt.kinds.shaft_line.sweeps.ring_sweep`.
     """
-    return _stiffest(duty, films, rings, lambda point: point.bound - loss)
-
-
-def _stiffest(
-    duty: LineOperation, films: LoadCurve, rings: tuple[float, ...], excess: Callable[[RingPoint], float]
-) -> RingPoint | None:
+    at = cache(partial(ring_point, duty, films))
     stiff: RingPoint | None = None
-    for ring in sorted(rings, reverse=True):
-        try:
-            point = ring_point(duty, films, ring)
-        except (NoPadFilmError, WorkBoundError):
-            continue
-        if excess(point) <= 0.0:
+    for point in sorted(points, key=lambda one: one.stiffness, reverse=True):
+        if point.bound <= loss:
             if stiff is None:
                 return point
             with suppress(NoPadFilmError, WorkBoundError):
-                root = bracketed_root(
-                    lambda c: excess(ring_point(duty, films, c)), ring, stiff.stiffness, relative=1e-6
-                )
-                return ring_point(duty, films, root)
+                between = (point.stiffness, stiff.stiffness)
+                return at(bracketed_root(lambda c: at(c).bound - loss, *between, relative=1e-6))
             return point
         stiff = point
     return None
