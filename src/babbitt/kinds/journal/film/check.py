@@ -52,6 +52,7 @@ from babbitt.kinds.journal.film.other_equilibria import (
 from babbitt.kinds.journal.film.thermal_failure import thermal_failure
 from babbitt.kinds.journal.film.thermal_film import film_within_ducts
 from babbitt.kinds.journal.film.thermal_results import (
+    BACK_FROM,
     settings_found,
     stiffness_values,
     thermal_rows,
@@ -346,6 +347,9 @@ def film_warnings(
         over_viscosity = film_over_viscosity(case, state)
         metal = checks_of_metal(case.limits)
         yield from _warnings_about_feed_pressure(case, state, values)
+        returned = -float(film.supply_flow[film.supply_flow < 0.0].sum())
+        if returned > BACK_FROM * film.leaving_flow:
+            yield Notice("W148", "one_temperature", {"flow": returned})
         yield from warnings_about_margins(checks, values, metal, viscosity, over_viscosity)
         yield from warnings_about_unknown_metal(case, checks, values)
         yield from warnings_about_heat_left_out(case, values)

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from babbitt.reynolds.model import JournalFilm
 
 __all__ = [
+    "BACK_FROM",
     "coefficient_settings",
     "warnings_about_heat",
     "flow_without_pressure",
@@ -171,7 +172,7 @@ def warnings_about_heat(
     if back > BACK_FROM * thermal.film.leaving_flow:
         warmth = thermal.heat.returned / (state.volumetric_heat_capacity * back)
         share = thermal.heat.returned / thermal.heat.oil
-        yield Notice("W148", values={
+        yield Notice("W148", "own_temperatures", {
             "flow": back, "mean": float(thermal.supply_temperature + warmth), "share": float(share),
         })  # fmt: skip
     if not followed:
