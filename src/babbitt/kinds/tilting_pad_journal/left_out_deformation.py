@@ -18,7 +18,7 @@ from babbitt.reynolds.tilting_pads.bending_mode import edge_under_heat, edge_und
 
 __all__ = ["CLOSES", "left_out_bending", "left_out_growth", "warnings_about_left_out_deformation"]
 
-CLOSES = 0.22
+CLOSES = 0.2
 """Share of the assembled clearance that growth takes at the temperatures of films without it, from which on it may
 leave no film: narrower, the films warm further.
 
@@ -31,15 +31,17 @@ THINNER_BY_GROWTH, HOTTER_BY_GROWTH, LESS_STABLE_BY_GROWTH = 1.5, 1.5, 3.0
 cross-coupling that growth takes, or adds, over what it takes of the clearance (assumption by measurement: of the
 same bearings less in nineteen of twenty from a share of 0.05 on; more, up to 8, of log decrements above 1)."""
 
-THINNER_BY_BENDING, LESS_STABLE_BY_BENDING = 0.12, 2.5
-"""By how much more bending divides the film thickness, over what it would move the edge of a pad by
-(`left_out_bending`) over that film; and log decrement and threshold cross-coupling, over the same over the assembled
-clearance.
+THINNER_BY_BENDING, LESS_STABLE_BY_BENDING, LEAST_BY_BENDING = 0.15, 2.5, 0.1
+"""What bending takes, by what it would move the edge of a pad by, w (`left_out_bending`): h falls to h/(1 + 0.15 w/h);
+of log decrement and threshold cross-coupling it leaves 0.9/(1 + 2.5 w/c), c the assembled clearance.
 
-PLACEHOLDER"""
+Assumption by measurement of NNN random bearings (three to six pads on all pivots, 20 to 800 mm, pads of 6 to 20 % of
+the diameter of steel and of bronze of 100 GPa, 3 to 95 m/s, 0.15 to 4 MPa, ISO VG 22 to 100, assembled clearances of
+0.8 to 2.6 permille, 50 to 1500 W/(m2 K) on the backs): of those with w below c at most 2 in 100 lose more; of the
+film only where it is nearly as thick as the clearance."""
 
 FOLDS = 1.0
-"""PLACEHOLDER"""
+"""w/c from which on bending is told whatever the limits: of some such bearings it leaves no film that is found."""
 
 OF_FILM = (*FILM_CHECKS, "C111")
 """Limits of the film thickness, that of transition among them."""
@@ -81,6 +83,7 @@ def warnings_about_left_out_deformation(
         yield Notice("W422", "folds", {"bend": over_clearance, "advice": _advice(case, "growth", "bending")})
         return
     stable = (1.0 - LESS_STABLE_BY_GROWTH * share) / (1.0 + LESS_STABLE_BY_BENDING * over_clearance)
+    stable *= 1.0 - LEAST_BY_BENDING * (bend > 0.0)
     over_film = bend / values["minimum_film_thickness"]
     left = _LeftOut(
         stable=1.0 - stable * (1.0 if case.thermal.is_resolved else LESS_STABLE),
