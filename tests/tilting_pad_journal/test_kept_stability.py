@@ -214,6 +214,28 @@ def test_pads_that_would_bend_by_the_whole_clearance_are_told():
     assert found.verdict is not Verdict.PASS
 
 
+def test_bending_lets_less_growth_close():
+    """Bronze pads of a ninth of the radius, which growth closes where they bend, too."""
+    bronze = {"elastic_modulus": "100 GPa", "thermal_expansion": "18e-6 1/K", "conductivity": "250 W/(m K)"}
+    small = {
+        "diameter": "23.4 mm", "load": "428 N", "speed": "16549 rpm", "lubricant": "ISO VG 32", "carry_over": 0.6,
+        "supply": {"temperature": "46.6 degC"}, "feed": "spray_bar",
+        "materials": {"pads": bronze, "journal": "42CrMo4", "housing": "C45"},
+        "pads": {
+            "number": 3, "first_pivot": "-30 deg", "extent": "97.5 deg", "width": "9.35 mm", "thickness": "4.63 mm",
+            "clearance": {"kind": "radial", "mean": "35.5 um"}, "preload": 0.369,
+            "pivot": {"kind": "point", "fraction": 0.57, "pivot_radius": "14 mm", "housing_radius": "14.7 mm",
+                      "yield_strength": "2000 MPa"},
+        },
+        **WALLS, "walls": {"pads": {}},
+    }  # fmt: skip
+    (notice,) = notices(result_of(**small), "W422", "closes")
+    assert notice.values["share"] < 0.22
+    assert "[growth, bending]" in notice.message
+    fuller = {"deformation": ["growth", "bending"], "reference_temperature": "20 degC"}
+    assert result_of(**small, **fuller).verdict is Verdict.NO_SOLUTION
+
+
 def test_the_estimate_of_bending_is_that_of_stiff_pads_that_bend():
     """Of pads that hardly bend: half to twice what the pressure where it stands, and the heat, really make."""
     stiff = {"pads.thickness": "30 mm", "load": "10 kN"}

@@ -77,12 +77,12 @@ def warnings_about_left_out_deformation(
     warm = films.temperature if math.isnan(journal) else journal
     share, bend = max(left_out_growth(case, warm), 0.0), left_out_bending(case, films, warm)
     over_clearance = bend / case.bearing.assembled_clearance
+    if over_clearance > FOLDS and share <= CLOSES:
+        yield Notice("W422", "folds", {"bend": over_clearance, "advice": _advice(case, "growth", "bending")})
+        return
     if share > 0.0 and share / CLOSES + WITH_BENDING * over_clearance > 1.0:
         asked = ("growth",) if share > CLOSES else ("growth", "bending")
         yield Notice("W422", "closes", {"share": share, "advice": _advice(case, *asked)})
-        return
-    if over_clearance > FOLDS:
-        yield Notice("W422", "folds", {"bend": over_clearance, "advice": _advice(case, "growth", "bending")})
         return
     stable = (1.0 - LESS_STABLE_BY_GROWTH * share) / (1.0 + LESS_STABLE_BY_BENDING * over_clearance)
     stable *= 1.0 - LEAST_BY_BENDING * (bend > 0.0)
