@@ -153,7 +153,7 @@ def test_a_housing_that_is_known_counts(films, housing):
 
 
 def test_films_of_a_given_temperature_know_their_housing():
-    """Beside films of 70 degC one of 20 degC closes; nothing tells that a housing is colder where none is given."""
+    """Beside films of 70 degC one of 20 degC closes; one that is not given is as warm as they are."""
     films = {"thermal": "isothermal", "effective_temperature": "70 degC", "supply": None}
     assert not notices(result_of(**NARROW | films), "W422", "closes")
     found = result_of(**NARROW | films | {"walls": {"housing": {"temperature": "20 degC"}}})
@@ -179,6 +179,7 @@ def test_a_journal_that_expands_more_takes_more_of_the_clearance():
     assert not notices(hot, "W183")
 
 
+ALL_LEFT_OUT = {"growth", "bending", "temperatures"}
 THIN = {
     "diameter": "544 mm",
     "pads": {
@@ -192,7 +193,9 @@ THIN = {
 """Pads that are thin and wide."""
 
 
-@pytest.mark.parametrize("films", [WALLS | {"walls": {"pads": {}}}, {"thermal": "adiabatic"}], ids=["full", "adiabatic"])
+@pytest.mark.parametrize(
+    "films", [WALLS | {"walls": {"pads": {}}}, {"thermal": "adiabatic"}], ids=["full", "adiabatic"]
+)
 def test_films_of_thin_wide_pads_are_questioned_without_bending(films):
     bent = {"deformation": ["growth", "bending"], "reference_temperature": "20 degC"}
     plain, fuller = (result_of(**THIN | WALLS | {"walls": {"pads": {}}} | more) for more in ({}, bent))
@@ -222,8 +225,8 @@ def test_bending_lets_less_growth_close():
         "supply": {"temperature": "46.6 degC"}, "feed": "spray_bar",
         "materials": {"pads": bronze, "journal": "42CrMo4", "housing": "C45"},
         "pads": {
-            "number": 3, "first_pivot": "-30 deg", "extent": "97.5 deg", "width": "9.35 mm", "thickness": "4.63 mm",
-            "clearance": {"kind": "radial", "mean": "35.5 um"}, "preload": 0.369,
+            "number": 3, "first_pivot": "-30 deg", "extent": "97.5 deg", "width": "9.35 mm",
+            "thickness": "4.63 mm", "clearance": {"kind": "radial", "mean": "35.5 um"}, "preload": 0.369,
             "pivot": {"kind": "point", "fraction": 0.57, "pivot_radius": "14 mm", "housing_radius": "14.7 mm",
                       "yield_strength": "2000 MPa"},
         },
@@ -257,15 +260,16 @@ def test_the_estimate_of_bending_is_that_of_stiff_pads_that_bend():
      "deformation: [growth, bending]"),
     (WALLS | {"deformation": ["bending"]}, {"growth"}, "deformation: [growth, bending]"),
     ({"thermal": "adiabatic"}, {"growth", "bending"}, "thermal: full, deformation: [growth, bending]"),
-    ({"thermal": "global"}, {"growth", "bending", "temperatures"}, "thermal: full, deformation: [growth, bending]"),
-    ({"thermal": "global", "turbulence": "ng_pan"}, {"growth", "bending", "temperatures"}, "deformation: [bending]"),
-    ({"thermal": "global", "turbulence": "ng_pan", "deformation": ["bending"]},
-     {"growth", "bending", "temperatures"}, ""),
+    ({"thermal": "global"}, ALL_LEFT_OUT, "thermal: full, deformation: [growth, bending]"),
+    ({"thermal": "global", "turbulence": "ng_pan"}, ALL_LEFT_OUT, "deformation: [bending]"),
+    ({"thermal": "global", "turbulence": "ng_pan", "deformation": ["bending"]}, ALL_LEFT_OUT, ""),
 ])  # fmt: skip
 def test_what_is_left_out_is_named_with_the_model_that_counts_it(films, left, model):
     near = {"pads.clearance.mean": "150 um", "limits.log_decrement": None}
     decrement = result_of(near, **STABLE | films).values["log_decrement"]
-    (notice,) = notices(result_of(near | {"limits.log_decrement": 0.97 * decrement}, **STABLE | films), "W422", "kept")
+    (notice,) = notices(
+        result_of(near | {"limits.log_decrement": 0.97 * decrement}, **STABLE | films), "W422", "kept"
+    )
     assert {one.variant for one in notice.values["left"]} == left
     assert [one.values["model"] for one in notice.values["advice"]] == ([model] if model else [])
     for language in ("en", "de", "ru"):

@@ -342,7 +342,10 @@ NOT_READ = {
         ("walls.pads.edge_coefficient", "walls.journal"),
     ),
     "Poisson's ratio of beams": (
-        {"materials": {"pads": {"poisson_ratio": 0.3}}, "pads.each": [{"material": {"poisson_ratio": 0.2}}, {}, {}, {}]},
+        {
+            "materials": {"pads": {"poisson_ratio": 0.3}},
+            "pads.each": [{"material": {"poisson_ratio": 0.2}}, {}, {}, {}],
+        },
         ("materials.pads.poisson_ratio", "pads.each (pad 1).material.poisson_ratio"),
     ),
     # what deformation that is left out would take depends on all these (W422)

@@ -59,10 +59,11 @@ def pad_heat(case: PadCase, heat: HeatChoices, temperature: float) -> PadHeat:
     Fresh oil whose temperature is not known is as warm as that.
     """
     _, _, capacity = properties_at(case.lubricant, temperature)
+    supply = temperature if case.oil_supply is None else case.oil_supply.temperature
     return PadHeat(
-        bounded_viscosity(case.lubricant), capacity, case.lubricant.conductivity(temperature),
-        temperature if case.oil_supply is None else case.oil_supply.temperature, heat.journal, heat.walls, heat.bending, heat.growth,
-        carry_over=case.feed.carry_over, materials=heat.materials,
+        bounded_viscosity(case.lubricant), capacity, case.lubricant.conductivity(temperature), supply,
+        heat.journal, heat.walls, heat.bending, heat.growth, carry_over=case.feed.carry_over,
+        materials=heat.materials,
     )  # fmt: skip
 
 

@@ -89,7 +89,9 @@ class PadJournalWalls(Part):
     example: ClassVar[str] = "{pads: {temperature: 40 degC}, housing: {temperature: 45 degC}}"
 
     pads: ConductingPadsInput | None = Field(None, description="The pads. They take no heat if not given.")
-    housing: PadHousingInput = Field(PadHousingInput(), description="The housing, for growth, counted or left out.")
+    housing: PadHousingInput = Field(
+        PadHousingInput(), description="The housing, for growth, counted or left out."
+    )
     journal: ConductingJournalInput = Field(ConductingJournalInput(), description="The journal.")
 
 
