@@ -33,13 +33,14 @@ same bearings 99 in 100 lose no more; of the 177 before some decrements above 1,
 
 THINNER_BY_BENDING, LESS_STABLE_BY_BENDING, LEAST_BY_BENDING = 0.15, 2.5, 0.1
 """What bending takes, by what it would move the edge of a pad by, w (`left_out_bending`): h falls to
-h/(1 + 0.15 w/h); of log decrement and threshold cross-coupling it leaves 0.9/(1 + 2.5 w/c), c the assembled clearance.
+h/(1 + 0.15 w/h); of log decrement and threshold cross-coupling it leaves 0.9/(1 + 2.5 w/c), c the assembled
+clearance.
 
 Assumption by measurement of 397 random bearings (three to six pads on all pivots, 20 to 800 mm, pads of 6 to 20 %
 of the diameter of steel and of bronze of 100 GPa, 3 to 95 m/s, 0.15 to 4 MPa, ISO VG 22 to 100, assembled
 clearances of 0.8 to 2.6 permille, 50 to 1500 W/(m2 K) on the backs): of those with w below c 5 of 332 lose more of
-the film, most of them nearly concentric, 3 of 218 of the decrement and 4 of 131 of the cross-coupling; of those that
-lack growth, too, none of 306, none of 198 and 1 of 118 more than by both."""
+the film, most of them nearly concentric, 3 of 218 of the decrement and 4 of 131 of the cross-coupling; of those
+that lack growth, too, none of 306, none of 198 and 1 of 118 more than by both."""
 
 FOLDS = 1.0
 """w/c from which on bending is told whatever the limits: of some such bearings it leaves no film that is found."""

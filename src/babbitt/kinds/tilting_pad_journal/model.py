@@ -192,8 +192,8 @@ class PadCase:
     Speed in rad/s, positive counter-clockwise; `load_angle` in rad from +x. With the thermal model `ISOTHERMAL`
     the films have the `effective_temperature` (K), else it is None and found from friction and fresh oil; `heat`
     counts for films with their own temperatures, whose bores at the probes `probe_alarm` and `probe_trip` (K)
-    limit; `fuller` has walls, bending and growth whether the films count them or not. Without `turbulence` films are
-    laminar whatever their Reynolds number.
+    limit; `fuller` has walls, bending and growth whether the films count them or not. Without `turbulence`
+    films are laminar whatever their Reynolds number.
     `given_clearances` names the two of clearance, assembled_clearance and preload that the case gives of every
     pad, empty where they are not known.
     `rotor_mass` (kg) is the part of a rotor that this bearing carries, `shaft_stiffness` (N/m) that of the shaft
