@@ -180,6 +180,23 @@ def test_a_journal_that_expands_more_takes_more_of_the_clearance():
 
 
 ALL_LEFT_OUT = {"growth", "bending", "temperatures"}
+
+
+def test_clearances_that_a_housing_widens_take_of_the_stability():
+    """Aluminium, 23e-6 1/K, around a rigid rotor."""
+    aluminium = {"materials": STABLE["materials"] | {"housing": {"thermal_expansion": "23e-6 1/K"}}}
+    wide = WALLS | {"walls": {"pads": {}, "housing": {"temperature": "60 degC"}}} | aluminium
+    wide |= {"shaft_stiffness": None}
+    grown = {"deformation": ["growth"], "reference_temperature": "20 degC"}
+    plain, opened = (result_of(**STABLE | wide | more) for more in ({}, grown))
+    critical = [one.values["critical_cross_coupling"] for one in (plain, opened)]
+    assert critical[1] < 0.95 * critical[0]
+    near = {"anticipated_cross_coupling": f"{0.25 * sum(critical)} N/m"}
+    (notice,) = notices(result_of(**STABLE | wide | near), "W422", "kept")
+    assert {"widening", "bending"} == {one.variant for one in notice.values["left"]}
+    assert "C406" in kept(result_of(**STABLE | wide | near), "W422")
+
+
 THIN = {
     "diameter": "544 mm",
     "pads": {
