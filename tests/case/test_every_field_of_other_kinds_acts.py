@@ -252,6 +252,25 @@ OF_HEATED_PADS = {
     "limits.probe_alarm": "60 degC",
     "limits.probe_trip": "100 degC",
 }
+OF_RIGID_PADS = {
+    "walls.pads.conductivity": "20 W/(m K)",
+    "walls.pads.heat_transfer_coefficient": "500 W/(m2 K)",
+    "walls.pads.edge_coefficient": "500 W/(m2 K)",
+    "walls.pads.temperature": "20 degC",
+    "walls.housing.temperature": "42 degC",
+    "walls.journal.temperature": "50 degC",
+    "reference_temperature": "30 degC",
+    "pad_bending": "plate",
+    "materials.pads.elastic_modulus": "150 GPa",
+    "materials.pads.thermal_expansion": "13e-6 1/K",
+    "materials.pads.conductivity": "20 W/(m K)",
+    "materials.pads.poisson_ratio": 0.4,
+    "materials.journal.thermal_expansion": "13e-6 1/K",
+    "materials.housing.thermal_expansion": "13e-6 1/K",
+    "pads.each.0.material": {"elastic_modulus": "100 GPa", "thermal_expansion": "13e-6 1/K"},
+    "pads.each.2.material": {"poisson_ratio": 0.45},
+}
+"""Of pads whose films leave deformation out: what it would take is told beside a limit that is kept by little."""
 NAMED_METALS = {
     "materials.pads.name": "42CrMo4",
     "materials.journal.name": "X5CrNi18-10",
@@ -336,6 +355,13 @@ HEATED = ALIKE | {
     "limits": {"probe_alarm": "95 degC", "probe_trip": "110 degC"},
     "materials": {"pads": {"elastic_modulus": "210 GPa", "thermal_expansion": "12e-6 1/K"},
                   "journal": {"thermal_expansion": "11e-6 1/K"}, "housing": {"thermal_expansion": "12e-6 1/K"}},
+}  # fmt: skip
+RIGID = PADS | {
+    "thermal": "global",
+    "walls": {"pads": {"temperature": "42 degC"}, "housing": {"temperature": "45 degC"}},
+    "materials": {"pads": {"elastic_modulus": "210 GPa"}, "journal": {"thermal_expansion": "12e-6 1/K"},
+                  "housing": {"thermal_expansion": "11e-6 1/K"}},
+    "limits": {"minimum_film_thickness": "29 um"},
 }  # fmt: skip
 CLEARANCES = ("clearance", "assembled_clearance")
 LIMITS_OF_PADS = {"minimum": "71 um", "maximum": "160 um"}
@@ -451,6 +477,10 @@ TESTED = {
         ALIKE | {"pedestal": {"stiffness_x": "1 GN/m", "stiffness_y": "2 GN/m"}}, OF_PEDESTALS,
     ),
     "heated pads": (HEATED, OF_HEATED_PADS),
+    "pads that stay rigid": (RIGID, OF_RIGID_PADS),
+    "plates that stay rigid": (RIGID | {"pad_bending": "plate"}, {
+        "materials.pads.poisson_ratio": 0.4, "pads.each.2.material": {"poisson_ratio": 0.1},
+    }),
     "heated pads of the catalogue": (
         HEATED | {"materials": {one: {"name": "C45"} for one in ("pads", "journal", "housing")}}, NAMED_METALS,
     ),

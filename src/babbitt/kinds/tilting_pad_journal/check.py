@@ -130,7 +130,7 @@ def pad_solution(case: PadCase) -> Solution:
             *about_stability_on_the_ramp(checks, told),
             *warnings_about_kept_limits(films, checks),
             *warnings_about_one_temperature(case, checks, values),
-            *warnings_about_left_out_deformation(case, checks, values),
+            *warnings_about_left_out_deformation(case, films, checks, values),
             *about_synchronous_verdict(values, least_decrement(case)[0]),
         ),
         not_checked=(

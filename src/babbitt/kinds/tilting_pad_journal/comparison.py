@@ -112,10 +112,10 @@ def drawing(comparison: Comparison) -> Any:
 
 
 def with_thermal(case: TiltingPadJournalCase, thermal: Thermal) -> TiltingPadJournalCase:
-    """The same case by another thermal model, without what that does not read."""
+    """The same case by another thermal model, without what its films do not read."""
     changes: dict[str, object] = {"thermal": thermal.value}
     if thermal is not Thermal.FULL:
-        changes |= {"walls": PadJournalWalls()}
+        changes |= {"walls": PadJournalWalls(housing=case.walls.housing)}
     if thermal.is_resolved or case.thermal_model == "full":  # films of one temperature bend pads by their own
         changes |= {"deformation": ()}
     return case.model_copy(update=changes)

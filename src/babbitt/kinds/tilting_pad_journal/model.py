@@ -17,6 +17,7 @@ from babbitt.design.conditions import (
     Proportions,
     Surfaces,
 )
+from babbitt.properties.fits import REFERENCE_TEMPERATURE
 from babbitt.properties.lubricants import Lubricant
 from babbitt.properties.materials import BearingMetal, LoadCharacter
 from babbitt.reynolds.heat.heat_model import JournalHeat
@@ -96,8 +97,6 @@ class HeatChoices:
     growth : PadGrowth or None
     materials : tuple of PadMaterial
         Of every pad what it has of its own; empty: all are alike.
-    housing_temperature : float or None
-        K; None: that of the fresh oil.
     """
 
     journal: JournalHeat | None = None
@@ -105,7 +104,10 @@ class HeatChoices:
     bending: PadBending | None = None
     growth: PadGrowth | None = None
     materials: tuple[PadMaterial, ...] = ()
-    housing_temperature: float | None = None
+
+
+STEEL_PADS = HeatChoices(JournalHeat(), PadWalls(), PadBending(), PadGrowth(REFERENCE_TEMPERATURE))
+"""Pads, journal and housing of steel that conduct, bend and grow, and clearances of 20 degC (assumptions)."""
 
 
 @dataclass(frozen=True)
@@ -190,7 +192,8 @@ class PadCase:
     Speed in rad/s, positive counter-clockwise; `load_angle` in rad from +x. With the thermal model `ISOTHERMAL`
     the films have the `effective_temperature` (K), else it is None and found from friction and fresh oil; `heat`
     counts for films with their own temperatures, whose bores at the probes `probe_alarm` and `probe_trip` (K)
-    limit. Without `turbulence` films are laminar whatever their Reynolds number.
+    limit; `fuller` has walls, bending and growth whether the films count them or not. Without `turbulence`
+    films are laminar whatever their Reynolds number.
     `given_clearances` names the two of clearance, assembled_clearance and preload that the case gives of every
     pad, empty where they are not known.
     `rotor_mass` (kg) is the part of a rotor that this bearing carries, `shaft_stiffness` (N/m) that of the shaft
@@ -209,6 +212,7 @@ class PadCase:
     oil_supply: OilSupply | None = None
     effective_temperature: float | None = None
     heat: HeatChoices = HeatChoices()
+    fuller: HeatChoices = STEEL_PADS
     turbulence: TurbulenceLaw | None = None
     load_angle: float = -0.5 * math.pi
     accuracy: Accuracy = Accuracy.ENGINEERING

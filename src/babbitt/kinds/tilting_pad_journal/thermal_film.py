@@ -11,14 +11,14 @@ from babbitt.core.result import Outcome
 from babbitt.design.conditions import PrescribedLoad
 from babbitt.design.heat_balance import CEILING, Equilibrium, NoFilmError
 from babbitt.design.oil import bounded_viscosity, highest_usable, properties_at
-from babbitt.kinds.tilting_pad_journal.model import LIGHT, PadCase
+from babbitt.kinds.tilting_pad_journal.model import LIGHT, HeatChoices, PadCase
 from babbitt.kinds.tilting_pad_journal.state import PadFilms
 from babbitt.reynolds.tilting_pads.model import TiltingPad, TiltingPadBearing
 from babbitt.reynolds.tilting_pads.pad_heat import PadHeat
 from babbitt.reynolds.tilting_pads.thermal_pad_solution import PadTemperatures, ThermalTiltingPadSolution
 from babbitt.reynolds.tilting_pads.thermal_pads import thermal_pads_with_light_ones, thermal_tilting_pads_at
 
-__all__ = ["thermal_films"]
+__all__ = ["pad_heat", "thermal_films"]
 
 MOST_ROUNDS = 10
 SAME_TEMPERATURE = 0.05
@@ -53,18 +53,25 @@ def thermal_films(case: PadCase) -> Equilibrium[PadFilms]:
     return Equilibrium(Outcome.NOT_CONVERGED, films_of(case, found, temperature), MOST_ROUNDS, temperature)
 
 
-def found_at(case: PadCase, temperature: float) -> ThermalTiltingPadSolution:
-    """Films at the heat capacity and conductivity that the oil has at a temperature in K."""
-    assert case.oil_supply is not None
-    supply, heat = case.oil_supply.temperature, case.heat
+def pad_heat(case: PadCase, heat: HeatChoices, temperature: float) -> PadHeat:
+    """Heat of films, pads and journal, with oil of the heat capacity and conductivity of a temperature in K.
+
+    Fresh oil whose temperature is not known is as warm as that.
+    """
     _, _, capacity = properties_at(case.lubricant, temperature)
-    _, fresh_viscosity, _ = properties_at(case.lubricant, supply)
-    pads = case.bearing.film(fresh_viscosity, case.journal_speed)
-    model = PadHeat(
+    supply = temperature if case.oil_supply is None else case.oil_supply.temperature
+    return PadHeat(
         bounded_viscosity(case.lubricant), capacity, case.lubricant.conductivity(temperature), supply,
         heat.journal, heat.walls, heat.bending, heat.growth, carry_over=case.feed.carry_over,
         materials=heat.materials,
     )  # fmt: skip
+
+
+def found_at(case: PadCase, temperature: float) -> ThermalTiltingPadSolution:
+    """Films at the heat capacity and conductivity that the oil has at a temperature in K."""
+    model = pad_heat(case, case.heat, temperature)
+    _, fresh_viscosity, _ = properties_at(case.lubricant, model.supply_temperature)
+    pads = case.bearing.film(fresh_viscosity, case.journal_speed)
     resolution = case.accuracy.thermal_resolution
     if isinstance(case.duty, PrescribedLoad):
         load = case.duty.load * math.cos(case.load_angle), case.duty.load * math.sin(case.load_angle)

@@ -289,9 +289,7 @@ def contact_pressures(solution: TiltingPadSolution) -> list[float]:
 
 def largest_bending(pad: TiltingPad, state: PadState) -> float:
     """What an edge of a pad that bends moves outward, m; 0 of one without load."""
-    mode = BendingMode.of(pad)
-    edges = mode.shape(np.array([-mode.leading, mode.trailing]))
-    return 0.0 if state.bend is None else state.bend.deflection * float(edges.max())
+    return 0.0 if state.bend is None else state.bend.deflection * BendingMode.of(pad).farthest
 
 
 def pivot_film(pad: TiltingPad, state: PadState) -> float:

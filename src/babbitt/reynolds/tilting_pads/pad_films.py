@@ -280,21 +280,13 @@ class PadFilms:
         return np.maximum(widest, 0.0)
 
     def growths(self, drives: Array) -> Array:
-        """How much narrower the gap of every pad is by growth of pad and journal, less that of the housing.
-
-        Pads are taken to come closer by as much along their whole arc: machined and assembled clearance shrink
-        together. (A pad also opens its bore as it warms; an assumption that leaves it out.)
-        """
-        growth, grown = self.heat.growth, np.zeros(len(self.bearing.pads))
-        if growth is None:
+        """How much narrower the gap of every pad is by growth (`PadHeat.narrowing`)."""
+        grown = np.zeros(len(self.bearing.pads))
+        if self.heat.growth is None:
             return grown
-        reference, supply = growth.reference_temperature, self.heat.supply_temperature
-        housing = supply if growth.housing_temperature is None else growth.housing_temperature
-        journal = growth.journal_expansion * self.bearing.radius * (self.walls.journal[0] - reference)
-        for k, (pad, conduction) in enumerate(zip(self.bearing.pads, self.conduction, strict=True)):
-            radius = self.bearing.lever(pad) if growth.housing_radius is None else growth.housing_radius
-            grown[k] = self.heat.pad_expansion_of(k) * pad.thickness * (conduction.pivot @ drives[k] - reference)
-            grown[k] += journal - growth.housing_expansion * radius * (housing - reference)
+        journal = float(self.walls.journal[0])
+        for k, conduction in enumerate(self.conduction):
+            grown[k] = self.heat.narrowing(self.bearing, k, journal, float(conduction.pivot @ drives[k]))
         return self.share * grown / self.scales.length
 
     def deflections(self, grid: Grid, drives: Array) -> Array:

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from babbitt.core.notices import InputError
 from babbitt.reynolds.heat.heat_model import JournalHeat
 from babbitt.reynolds.model import Resolution
+from babbitt.reynolds.tilting_pads.model import TiltingPadBearing
 
 __all__ = ["THERMAL_PADS", "PadBending", "PadGrowth", "PadHeat", "PadMaterial", "PadWalls"]
 
@@ -212,6 +213,30 @@ class PadHeat:
         assert self.growth is not None
         own = self._material(number).thermal_expansion
         return self.growth.pad_expansion if own is None else own
+
+    def narrowing(self, bearing: TiltingPadBearing, number: int, journal: float, pad: float) -> float:
+        """How much narrower the gap of a pad is by growth of pad and journal, less that of the housing, m.
+
+        Pads are taken to come closer by as much along their whole arc: machined and assembled clearance shrink
+        together. (A pad also opens its bore as it warms; an assumption that leaves it out.)
+
+        Parameters
+        ----------
+        bearing : TiltingPadBearing
+        number : int
+            Of the pad, from 0.
+        journal, pad : float
+            Temperatures of the journal and of the pad at its pivot, K.
+        """
+        growth, one = self.growth, bearing.pads[number]
+        assert growth is not None
+        housing = self.supply_temperature if growth.housing_temperature is None else growth.housing_temperature
+        radius = bearing.lever(one) if growth.housing_radius is None else growth.housing_radius
+        return (
+            growth.journal_expansion * bearing.radius * (journal - growth.reference_temperature)
+            + self.pad_expansion_of(number) * one.thickness * (pad - growth.reference_temperature)
+            - growth.housing_expansion * radius * (housing - growth.reference_temperature)
+        )
 
     def _material(self, number: int) -> PadMaterial:
         return self.materials[number] if self.materials else PadMaterial()

@@ -15,6 +15,7 @@ from babbitt.core.result_name import ResultName
 from babbitt.design.conditions import OilSupply, PrescribedLoad, PrescribedPosition
 from babbitt.kinds.tilting_pad_journal.case.as_given import words_of
 from babbitt.kinds.tilting_pad_journal.case.heat import (
+    fuller_choices,
     heat_assumptions,
     heat_choices,
     heat_not_read,
@@ -81,6 +82,7 @@ def pad_case(case: TiltingPadJournalCase, point: PadOperatingPoint | None, named
         oil_supply=supply_of(case, temperature),
         effective_temperature=effective,
         heat=heat_choices(case, temperature),
+        fuller=fuller_choices(case),
         turbulence=LAWS_OF_TURBULENCE[case.turbulence],
         load_angle=angle,
         accuracy=Accuracy(case.accuracy),

@@ -15,6 +15,7 @@ from babbitt.core.units import si, written
 from babbitt.kinds.tilting_pad_journal.case.materials import PadStructure
 from babbitt.kinds.tilting_pad_journal.case.pads import own_path
 from babbitt.kinds.tilting_pad_journal.model import HeatChoices, Thermal
+from babbitt.properties.fits import REFERENCE_TEMPERATURE
 from babbitt.reynolds.heat.heat_model import JournalHeat
 from babbitt.reynolds.tilting_pads.bending_mode import bending_stiffness
 from babbitt.reynolds.tilting_pads.model import TiltingPad
@@ -22,6 +23,7 @@ from babbitt.reynolds.tilting_pads.pad_heat import (
     HEAT_TRANSFER,
     STEEL_CONDUCTIVITY,
     STEEL_EXPANSION,
+    STEEL_MODULUS,
     PadBending,
     PadGrowth,
     PadMaterial,
@@ -34,6 +36,7 @@ if TYPE_CHECKING:
 __all__ = [
     "PadJournalWalls",
     "ReferenceTemperature",
+    "fuller_choices",
     "heat_assumptions",
     "heat_choices",
     "heat_goes_with_the_films",
@@ -86,7 +89,9 @@ class PadJournalWalls(Part):
     example: ClassVar[str] = "{pads: {temperature: 40 degC}, housing: {temperature: 45 degC}}"
 
     pads: ConductingPadsInput | None = Field(None, description="The pads. They take no heat if not given.")
-    housing: PadHousingInput = Field(PadHousingInput(), description="The housing, for growth.")
+    housing: PadHousingInput = Field(
+        PadHousingInput(), description="The housing, for growth, counted or left out."
+    )
     journal: ConductingJournalInput = Field(ConductingJournalInput(), description="The journal.")
 
 
@@ -144,37 +149,22 @@ def lacking(case: TiltingPadJournalCase) -> Iterator[Issue]:
 
 
 def heat_not_read(case: TiltingPadJournalCase) -> Iterator[str]:
-    """Paths of what is given for another thermal model or deformation, and makes no difference here."""
-    full, growing = case.thermal_model == "full", "growth" in case.deformation
-    if not full and is_given(case, "walls"):
-        yield "walls"
-    if not growing:
-        if case.reference_temperature is not None:
-            yield "reference_temperature"
-        yield from (f"materials.{name}" for name in ("journal", "housing") if is_given(case.materials, name))
-    if case.pad_bending == "plate" and "bending" not in case.deformation:
-        yield "method.pad_bending"
-    if case.materials.pads is not None:
-        yield from material_not_read(case, "materials.pads", case.materials.pads)
-    for number, one in enumerate(case.pads.each):
-        if one.material is not None:
-            yield from material_not_read(case, f"{own_path(number)}.material", one.material)
+    """Paths of what is given for another thermal model, and makes no difference here.
 
-
-def material_not_read(case: TiltingPadJournalCase, path: str, material: PadStructure) -> Iterator[str]:
-    """Paths of what the material of pads gives and would make no difference."""
-    full, bending = case.thermal_model == "full", "bending" in case.deformation
-    if not (case.deformation or (full and case.walls.pads is not None)):
-        yield path
+    Pads, housing and materials of films that leave deformation out count for what it would take (W422).
+    """
+    if case.thermal_model != "full":
+        if case.walls.pads is not None and is_given(case.walls.pads, "edge_coefficient"):
+            yield "walls.pads.edge_coefficient"
+        if is_given(case.walls, "journal"):
+            yield "walls.journal"
+    if case.pad_bending == "plate":
         return
-    for name, counts in (
-        ("elastic_modulus", bending),
-        ("thermal_expansion", full and bool(case.deformation)),
-        ("conductivity", full),
-        ("poisson_ratio", bending and case.pad_bending == "plate"),
-    ):
-        if is_given(material, name) and not counts:
-            yield f"{path}.{name}"
+    if case.materials.pads is not None and is_given(case.materials.pads, "poisson_ratio"):
+        yield "materials.pads.poisson_ratio"
+    for number, one in enumerate(case.pads.each):
+        if one.material is not None and is_given(one.material, "poisson_ratio"):
+            yield f"{own_path(number)}.material.poisson_ratio"
 
 
 def heat_choices(case: TiltingPadJournalCase, supply: float | None) -> HeatChoices:
@@ -184,12 +174,16 @@ def heat_choices(case: TiltingPadJournalCase, supply: float | None) -> HeatChoic
     housing = case.walls.housing.temperature
     return HeatChoices(
         journal_heat(case.walls.journal, supply if housing is None else housing),
-        pad_walls(case),
-        pad_bending(case),
-        pad_growth(case),
+        None if case.walls.pads is None else pad_walls(case),
+        pad_bending(case) if "bending" in case.deformation else None,
+        pad_growth(case) if "growth" in case.deformation else None,
         pad_materials(case),
-        housing,
     )
+
+
+def fuller_choices(case: TiltingPadJournalCase) -> HeatChoices:
+    """Walls, bending and growth as given, else of steel, whether the films of the case count them or not."""
+    return HeatChoices(JournalHeat(), pad_walls(case), pad_bending(case), pad_growth(case), pad_materials(case))
 
 
 def journal_heat(given: ConductingJournalInput, ambient: float) -> JournalHeat:
@@ -198,11 +192,9 @@ def journal_heat(given: ConductingJournalInput, ambient: float) -> JournalHeat:
     return JournalHeat(given.temperature, given.shaft_conductance, around)
 
 
-def pad_walls(case: TiltingPadJournalCase) -> PadWalls | None:
-    """How the pads conduct; None where they take no heat."""
-    pads, material = case.walls.pads, case.materials.pads
-    if pads is None:
-        return None
+def pad_walls(case: TiltingPadJournalCase) -> PadWalls:
+    """How the pads conduct, or would where they take no heat."""
+    pads, material = case.walls.pads or ConductingPadsInput(), case.materials.pads
     named = None if material is None else material.known("conductivity")
     chosen = (pads.conductivity, named, STEEL_CONDUCTIVITY)
     return PadWalls(
@@ -213,22 +205,26 @@ def pad_walls(case: TiltingPadJournalCase) -> PadWalls | None:
     )
 
 
-def pad_bending(case: TiltingPadJournalCase) -> PadBending | None:
-    """How the pads bend; None where they do not."""
-    material = case.materials.pads
-    if "bending" not in case.deformation or material is None:
-        return None
-    modulus, expansion = material.known("elastic_modulus"), material.known("thermal_expansion")
-    assert modulus is not None
-    assert expansion is not None
-    return PadBending(modulus, expansion, poisson_ratio(case, material))
+def known_of_pads(case: TiltingPadJournalCase, field: str, of_steel: float) -> float:
+    """A number of the material of the pads; that of steel where it is not given."""
+    known = None if case.materials.pads is None else case.materials.pads.known(field)
+    return of_steel if known is None else known
 
 
-def poisson_ratio(case: TiltingPadJournalCase, material: PadStructure) -> float:
+def pad_bending(case: TiltingPadJournalCase) -> PadBending:
+    """How the pads bend, or would."""
+    return PadBending(
+        known_of_pads(case, "elastic_modulus", STEEL_MODULUS),
+        known_of_pads(case, "thermal_expansion", STEEL_EXPANSION),
+        poisson_ratio(case, case.materials.pads),
+    )
+
+
+def poisson_ratio(case: TiltingPadJournalCase, material: PadStructure | None) -> float:
     """Poisson's ratio of pads that bend as plates, 0 of beams."""
     if case.pad_bending == "beam":
         return 0.0
-    known = material.known("poisson_ratio")
+    known = None if material is None else material.known("poisson_ratio")
     return STEEL_POISSON if known is None else known
 
 
@@ -256,16 +252,12 @@ def mode_stiffness(case: TiltingPadJournalCase, number: int, pad: TiltingPad) ->
     return bending_stiffness(pad, 0.5 * case.diameter + pad.clearance, width, modulus / (1.0 - ratio**2))
 
 
-def pad_growth(case: TiltingPadJournalCase) -> PadGrowth | None:
-    """How pads, journal and housing grow; None where they do not."""
-    materials = case.materials
-    if "growth" not in case.deformation or materials.pads is None or case.reference_temperature is None:
-        return None
-    expansion = materials.pads.known("thermal_expansion")
-    assert expansion is not None
+def pad_growth(case: TiltingPadJournalCase) -> PadGrowth:
+    """How pads, journal and housing grow, or would."""
+    reference, materials = case.reference_temperature, case.materials
     return PadGrowth(
-        case.reference_temperature,
-        expansion,
+        REFERENCE_TEMPERATURE if reference is None else reference,
+        known_of_pads(case, "thermal_expansion", STEEL_EXPANSION),
         STEEL_EXPANSION if materials.journal is None else materials.journal.expansion(),
         STEEL_EXPANSION if materials.housing is None else materials.housing.expansion(),
         case.walls.housing.temperature,
