@@ -1,4 +1,4 @@
-"""Reports in German and Russian: every sentence of the program is in the language, every one of the case as given."""
+"""Reports in German and Russian: sentences of the program are in the language, those of the case as given."""
 
 from __future__ import annotations
 
@@ -101,9 +101,7 @@ def test_what_a_case_assumes_stays_in_its_words(language, words_alone):
 
 STEP = SimpleNamespace(centre_angle=math.pi, axial_centre=5e-3, extent=1.0, axial_length=0.02, depth=5e-5)
 FEEDS = [
-    SimpleNamespace(
-        angle=1.0, extent=0.3, is_closed=closed, pressure=pressure, width=width, axial_position=place
-    )
+    SimpleNamespace(angle=1.0, extent=0.3, is_closed=closed, pressure=pressure, width=width, axial_position=place)
     for closed, pressure in ((False, None), (True, None), (False, 6e4))
     for width, place in ((None, 0.0), (0.03, 0.0), (0.03, 5e-3))
 ]
@@ -116,8 +114,8 @@ TEXTS = [
     )),
     "2 tubes in parallel, each tube d = 8 mm, l = 1 m, ζ = 1.5",
     "Liner of 20 um/MPa: every spot of it gives way by itself.",
-    "Elastic ring up to 200 mm, free outside, in plane strain under the mean pressure over the width; positions of "
-    "the journal count from the shifted centre of its bore.",
+    "Elastic ring up to 200 mm, free outside, in plane strain under the mean pressure over the width; positions "
+    "of the journal count from the shifted centre of its bore.",
     "Viscosity grows with pressure after Barus, 20 1/GPa at ambient pressure.",
 ]  # fmt: skip
 

@@ -94,7 +94,10 @@ def content(machine: MachineResult, level: Level = Level.FULL) -> Data:
         "bearings": [
             _bearing(
                 bearing_content(part, machine.given.get(part.shown.problem.name, ()), own_words),
-                part, level, len(parts), shared,
+                part,
+                level,
+                len(parts),
+                shared,
             )
             for part in parts
         ],
