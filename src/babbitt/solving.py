@@ -16,7 +16,7 @@ from babbitt.core.progress import ProgressCallback, no_progress
 from babbitt.core.result import Result
 from babbitt.core.solution import Solution
 
-__all__ = ["MachineResult", "refusal_of", "solve"]
+__all__ = ["MachineResult", "given_fields", "own_assumptions", "refusal_of", "solve"]
 
 
 @dataclass(frozen=True)
@@ -37,7 +37,7 @@ class MachineResult:
     source, notes : str
         What the case says of itself.
     assumptions : tuple of str
-        What the case itself assumes, in its words.
+        What the case and its bearings themselves assume, in their words.
     title_block : TitleBlock or None
         Of the report.
     given : Mapping
@@ -109,10 +109,16 @@ def solve(case: CaseFile, progress: ProgressCallback = no_progress) -> MachineRe
         case_text=case.text,
         source=getattr(case, "source", ""),
         notes=getattr(case, "notes", ""),
-        assumptions=tuple(getattr(case, "assumptions", ())),
+        assumptions=own_assumptions(case),
         title_block=case.title_block,
         given=given_fields(case, (one.problem for one in solutions)),
     )
+
+
+def own_assumptions(case: CaseFile) -> tuple[str, ...]:
+    """What a case and its bearings assume, in their words: no report translates or converts it."""
+    parts = (case, *getattr(case, "bearings", ()))
+    return tuple(dict.fromkeys(said for one in parts for said in getattr(one, "assumptions", ())))
 
 
 def given_fields(case: CaseFile, problems: Iterable[Any]) -> Mapping[str, frozenset[str]]:

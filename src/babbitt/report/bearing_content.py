@@ -45,7 +45,7 @@ WARNING_HEADINGS = {
 """Headings of the warnings of a bearing, by what they do to its verdict."""
 
 
-def bearing_content(chapter: Chapter, given: Collection[str] = ()) -> Data:
+def bearing_content(chapter: Chapter, given: Collection[str] = (), own_words: Collection[str] = ()) -> Data:
     """What the report says of one bearing, but for calculation and figures.
 
     Parameters
@@ -55,6 +55,8 @@ def bearing_content(chapter: Chapter, given: Collection[str] = ()) -> Data:
         calculation and figures are those of one of them.
     given : collection of str
         Paths of the fields that the case has written; empty where that is not known.
+    own_words : collection of str
+        What the case itself assumes, which stays as it is.
 
     Returns
     -------
@@ -88,7 +90,7 @@ def bearing_content(chapter: Chapter, given: Collection[str] = ()) -> Data:
             }
             for group in inputs(shown.problem, view, chapter.given)
         ],
-        "assumptions": list(dict.fromkeys(assumptions_of(chapter.results))),
+        "assumptions": list(dict.fromkeys(assumptions_of(chapter.results, own_words))),
         "checks": compared_checks(chapter, sources) if several else checks,
         "sources": sources,
         "not_checked": [
@@ -103,9 +105,10 @@ def bearing_content(chapter: Chapter, given: Collection[str] = ()) -> Data:
     }
 
 
-def assumptions_of(results: Iterable[Result]) -> Iterator[str]:
+def assumptions_of(results: Iterable[Result], own_words: Collection[str] = ()) -> Iterator[str]:
     """What is assumed of some results; what the case itself says stays in its words."""
-    return (translated_if_known(plain_text(said)) for result in results for said in result.assumptions)
+    every = (plain_text(said) for result in results for said in result.assumptions)
+    return (said if said in own_words else translated_if_known(said) for said in every)
 
 
 def calculation_content(chapter: Chapter) -> list[Data]:

@@ -116,7 +116,9 @@ def _bearing(comparison: Comparison) -> Iterator[str]:
     if assumed:
         label = spoken(asked.label)
         yield f"<h3>{_told(translated('What {label} takes for granted', label=label))}</h3>"
-        yield from (f'<p class="finding">{_told(translated_if_known(said))}</p>' for said in assumed)
+        for said in assumed:
+            kept = said in comparison.own_words
+            yield f'<p class="finding">{_told(said if kept else translated_if_known(said))}</p>'
 
 
 def _heading(words: str) -> str:

@@ -92,11 +92,15 @@ def _with_decimals(said: str) -> str:
 
 
 def told_left_out(line: str) -> str:
-    """A method that does not apply, in English with the reason, which no other language has."""
+    """A method that does not apply, with the reason; another language has it where it knows its sentence."""
     if language() == ENGLISH:
         return spoken(line)
-    which = re.split(r" (?:is|are) left out: ", line)[0]
-    return translated("left out: {which}", which=translated_if_known(which))
+    which, why = re.split(r" (?:is|are) left out: ", line, maxsplit=1)
+    reason, left_out = translated_if_known(why), translated_if_known(which)
+    if reason == why:
+        return translated("left out: {which}", which=left_out)
+    said: str = in_us_units(translated("left out: {which} ({why})", which=left_out, why=reason), OF_RESULTS)
+    return said
 
 
 def head(variant: Variant, asked: Variant) -> str:

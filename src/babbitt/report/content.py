@@ -61,7 +61,8 @@ def content(machine: MachineResult, level: Level = Level.FULL) -> Data:
     """
     results = machine.results
     parts = chapters(machine.solutions)
-    shared = _shared_assumptions(results) if level is Level.STANDARD else ()
+    own_words = {plain_text(one) for one in machine.assumptions}
+    shared = _shared_assumptions(results, own_words) if level is Level.STANDARD else ()
     summed, marks = totals(results), footnote(columns_of(results), results)
     worst = [_worst_case(results, code) for code in _codes(results, level)]
     said = {
@@ -91,13 +92,19 @@ def content(machine: MachineResult, level: Level = Level.FULL) -> Data:
         "level": level.value,
         "shared_assumptions": list(shared),
         "bearings": [
-            _bearing(part, level, len(parts), shared, machine.given.get(part.shown.problem.name, ()))
+            _bearing(
+                bearing_content(part, machine.given.get(part.shown.problem.name, ()), own_words),
+                part,
+                level,
+                len(parts),
+                shared,
+            )
             for part in parts
         ],
         "checker": checker_content(parts, worst) if level is not Level.SUMMARY else None,
         "case_text": plain_lines(machine.case_text).strip("\n") if level is Level.FULL else "",
     }
-    return dict(in_us_units(said, own_words={plain_text(one) for one in machine.assumptions}))
+    return dict(in_us_units(said, own_words=own_words))
 
 
 def _governing(results: Sequence[Result]) -> Data | None:
@@ -130,16 +137,16 @@ MOST_WITH_FIGURES = 3
 """Bearings up to which a standard report has curves and maps; of more it has their drawings alone."""
 
 
-def _shared_assumptions(results: Sequence[Result]) -> tuple[str, ...]:
+def _shared_assumptions(results: Sequence[Result], own_words: Collection[str]) -> tuple[str, ...]:
     """What is assumed of every bearing of a machine of several."""
     if len({result.name for result in results}) < 2:
         return ()
-    first, *others = (dict.fromkeys(assumptions_of([result])) for result in results)
+    first, *others = (dict.fromkeys(assumptions_of([result], own_words)) for result in results)
     return tuple(said for said in first if all(said in other for other in others))
 
 
-def _bearing(part: Chapter, level: Level, count: int, shared: Sequence[str], given: Collection[str]) -> Data:
-    said = bearing_content(part, given)
+def _bearing(said: Data, part: Chapter, level: Level, count: int, shared: Sequence[str]) -> Data:
+    """What a level of the report keeps of what is said of a bearing, with its calculation and figures."""
     said["assumptions"] = [one for one in said["assumptions"] if one not in shared]
     if level is Level.SUMMARY:
         empty: Data = {key: [] for key in ("inputs", "tables", "assumptions", "sections", "figures")}

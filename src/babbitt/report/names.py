@@ -124,6 +124,16 @@ def _joined(names: Sequence[str]) -> str:
         stem, clearance = split_clearance(name)
         together.setdefault((plain_text(stem), bool(clearance)), []).append(plain_text(clearance))
     return "; ".join(
-        f"{stem} ({format_members(clearances)})" if has_clearance else stem
+        f"{_stem(stem)} ({format_members(clearances)})" if has_clearance else _stem(stem)
         for (stem, has_clearance), clearances in together.items()
     )
+
+
+def _stem(name: str) -> str:
+    """A name as the case has it; that of an oil system, which the program makes of it, in the language."""
+    _, made, machine = name.partition(OIL_SYSTEM)
+    return translated("Oil system of {name}", name=machine) if made and name.startswith(OIL_SYSTEM) else name
+
+
+OIL_SYSTEM = "Oil system of "
+"""How the name of an oil system begins, before that of its machine."""

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, replace
 from inspect import getdoc
 from typing import Any
 
@@ -13,6 +13,7 @@ from babbitt.core.notices import InputError
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Result
 from babbitt.core.solution import Method, Solution
+from babbitt.solving import own_assumptions
 
 __all__ = ["Comparison", "Variant", "compare_methods"]
 
@@ -65,6 +66,8 @@ class Comparison:
         Draws the figure of the comparison; None where a table tells all.
     caption : str
         Of the figure, beside what every such figure shows.
+    own_words : tuple of str
+        What the case itself assumes, which no page translates.
     """
 
     name: str
@@ -76,6 +79,7 @@ class Comparison:
     note: str = ""
     draw: Callable[[Comparison], Any] | None = None
     caption: str = ""
+    own_words: tuple[str, ...] = ()
 
     @property
     def asked(self) -> Variant:
@@ -113,12 +117,18 @@ def compare_methods(case: CaseFile) -> tuple[Comparison, ...]:
     """
     kind = find_kind(case.kind)
     if kind is not None and kind.comparison:
-        found: tuple[Comparison, ...] = kind.load(kind.comparison)(case)
-        return found
+        found: Iterable[Comparison] = kind.load(kind.comparison)(case)
+        return _with_own_words(found, case)
     if kind is None or kind.one_method or len(kind.views) < 2:
         said = kind.one_method if kind is not None and kind.one_method else ONE_METHOD.format(kind=case.kind)
         raise InputError("E004", f"{case.name}: {said}")
-    return tuple(_by_each_method(case, place, kind) for place in range(len(case.calculations())))
+    by_method = (_by_each_method(case, place, kind) for place in range(len(case.calculations())))
+    return _with_own_words(by_method, case)
+
+
+def _with_own_words(comparisons: Iterable[Comparison], case: CaseFile) -> tuple[Comparison, ...]:
+    words = own_assumptions(case)
+    return tuple(replace(one, own_words=words) for one in comparisons)
 
 
 def _by_each_method(case: CaseFile, place: int, kind: Kind) -> Comparison:
