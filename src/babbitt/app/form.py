@@ -1,7 +1,8 @@
 """The fields of a case as a form: drawn from the schema of the case language and from what the case gives.
 
 Nothing here knows a kind or a method: a part with a ``kind`` of its own is a choice with the fields of what is
-chosen, so that the choices of other methods do not show.
+chosen, so that the choices of other methods do not show; of fields that the method does not read those that are
+given show alone.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ from functools import cache
 from typing import Any
 
 from babbitt.app.units import split
+from babbitt.case.method_mapping import KIND, METHOD
 from babbitt.case.schema import shipped_schema
 from babbitt.core.units import KINDS
 
@@ -149,13 +151,20 @@ def quantities(items: tuple[Item, ...]) -> Iterator[Entry]:
 
 
 def _items(part: Schema, given: Any, path: Path, hidden: tuple[str, ...] = ("kind",)) -> Iterator[Item]:
-    required = part.get("required", ())
+    required, fields = part.get("required", ()), part.get("properties", {})
     values = given if isinstance(given, Mapping) else {}
-    names = [name for name in part.get("properties", {}) if name not in hidden]
+    names = [name for name in fields if name not in hidden]
+    method = _method_of(values.get(METHOD, fields.get(METHOD, {}).get("default")))
     for name in sorted(names, key=lambda one: (one not in required, names.index(one))):
-        field = part["properties"][name]
-        if not field.get("deprecated") and "const" not in field:
+        field = fields[name]
+        is_read = name in values or method in field.get("x-methods", (method,))
+        if is_read and not field.get("deprecated") and "const" not in field:
             yield _item(field, values.get(name), (*path, name), name in required)
+
+
+def _method_of(given: Any) -> Any:
+    """The name of a method, given alone or with its choices."""
+    return given.get(KIND) if isinstance(given, Mapping) else given
 
 
 def _item(field: Schema, value: Any, path: Path, is_required: bool) -> Item:
