@@ -116,7 +116,7 @@ def test_a_case_file_is_opened(page, tmp_path):
 
 
 def test_by_keyboard_alone(page):
-    """Reach the diameter by tabs and change it."""
+    """Reach the diameter by tabs, read what it is for, and change it."""
     before = film_thickness(page)
     for _ in range(60):
         page.keyboard.press("Tab")
@@ -124,6 +124,7 @@ def test_by_keyboard_alone(page):
             break
     else:
         raise AssertionError("the diameter is out of reach")
+    page.locator(".q-tooltip", has_text="inside diameter").wait_for()
     page.keyboard.press("Control+A")
     page.keyboard.type("140")
     until(page, lambda: film_thickness(page) != before)

@@ -112,6 +112,15 @@ def test_fields_that_a_method_does_not_read_show_where_they_are_given():
     assert ("bore",) in {item.path for item in form_of(given | {"bore": {"kind": "round"}})}
 
 
+def test_a_field_has_the_symbol_of_its_quantity():
+    """Where the results have one of this name; the width of a housing is another one."""
+    document = CaseDocument(TEMPLATES["journal"])
+    document.change(("cooling",), {"housing": {"kind": "cylinder", "diameter": "300 mm", "width": "90 mm"}})
+    found = {entry.path: entry.symbol for entry in entries(form_of(document.given))}
+    assert (found["diameter",], found["load",], found["limits", "specific_load"]) == ("D", "F", "p̄")
+    assert found["cooling", "housing", "width"] == ""
+
+
 def test_an_empty_field_begins_in_the_unit_of_what_it_holds():
     """A roughness in micrometres, a diameter in millimetres; its example is one that it takes."""
     shown = {entry.path: entry for entry in entries(form_of(CaseDocument(TEMPLATES["journal"]).given))}

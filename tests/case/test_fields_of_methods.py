@@ -15,7 +15,9 @@ GIVEN = {
     "cavitation_pressure": "-0.05 MPa",
     "compliance": [{"kind": "column", "displacement_per_pressure": "0.05 um/MPa"}],
     "crowning": {"kind": "parabolic", "drop": "5 um"},
-    "displacement": {"angles": ["0 deg", "180 deg"], "places": ["-30 mm", "30 mm"], "values": [["0 um", "5 um"]] * 2},
+    "displacement": {
+        "angles": ["0 deg", "180 deg"], "places": ["-30 mm", "30 mm"], "values": [["0 um", "5 um"]] * 2,
+    },
     "dynamic_load": {"kind": "rotating", "magnitude": "3 kN", "speed_ratio": 1},
     "grooves": [{"angle": "180 deg", "extent": "20 deg"}],
     "holes": [{"angle": "180 deg", "diameter": "5 mm"}],

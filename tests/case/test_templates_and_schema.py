@@ -193,7 +193,12 @@ def test_schema_is_a_schema():
 
 
 def test_every_example_of_a_quantity_lies_in_its_range():
-    found = [(cls, name, field) for cls in parts() for name in cls.model_fields for field in metadata_of(cls, name, SiField)]
+    found = [
+        (cls, name, field)
+        for cls in parts()
+        for name in cls.model_fields
+        for field in metadata_of(cls, name, SiField)
+    ]
     outside = [(cls.__name__, name) for cls, name, field in found if field.unit != "1" and not inside(field)]
     assert len(found) > 300
     assert outside == []

@@ -16,6 +16,7 @@ from typing import Any
 from babbitt.app.units import split
 from babbitt.case.method_mapping import KIND, METHOD
 from babbitt.case.schema import shipped_schema
+from babbitt.core.quantities import QUANTITIES
 from babbitt.core.units import KINDS
 
 __all__ = ["Choice", "Entry", "Group", "Item", "Path", "Rows", "as_text", "form_of", "quantities", "sections_of"]
@@ -38,6 +39,8 @@ class Entry:
     ----------
     path : tuple
     label, help : str
+    symbol : str
+        Of the quantity, where the results have one of this name.
     value : object
         As the case gives it; None where it does not.
     units : tuple of str
@@ -52,6 +55,7 @@ class Entry:
     path: Path
     label: str
     help: str
+    symbol: str = ""
     value: Any = None
     units: tuple[str, ...] = ()
     options: tuple[str, ...] = ()
@@ -197,7 +201,7 @@ def _choice(
         inner = {"kind": value} if value in named else value
     body: tuple[Item, ...] = ()
     if way == TEXT:
-        body = (Entry(told["path"], told["label"], told["help"], value, is_required=is_required),)
+        body = (Entry(**told, value=value, is_required=is_required),)
     elif way:
         body = tuple(_items(dict(parts)[way], inner, told["path"]))
     return Choice(**told, ways=ways, way=way, items=body, is_required=is_required)
@@ -234,6 +238,7 @@ def _entry(
         everyday = tuple(filter(None, everyday)) if as_text(value).partition(" ")[2] in everyday[1:] else ()
     return Entry(
         **told,
+        symbol=_symbol(told["path"]),
         value=value,
         units=_usual_first(everyday, example.partition(" ")[2]),
         options=words,
@@ -243,6 +248,12 @@ def _entry(
         allowed=field.get("x-allowed", ""),
         example=example,
     )
+
+
+def _symbol(path: Path) -> str:
+    """The symbol of a field that is, or limits, a quantity of the results; deeper ones are of other parts."""
+    name = str(path[-1])
+    return QUANTITIES[name].symbol if path[:-1] in ((), ("limits",)) and name in QUANTITIES else ""
 
 
 def _usual_first(units: tuple[str, ...], usual: str) -> tuple[str, ...]:
