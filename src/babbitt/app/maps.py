@@ -167,7 +167,7 @@ def chart_of(found: Map, as_surface: bool) -> dict[str, Any]:
         {"type": kind, "x": sheet.angles, "y": sheet.widths, "z": sheet.values, "coloraxis": "coloraxis"}
         for sheet in found.sheets
     ]
-    layout = {
+    layout: dict[str, Any] = {
         **base,
         "coloraxis": {"colorscale": "Viridis", "colorbar": {"title": {"text": title, "side": "right"}}},
     }
