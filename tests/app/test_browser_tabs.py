@@ -116,6 +116,23 @@ def test_two_designs_stand_side_by_side(page):
     until(page, lambda: page.get_by_label("Diameter", exact=True).input_value() == "120")
 
 
+def test_a_groove_is_dragged(page):
+    opened(page, film())
+    groove = page.locator('.picture .handle[data-field="grooves.0.angle"]').last
+    groove.wait_for(state="attached")
+    before = groove.get_attribute("data-angle")
+    box = groove.bounding_box()
+    x, y = box["x"] + 0.5 * box["width"], box["y"] + 0.5 * box["height"]
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x - 10.0, y - 60.0, steps=4)
+    page.mouse.up()
+    until(page, lambda: groove.get_attribute("data-angle") != before)
+    angle = float(groove.get_attribute("data-angle"))
+    assert 5.0 < angle < 60.0
+    assert f"angle: {angle:.1f} deg" in text_of(page)
+
+
 def test_fields_of_the_film_are_drawn(page):
     opened(page, film())
     tab(page, "Fields")

@@ -114,3 +114,13 @@ def test_a_kept_design_stands_under_each_card():
     made = ElementTree.fromstring(f"<div>{cards_markup(other.bearings[0].cards, first.bearings[0])}</div>")
     kept = [one.text for one in made.iter() if one.get("class") == "small kept"]
     assert kept == [f"A: {card.value}" for card in first.bearings[0].cards]
+
+
+def test_symbols_of_cards_have_subscripts():
+    (card, *_) = (
+        one for one in answer(kinds()["journal"].read_template()).bearings[0].cards if one.symbol == "h_min,st"
+    )
+    made = ElementTree.fromstring(cards_markup([card]))
+    (lower,) = made.iter("sub")
+    assert lower.text == "min,st"
+    assert f"hmin,st = {card.value}" in "".join(made.itertext())

@@ -104,8 +104,35 @@ def test_fields_of_other_methods_do_not_show():
     assert standard == {("method", "characteristics")}
 
 
+def test_fields_that_a_method_does_not_read_show_where_they_are_given():
+    given = CaseDocument(TEMPLATES["journal"]).given
+    standard, film = ({item.path for item in form_of(given | {"method": name})} for name in ("iso7902", "film"))
+    assert standard < film
+    assert film - standard >= {("bore",), ("grooves",), ("misalignment",)}
+    assert ("bore",) in {item.path for item in form_of(given | {"bore": {"kind": "round"}})}
+
+
+def test_a_field_has_the_symbol_of_its_quantity():
+    """Where the results have one of this name; the width of a housing is another one."""
+    document = CaseDocument(TEMPLATES["journal"])
+    document.change(("cooling",), {"housing": {"kind": "cylinder", "diameter": "300 mm", "width": "90 mm"}})
+    found = {entry.path: entry.symbol for entry in entries(form_of(document.given))}
+    assert (found["diameter",], found["load",], found["limits", "specific_load"]) == ("D", "F", "p̄")
+    assert found["cooling", "housing", "width"] == ""
+
+
+def test_an_empty_field_begins_in_the_unit_of_what_it_holds():
+    """A roughness in micrometres, a diameter in millimetres; its example is one that it takes."""
+    shown = {entry.path: entry for entry in entries(form_of(CaseDocument(TEMPLATES["journal"]).given))}
+    roughness = shown["surfaces", "roughness_bearing"]
+    assert (roughness.units[0], roughness.example) == ("um", "10 um")
+    assert shown["limits", "minimum_film_thickness"].units[0] == "um"
+    assert shown["diameter",].units[0] == "mm"
+
+
 def test_a_part_that_is_not_given_can_be_chosen():
-    (bore,) = (one for one in form_of(CaseDocument(TEMPLATES["journal"]).given) if one.path == ("bore",))
+    film = CaseDocument(TEMPLATES["journal"]).given | {"method": "film"}
+    (bore,) = (one for one in form_of(film) if one.path == ("bore",))
     assert isinstance(bore, Choice)
     assert bore.way == NONE
     assert "lobes" in bore.ways

@@ -14,13 +14,15 @@ from pydantic import TypeAdapter
 
 from babbitt.case import KINDS, case_schema, kinds, parse_case, template
 from babbitt.case.document import read_document
+from babbitt.case.error_messages import metadata_of
 from babbitt.case.method_choices import MethodInput
 from babbitt.case.method_mapping import METHOD, method_models
 from babbitt.case.part import Part
 from babbitt.case.schema import shipped_schema, written_schema
 from babbitt.core.notices import InputError
 from babbitt.core.result import Verdict
-from babbitt.core.units import AS_WRITTEN
+from babbitt.core.units import AS_WRITTEN, read
+from babbitt.core.units.fields import SiField
 from babbitt.solving import solve
 
 BAD = Path(__file__).parent / "bad"
@@ -188,6 +190,22 @@ def test_shipped_schema_is_in_step():
 def test_schema_is_a_schema():
     jsonschema.Draft202012Validator.check_schema(SCHEMA)
     assert json.loads(shipped_schema())["$schema"].endswith("2020-12/schema")
+
+
+def test_every_example_of_a_quantity_lies_in_its_range():
+    found = [
+        (cls, name, field)
+        for cls in parts()
+        for name in cls.model_fields
+        for field in metadata_of(cls, name, SiField)
+    ]
+    outside = [(cls.__name__, name) for cls, name, field in found if field.unit != "1" and not inside(field)]
+    assert len(found) > 300
+    assert outside == []
+
+
+def inside(field):
+    return field.bounds is None or field.holds(read(field.example, field.unit))
 
 
 def test_every_field_says_what_it_is():

@@ -6,11 +6,13 @@ Elements are made as a tree, which escapes every text of a case.
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterable
 from xml.etree import ElementTree
 
 from babbitt.app.answer import Answer, Card, Finding, Shown
 from babbitt.app.words import word
+from babbitt.report.picture import SUBSCRIPT
 
 __all__ = ["cards_markup", "findings_markup", "verdict_markup"]
 
@@ -48,7 +50,7 @@ def _card(card: Card, before: Card | None) -> Element:
     made = _part(f"card {card.word}".strip())
     line = _within(made, "line")
     _within(line, "name", card.label)
-    _within(line, "number", f"{card.symbol} = {card.value}")
+    _symbol(_within(line, "number"), card.symbol, f" = {card.value}")
     if before is not None:
         _within(made, "small kept", f"A: {before.value}")
     if card.limit:
@@ -59,6 +61,14 @@ def _card(card: Card, before: Card | None) -> Element:
         _within(line, "word", card.word)
         _within(line, "", f"{card.limit} ({card.margin})")
     return made
+
+
+def _symbol(outer: Element, symbol: str, after: str) -> None:
+    """A symbol with its subscript, and what stands behind it."""
+    stem, *lower = re.split(SUBSCRIPT, symbol, maxsplit=1)
+    outer.text = stem if lower else stem + after
+    if lower:
+        _within(outer, "", lower[0], "sub").tail = lower[1] + after
 
 
 def _used(card: Card) -> str:

@@ -1,7 +1,8 @@
 """The fields of a case as a form: drawn from the schema of the case language and from what the case gives.
 
 Nothing here knows a kind or a method: a part with a ``kind`` of its own is a choice with the fields of what is
-chosen, so that the choices of other methods do not show.
+chosen, so that the choices of other methods do not show; of fields that the method does not read those that are
+given show alone.
 """
 
 from __future__ import annotations
@@ -13,7 +14,9 @@ from functools import cache
 from typing import Any
 
 from babbitt.app.units import split
+from babbitt.case.method_mapping import KIND, METHOD
 from babbitt.case.schema import shipped_schema
+from babbitt.core.quantities import QUANTITIES
 from babbitt.core.units import KINDS
 
 __all__ = ["Choice", "Entry", "Group", "Item", "Path", "Rows", "as_text", "form_of", "quantities", "sections_of"]
@@ -36,6 +39,8 @@ class Entry:
     ----------
     path : tuple
     label, help : str
+    symbol : str
+        Of the quantity, where the results have one of this name.
     value : object
         As the case gives it; None where it does not.
     units : tuple of str
@@ -50,6 +55,7 @@ class Entry:
     path: Path
     label: str
     help: str
+    symbol: str = ""
     value: Any = None
     units: tuple[str, ...] = ()
     options: tuple[str, ...] = ()
@@ -149,13 +155,20 @@ def quantities(items: tuple[Item, ...]) -> Iterator[Entry]:
 
 
 def _items(part: Schema, given: Any, path: Path, hidden: tuple[str, ...] = ("kind",)) -> Iterator[Item]:
-    required = part.get("required", ())
+    required, fields = part.get("required", ()), part.get("properties", {})
     values = given if isinstance(given, Mapping) else {}
-    names = [name for name in part.get("properties", {}) if name not in hidden]
+    names = [name for name in fields if name not in hidden]
+    method = _method_of(values.get(METHOD, fields.get(METHOD, {}).get("default")))
     for name in sorted(names, key=lambda one: (one not in required, names.index(one))):
-        field = part["properties"][name]
-        if not field.get("deprecated") and "const" not in field:
+        field = fields[name]
+        is_read = name in values or method in field.get("x-methods", (method,))
+        if is_read and not field.get("deprecated") and "const" not in field:
             yield _item(field, values.get(name), (*path, name), name in required)
+
+
+def _method_of(given: Any) -> Any:
+    """The name of a method, given alone or with its choices."""
+    return given.get(KIND) if isinstance(given, Mapping) else given
 
 
 def _item(field: Schema, value: Any, path: Path, is_required: bool) -> Item:
@@ -188,7 +201,7 @@ def _choice(
         inner = {"kind": value} if value in named else value
     body: tuple[Item, ...] = ()
     if way == TEXT:
-        body = (Entry(told["path"], told["label"], told["help"], value, is_required=is_required),)
+        body = (Entry(**told, value=value, is_required=is_required),)
     elif way:
         body = tuple(_items(dict(parts)[way], inner, told["path"]))
     return Choice(**told, ways=ways, way=way, items=body, is_required=is_required)
@@ -225,6 +238,7 @@ def _entry(
         everyday = tuple(filter(None, everyday)) if as_text(value).partition(" ")[2] in everyday[1:] else ()
     return Entry(
         **told,
+        symbol=_symbol(told["path"]),
         value=value,
         units=_usual_first(everyday, example.partition(" ")[2]),
         options=words,
@@ -234,6 +248,12 @@ def _entry(
         allowed=field.get("x-allowed", ""),
         example=example,
     )
+
+
+def _symbol(path: Path) -> str:
+    """The symbol of a field that is, or limits, a quantity of the results; deeper ones are of other parts."""
+    name = str(path[-1])
+    return QUANTITIES[name].symbol if path[:-1] in ((), ("limits",)) and name in QUANTITIES else ""
 
 
 def _usual_first(units: tuple[str, ...], usual: str) -> tuple[str, ...]:

@@ -177,7 +177,10 @@ class FormView:
 
     def _known(self, entry: Entry, control: Any) -> None:
         control.props("dense" + (f" debounce={PAUSE}" if isinstance(control, ui.input) else ""))
-        hint = "; ".join(part for part in (entry.help, entry.allowed) if part)
+        if entry.symbol:
+            control.props["prefix"] = f"{entry.symbol} ="
+        allowed = word("allowed", range=entry.allowed) if entry.allowed else ""
+        hint = " ".join(filter(None, (entry.help, allowed)))
         if hint:
             control.tooltip(hint)
         self._inputs[entry.path] = control

@@ -31,8 +31,11 @@ AROUND, ACROSS = "theta", "z"
 INK = "#76808b"
 """Of words in a chart: legible on a light page and on a dark one."""
 
-EYE = {"x": 0.9, "y": -1.9, "z": 0.9}
-"""Where a surface is seen from, in its own size."""
+EYE = {"x": 1.05, "y": -2.2, "z": 1.05}
+"""Where a surface is seen from, in its own size: far enough for a narrow page."""
+
+BELOW = {"orientation": "h", "y": 0.0, "yanchor": "top", "thickness": 12}
+"""A scale of colours under a surface, which then has the whole width."""
 
 MOST_PLACES = 181
 """Places along one side of a chart; a finer grid is thinned."""
@@ -164,13 +167,14 @@ def chart_of(found: Map, as_surface: bool) -> dict[str, Any]:
         {"type": kind, "x": sheet.angles, "y": sheet.widths, "z": sheet.values, "coloraxis": "coloraxis"}
         for sheet in found.sheets
     ]
-    layout = {
+    layout: dict[str, Any] = {
         **base,
         "coloraxis": {"colorscale": "Viridis", "colorbar": {"title": {"text": title, "side": "right"}}},
     }
     if as_surface:
-        names = {"xaxis": angle, "yaxis": width, "zaxis": {"title": {"text": title}}}
-        layout["scene"] = {**names, "aspectratio": {"x": 1.6, "y": 0.9, "z": 0.7}, "camera": {"eye": EYE}}
-        layout["margin"] = {"l": 0, "r": 0, "t": 0, "b": 0}
+        layout["coloraxis"]["colorbar"] = BELOW | {"title": {"text": title, "side": "top"}}
+        names = {"xaxis": angle, "yaxis": width, "zaxis": {"title": {"text": ""}}}
+        layout["scene"] = {**names, "aspectratio": {"x": 1.35, "y": 0.9, "z": 0.75}, "camera": {"eye": EYE}}
+        layout["margin"] = {"l": 0, "r": 0, "t": 0, "b": 60}
         return {"data": data, "layout": layout, "config": config}
     return {"data": data, "layout": {**layout, "xaxis": angle, "yaxis": width}, "config": config}

@@ -22,6 +22,14 @@ new MutationObserver(() => {
   document.querySelectorAll(".q-table__middle:not([tabindex])").forEach((box) => box.setAttribute("tabindex", "0"));
   babbitt.settle();
 }).observe(document.documentElement, {childList: true, subtree: true});
+// What a field or button is for shows to keys as it does to the mouse.
+["focusin", "focusout"].forEach((kind) => document.addEventListener(kind, (event) => {
+  if (kind === "focusin" && !event.target.matches(":focus-visible")) return;
+  const whole = event.target.closest(".q-field, .q-btn");
+  for (let part = event.target; whole?.contains(part); part = part.parentElement) {
+    part.dispatchEvent(new MouseEvent(kind === "focusin" ? "mouseenter" : "mouseleave"));
+  }
+}));
 // Arrow keys go through a menu, as its role promises.
 document.addEventListener("keydown", (event) => {
   const step = {ArrowDown: 1, ArrowUp: -1}[event.key];

@@ -34,9 +34,8 @@ OF_CASE = "of_case"
 LOOK = 0.5
 """Seconds between two looks at how far long work is."""
 
-WORDS = {"align": "left", "style": "white-space: normal; min-width: 7em"}
 NUMBERS = {"align": "right"}
-"""Columns of tables: words may break over lines, numbers do not."""
+"""Columns of numbers, which do not break over lines."""
 
 Question = tuple[Callable[..., Any], tuple[Any, ...]]
 
@@ -50,7 +49,7 @@ def icon_button(icon: str, says: str, pressed: Callable[[], Any]) -> ui.button:
 def show_table(table: Table) -> ui.table:
     """Rows of text."""
     columns = [
-        {"name": str(n), "label": head, "field": str(n), **(WORDS if n < table.words else NUMBERS)}
+        {"name": str(n), "label": head, "field": str(n), **(_words(table) if n < table.words else NUMBERS)}
         for n, head in enumerate(table.heads)
     ]
     made = ui.table(columns=columns, rows=rows_of_table(table.rows), row_key="key", title=table.title or None)
@@ -58,6 +57,11 @@ def show_table(table: Table) -> ui.table:
     for remark in table.remarks:
         ui.label(remark).classes("small")
     return made
+
+
+def _words(table: Table) -> dict[str, Any]:
+    """Columns of words, which may break over lines: a single one has room."""
+    return {"align": "left", "style": f"white-space: normal; min-width: {13 if table.words == 1 else 7}em"}
 
 
 def rows_of_table(rows: Iterable[tuple[str, ...]]) -> list[dict[str, Any]]:

@@ -28,7 +28,7 @@ from babbitt.app.studies import (
 from babbitt.app.words import word
 from babbitt.case.with_units import case_text
 from babbitt.core.notices import InputError
-from babbitt.study.size import size_of
+from babbitt.study.size import Size, size_of
 
 __all__ = ["StudiesView"]
 
@@ -173,17 +173,19 @@ class StudiesView:
             for ending, says in FILES.items():
                 ui.button(word(says), on_click=lambda _, e=ending: self._download(e)).props("flat dense no-caps")
         if found.study.kind == "size" and (sizes := sizes_of(found.study)) is not None:
-            self._offer(size_of(found.study).path, sizes)
+            self._offer(size_of(found.study), sizes)
         for table in found.tables:
             show_table(table)
         show_figures(found.figures)
 
-    def _offer(self, path: str, sizes: tuple[str, ...]) -> None:
+    def _offer(self, size: Size, sizes: tuple[str, ...]) -> None:
         """Buttons that put a value which keeps all limits into the case."""
         with ui.row().classes("items-center"):
             ui.label(word("take_size" if sizes else "no_size"))
             for text in sizes:
-                ui.button(text, on_click=lambda _, text=text: self._take(path, text)).props("outline no-caps")
+                ui.button(text, on_click=lambda _, text=text: self._take(size.path, text)).props("outline no-caps")
+        if any(None in (one.below, one.above) for one in size.intervals):
+            ui.label(word("scan_ends")).classes("small")
 
     def _take(self, path: str, text: str) -> None:
         self.document.write(case_text(with_value(self.document.given, path, text)))

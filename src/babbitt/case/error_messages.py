@@ -218,9 +218,10 @@ def _described(cls: type[Part], name: str) -> str:
     field = cls.model_fields.get(name)
     if field is None:
         return ""
-    examples = [f"such as '{data.kind.example}'" for data in field.metadata if isinstance(data, SiField)]
+    fields = (data for data in field.metadata if isinstance(data, SiField) and data.unit != "1")
+    examples = [f"such as '{data.example}'" for data in fields]
     first_sentence = (field.description or name).split(". ")[0].rstrip(".")
-    return "needed: " + ", ".join([first_sentence, *(example for example in examples if "''" not in example)][:2])
+    return "needed: " + ", ".join([first_sentence, *examples][:2])
 
 
 def _without_branch(cls: type[Part], path: Path) -> Path:

@@ -19,7 +19,7 @@ def case_schema() -> dict[str, Any]:
     dict
         JSON Schema, draft 2020-12. A quantity is a number in SI or text with a unit; ``x-unit`` is its SI unit,
         ``x-kind`` its kind where two share a unit, ``x-allowed`` its range, ``x-example`` how an engineer writes
-        one.
+        one; ``x-methods`` are the methods that read a field, where not all do.
     """
     from pydantic import TypeAdapter
     from pydantic.json_schema import GenerateJsonSchema

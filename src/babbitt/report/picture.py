@@ -57,7 +57,7 @@ LETTERS = 'text { font-family: "Libertinus Serif", serif; }'
 CYCLE = "6s"
 """Time that a motion takes until it begins anew."""
 
-SUBSCRIPT = re.compile(r"(?<=[A-Za-zα-ωΑ-Ω])_([A-Za-z0-9]+(?:,[A-Za-z0-9]+)?)")
+SUBSCRIPT = re.compile(r"(?<=[A-Za-zα-ωΑ-Ω\u0304])_([A-Za-z0-9]+(?:,[A-Za-z0-9]+)?)")
 """What stands below the line, behind the letter of a symbol."""
 
 LARGER = 1.25

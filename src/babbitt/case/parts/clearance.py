@@ -14,8 +14,8 @@ from babbitt.core.units import QuantityError, bare_number, read, si, written
 from babbitt.properties.fits import Clearance, Deviations, SizeLimits
 
 RelativeValue = Annotated[float, si("1", "0.01 permille", "50 permille")]
-RadialValue = Annotated[float, si("m", "0.05 um", "500 mm")]
-DiametralValue = Annotated[float, si("m", "0.1 um", "1 m")]
+RadialValue = Annotated[float, si("m", "0.05 um", "500 mm", sample="60 um")]
+DiametralValue = Annotated[float, si("m", "0.1 um", "1 m", sample="0.13 mm")]
 Size = Annotated[float, si("m", "1 mm", "3 m")]
 Deviation = Annotated[float, si("m", "-10 mm", "10 mm")]
 

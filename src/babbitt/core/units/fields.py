@@ -33,12 +33,15 @@ class SiField:
         Inclusive range as the engineer writes it, such as ``"1 mm"``; messages show it so. Both or none.
     usual : str
         Unit that a number without one was meant in, as drawings have it; empty: any that brings it into range.
+    sample : str
+        How an engineer writes one, where the example of its kind would mislead; empty: as `example` finds it.
     """
 
     unit: str
     lowest: str = ""
     highest: str = ""
     usual: str = ""
+    sample: str = ""
 
     def __post_init__(self) -> None:
         if self.unit not in KINDS:
@@ -62,6 +65,20 @@ class SiField:
         '1 mm to 3 m'
         """
         return f"{self.lowest} to {self.highest}" if self.highest else ""
+
+    @property
+    def example(self) -> str:
+        """How an engineer writes one: in its usual unit, as the kind has it, or in the unit of the lower end.
+
+        >>> si("m", "1 mm", "3 m").example, si("m", "0 um", "1 mm").example, si("m", "-5 mm", "5 mm").example
+        ('120 mm', '10 um', '1 mm')
+        """
+        unit = self.lowest.partition(" ")[2]
+        first = self.sample or (f"10 {self.usual}" if self.usual else self.kind.example)
+        return next((one for one in (first, f"10 {unit}", f"1 {unit}") if self._fits(one)), self.lowest)
+
+    def _fits(self, written: str) -> bool:
+        return self.bounds is None or self.holds(read(written, self.unit))
 
     def ranged(self, value: float) -> float:
         """What of an SI value is held to the range: the value."""
@@ -148,7 +165,7 @@ class SiField:
         if self.kind.name:
             described["x-kind"] = self.kind.name
         if self.unit != "1":
-            described["x-example"] = self.kind.example
+            described["x-example"] = self.example
         if self.allowed:
             described["x-allowed"] = self.allowed
         return described
@@ -190,14 +207,14 @@ class ZeroOr(SiField):
         return value == 0.0 or super().holds(value)
 
 
-def si(unit: str, lowest: str = "", highest: str = "", usual: str = "") -> SiField:
+def si(unit: str, lowest: str = "", highest: str = "", usual: str = "", sample: str = "") -> SiField:
     """Make the metadata of a quantity field: ``Annotated[float, si("m", "1 mm", "3 m")]``.
 
     >>> si("m", "0 um", "5 mm", "um")("5")
     Traceback (most recent call last):
     babbitt.core.units.reading.QuantityError: 5 has no unit; allowed: 0 um to 5 mm; write '5 um'
     """
-    return SiField(unit, lowest, highest, usual)
+    return SiField(unit, lowest, highest, usual, sample)
 
 
 def either_sense(unit: str, lowest: str, highest: str) -> EitherSense:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from typing import Annotated, ClassVar, Literal
 
@@ -29,6 +29,8 @@ class HydrostaticJournalCase(HydrostaticFile):
         **HydrostaticFile.former_words,
         "radial_clearance": Moved("clearance.mean", kind="radial"),
     }
+
+    known_to: ClassVar[Mapping[str, tuple[str, ...]]] = {"cavitation_pressure": ("film",)}
 
     kind: Literal["hydrostatic_journal"] = Field(description="Recessed journal bearing, at rest or turning.")
     diameter: Length = Field(description="Bore.")

@@ -50,7 +50,9 @@ class RecessOil(Part):
 
     example: ClassVar[str] = "{depth: 1 mm, line_volume: 2 mL}"
 
-    depth: Annotated[float, si("m", "10 um", "100 mm")] = Field(description="Depth of the recesses.")
+    depth: Annotated[float, si("m", "10 um", "100 mm", sample="1 mm")] = Field(
+        description="Depth of the recesses."
+    )
     line_volume: Annotated[float, si("m3", "0 mL", "100 L")] = Field(
         0.0, description="Oil between one restrictor and its recess, without the recess itself."
     )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Annotated, ClassVar, Literal, Self
 
 from pydantic import Field, PrivateAttr
@@ -41,7 +41,7 @@ from babbitt.kinds.journal.case.film_surface import (
 from babbitt.kinds.journal.case.grooved_segments import SegmentsInput
 from babbitt.kinds.journal.case.heat_exchange import HeatExchangeInput
 from babbitt.kinds.journal.case.load_direction import DOWNWARD
-from babbitt.kinds.journal.case.methods import METHOD_MAPPING, FilmChoices, Iso7902Choices
+from babbitt.kinds.journal.case.methods import KNOWN_TO, METHOD_MAPPING, FilmChoices, Iso7902Choices
 from babbitt.kinds.journal.case.mixed_friction import MixedFrictionInput
 from babbitt.kinds.journal.case.operating_point import LoadAndSpeed, LoadAngle, OperatingPoint
 from babbitt.kinds.journal.case.supply_element import SupplyElementInput, UnevenPockets
@@ -58,6 +58,7 @@ class JournalBearing(LoadAndSpeed, SharedInputs, FilmChoices, Iso7902Choices):
     """A circular cylindrical journal bearing."""
 
     alternatives: ClassVar[tuple[tuple[str, ...], ...]] = (*LoadAndSpeed.alternatives, ("width", "width_ratio"))
+    known_to: ClassVar[Mapping[str, tuple[str, ...]]] = KNOWN_TO
 
     _slope: tuple[float, float] = PrivateAttr((0.0, 0.0))
 

@@ -18,6 +18,7 @@ from babbitt.kinds.journal.case.film_heat import (
 from babbitt.kinds.journal.case.heat_exchange import LongFilmChoices
 
 __all__ = [
+    "KNOWN_TO",
     "METHOD_MAPPING",
     "FilmChoices",
     "FilmMethod",
@@ -130,5 +131,23 @@ class SegmentsMethod(MethodInput):
 
     kind: Literal["segments"] = Field(description="The heat balance by segments.")
 
+
+FILM = (
+    "attitude_angle", "bore", "cavitation_pressure", "compliance", "crowning", "displacement", "dynamic_load",
+    "grooves", "holes", "misalignment", "mixed_friction", "pockets", "position", "pressure_viscosity",
+    "shaft_stiffness", "side_pressures", "steps", "walls",
+)  # fmt: skip
+FILM_OR_STANDARD = (
+    "bearing_speed", "effective_temperature", "friction", "rotor_mass", "span", "supply_element",
+)  # fmt: skip
+
+KNOWN_TO = {
+    **dict.fromkeys(FILM, ("film",)),
+    **dict.fromkeys(FILM_OR_STANDARD, ("iso7902", "film")),
+    "heat_exchange": ("long_film",),
+    "segments": ("segments",),
+}
+"""Fields of a journal bearing that not every method reads, and the methods that do; others refuse them, or tell
+that they do not read them."""
 
 METHOD_MAPPING = MethodMapping((Iso7902Method, FilmMethod, LongFilmMethod, SegmentsMethod))
