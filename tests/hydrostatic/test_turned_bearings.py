@@ -7,10 +7,12 @@ import pytest
 from hydrostatic_bearings import CLEARANCE, SPEED, feeding, journal, journal_film
 
 from babbitt.case import parse_case
+from babbitt.core.result import Outcome
 from babbitt.kinds.hydrostatic.geometry import RecessedJournal, pitches_around
 from babbitt.kinds.hydrostatic.impedance import Compressibility, damping_loss, impedance
 from babbitt.kinds.hydrostatic.state import state_at
 from babbitt.kinds.hydrostatic.surfaces import Grid
+from babbitt.solving import solve
 
 LOOSE = Grid(48, 4)
 OIL = Compressibility(1e-5, 1e9)
@@ -73,4 +75,36 @@ oil: {viscosity: 20 mPa s, density: 870 kg/m3, heat_capacity: 2000 J/(kg K)}
 load: 2 kN
 load_angle: -90 deg
 speed: 1500 rpm
+"""
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("first", ["-133.92 deg", "-96.61 deg"])
+def test_a_ring_with_twice_the_load_is_overloaded_wherever_its_recesses_stand(first):
+    """1.8 MPa over all of its 2.0 m² carry half of 7.2 MN; in one of the frames the search came to no end."""
+    turn = math.radians(float(first.split()[0]) + 133.92)
+    x, y = 47054.0, 258050.0
+    moments = (x * math.cos(turn) - y * math.sin(turn), x * math.sin(turn) + y * math.cos(turn))
+    text = OVERLOADED.replace("FIRST", first).replace("MOMENTS", ", ".join(f"{one!r} N m" for one in moments))
+    (result,) = solve(parse_case(text)).results
+    assert result.outcome is Outcome.OVERLOADED
+
+
+OVERLOADED = """
+kind: hydrostatic_thrust_ring
+method: film
+name: Ring
+accuracy: draft
+recess_oil: {depth: 0.722 mm}
+supply: {pump_flow: 74.83 L/min, relief_pressure: 1.8009 MPa}
+oil: {lubricant: ISO VG 68, supply_temperature: 42.6 degC}
+restrictor: {kind: membrane_valve, conductance: 11.641 L/(min MPa), compliance: 0.04321 1/MPa}
+outer_diameter: 1906.32 mm
+inner_diameter: 1037.08 mm
+recess_inner_diameter: 1186.36 mm
+recess_outer_diameter: 1757.04 mm
+recesses: {number: 8, extent: 18.439 deg, first: FIRST}
+load: 7.1921e+06 N
+moments: [MOMENTS]
+speed: 40.523 rpm
 """

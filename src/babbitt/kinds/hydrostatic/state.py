@@ -218,13 +218,14 @@ def continue_to_load(
         film.work.wet[:] = True
         found = descend(film, feeding, goal * load, at, pressures, supply, thinnest, 1e-4)
         if found.solved:
-            at, share, rise = found.at, goal, 2.0 * rise
+            at, share, rise, state = found.at, goal, 2.0 * rise, None
             pressures, supply = found.network.pressures, found.network.supply_pressure
             if share == 1.0:
                 return found
         else:
             rise *= 0.5
-            state = replace(found, carried=share)
+            if state is None or found.ending is SearchOutcome.OVERLOADED or state.ending is found.ending:
+                state = found  # that a larger share closes the gap tells more than that the search came to no end
     assert state is not None
     return replace(state, carried=share)
 
