@@ -74,13 +74,14 @@ def ring_point(duty: LineOperation, films: LoadCurve, stiffness: float) -> RingP
 def ring_sweep(duty: LineOperation, films: LoadCurve, stiffnesses: Sequence[float]) -> tuple[RingPoint, ...]:
     """Solve the line on rings of several stiffnesses (N/m per pad).
 
-    Those on which pads find no film are left out, and what is left when the work that is allowed ends.
+    Those on which pads find no film are left out, and what is left when the work that is allowed ends: from the
+    stiffest on, so that one which reaches a loss is the stiffest that does.
     """
     points = []
-    for stiffness in stiffnesses:
+    for stiffness in sorted(stiffnesses, reverse=True):
         with suppress(NoPadFilmError, WorkBoundError):
             points.append(ring_point(duty, films, stiffness))
-    return tuple(points)
+    return tuple(points[::-1])
 
 
 @dataclass(frozen=True, eq=False)

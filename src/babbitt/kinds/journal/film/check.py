@@ -72,6 +72,7 @@ from babbitt.kinds.journal.one_temperature import (
     warnings_about_unknown_metal,
 )
 from babbitt.reynolds.model import END_DAM, Cavitation
+from babbitt.reynolds.solution import FilmSolution
 from babbitt.reynolds.stability.whirl_checks import (
     missing_thresholds,
     warnings_about_whirl,
@@ -347,9 +348,8 @@ def film_warnings(
         over_viscosity = film_over_viscosity(case, state)
         metal = checks_of_metal(case.limits)
         yield from _warnings_about_feed_pressure(case, state, values)
-        returned = -float(film.supply_flow[film.supply_flow < 0.0].sum())
-        if returned > BACK_FROM * film.leaving_flow:
-            yield Notice("W148", "one_temperature", {"flow": returned})
+        if case.effective_temperature is None:
+            yield from _warnings_about_returned_oil(film)
         yield from warnings_about_margins(checks, values, metal, viscosity, over_viscosity)
         yield from warnings_about_unknown_metal(case, checks, values)
         yield from warnings_about_heat_left_out(case, values)
@@ -385,6 +385,13 @@ def _warnings_about_holes(case: FilmCase, state: FilmState) -> Iterator[Notice]:
         flow, diameter = max(passed, key=lambda one: one[0] / one[1] ** 2)
         density = case.lubricant.density(supply.temperature)
         yield from warnings_about_hole(supply, diameter, max(flow, 0.0), density)
+
+
+def _warnings_about_returned_oil(film: FilmSolution) -> Iterator[Notice]:
+    """Oil that a film of one temperature presses back into supplies, whose heat its balance does not know."""
+    returned = -float(film.supply_flow[film.supply_flow < 0.0].sum())
+    if returned > BACK_FROM * film.leaving_flow:
+        yield Notice("W148", "one_temperature", {"flow": returned})
 
 
 def _warnings_about_feed_pressure(case: FilmCase, state: FilmState, values: dict[str, float]) -> Iterator[Notice]:
