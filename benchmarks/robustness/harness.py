@@ -41,7 +41,7 @@ OPEN = {
 SAME, SAME_WARM, SAME_UNITS = 1e-9, 1e-6, 1e-6
 """Bounds on what a turn, the mirror or another order changes, of isothermal and thermal films, and on what other
 units change, whose conversions differ in the last digits. Bores that give way are held to that of thermal films:
-film and displacement agree to 1e-6 of the least gap, and where the search stands still its last steps enlarge
+film and displacement agree to 1e-7 of the least gap, and where the search stands still its last steps enlarge
 round-off (8e-7 in 1 of 75)."""
 SLOWEST = 60.0
 """s of the processor: other work on the machine does not count."""

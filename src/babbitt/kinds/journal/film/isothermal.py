@@ -47,7 +47,7 @@ if TYPE_CHECKING:
 LOAD_TOLERANCE = 1e-9
 """Of the film force over the load; small, so that the heat balance closes to 1e-8."""
 
-ELASTIC_CLOSENESS = 1e-6
+ELASTIC_CLOSENESS = 1e-7
 """Share of the least gap to which film and displacement of the bore agree; small, for the heat balance sees it."""
 
 
