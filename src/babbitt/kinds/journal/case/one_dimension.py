@@ -11,6 +11,7 @@ from babbitt.core.notices import InputError
 from babbitt.kinds.journal.case import grooved_segments as segments
 from babbitt.kinds.journal.case import heat_exchange
 from babbitt.kinds.journal.case.film_heat import SOLVED_BY_COMPARE
+from babbitt.kinds.journal.case.methods import KNOWN_TO
 from babbitt.kinds.journal.case.standard_rules import film_alone_knows
 from babbitt.kinds.journal.infinitely_long_bearing.model import THICKEST_FILM
 
@@ -20,17 +21,14 @@ if TYPE_CHECKING:
 METHODS = {"long_film": "the long film", "segments": "the heat balance by segments"}
 """Methods of one dimension, and what they are called in messages."""
 
-BLOCKS = {"heat_exchange": "long_film", "segments": "segments"}
-"""Fields that one method alone reads."""
-
 GREATEST_EXPONENT = 5.0
 """Of the power law of viscosity, by the source of the heat balance by segments."""
 
 
 def issues_of(bearing: JournalBearing) -> Iterator[Issue]:
     """Complain about what a method of one dimension does not know, and about its fields in another method."""
-    for block, method in BLOCKS.items():
-        if is_given(bearing, block) and bearing.method != method:
+    for block, (method, *_) in KNOWN_TO.items():
+        if method in METHODS and is_given(bearing, block) and bearing.method != method:
             says = f"method {bearing.method} does not read it"
             yield Issue((block,), says, f"method: {method}")
     if bearing.method not in METHODS:
