@@ -45,7 +45,7 @@ the film, most of them nearly concentric, 3 of 218 of the decrement and 4 of 131
 that lack growth, too, none of 306, none of 198 and 1 of 118 more than by both."""
 
 FOLDS = 1.0
-"""w/c from which on bending is warned of whatever the limits: of some such bearings it leaves no film that is found."""
+"""w/c from which on bending is warned of whatever the limits: of some such bearings it leaves no film."""
 
 UNMOVED = 1e-3
 """Share of the clearance below which growth is not named."""
