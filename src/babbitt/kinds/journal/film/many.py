@@ -25,11 +25,12 @@ from babbitt.design.screening import recommended_relative_clearance
 from babbitt.design.values import cooling_values, duty_values, heat_values, limit_values, oil_values, supply_values
 from babbitt.design.verdict_lanes import by_verdict
 from babbitt.kinds.journal.film.bore import RoundBore
-from babbitt.kinds.journal.film.check import METHOD, film_limits, film_warnings, pressure_not_checked
+from babbitt.kinds.journal.film.check import METHOD, film_limits, pressure_not_checked
 from babbitt.kinds.journal.film.isothermal import FilmState, friction_of, resolution_of
 from babbitt.kinds.journal.film.layout import feeds_itself, film_of, load_vector
 from babbitt.kinds.journal.film.model import WHOLE_TURN, FilmCase, Search
 from babbitt.kinds.journal.film.values import OF_THE_SUPPLY
+from babbitt.kinds.journal.film.warnings import film_warnings
 from babbitt.kinds.journal.film.whirl import mass_of_rotor
 from babbitt.numerics.lanes import chooser, holds_lanes, in_branches, lanes_of
 from babbitt.properties.fits import operating_relative_clearance
