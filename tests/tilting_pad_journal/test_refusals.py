@@ -339,7 +339,7 @@ NOT_READ = {
     ),
     "walls of films of one temperature": (
         {"walls": {"pads": {"edge_coefficient": "50 W/(m2 K)"}, "journal": {"shaft_conductance": "2 W/K"}}},
-        ("walls.pads.edge_coefficient", "walls.journal"),
+        ("walls.pads.edge_coefficient", "walls.journal.shaft_conductance"),
     ),
     "Poisson's ratio of beams": (
         {

@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator
 from typing import Any
 
+from babbitt.case.parts.walls import ConductingJournalInput
 from babbitt.core.notices import InputError
 from babbitt.core.quantities import AXES, QUANTITIES
 from babbitt.core.units import ZERO_CELSIUS
@@ -115,7 +116,8 @@ def with_thermal(case: TiltingPadJournalCase, thermal: Thermal) -> TiltingPadJou
     """The same case by another thermal model, without what its films do not read."""
     changes: dict[str, object] = {"thermal": thermal.value}
     if thermal is not Thermal.FULL:
-        changes |= {"walls": PadJournalWalls(housing=case.walls.housing)}
+        journal = ConductingJournalInput(temperature=case.walls.journal.temperature)
+        changes |= {"walls": PadJournalWalls(housing=case.walls.housing, journal=journal)}
     if thermal.is_resolved or case.thermal_model == "full":  # films of one temperature bend pads by their own
         changes |= {"deformation": ()}
     return case.model_copy(update=changes)

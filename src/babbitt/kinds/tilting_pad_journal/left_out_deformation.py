@@ -79,9 +79,12 @@ def warnings_about_left_out_deformation(
     values : Mapping of str to float
         Named results.
     """
-    journal = values.get("journal_temperature", math.nan)
-    warm = films.temperature if math.isnan(journal) else journal
-    share, bend = left_out_growth(case, warm), left_out_bending(case, films, warm)
+    given = case.fuller.journal
+    assert given is not None
+    found = values.get("journal_temperature", math.nan)
+    journal = given.temperature or (films.temperature if math.isnan(found) else found)
+    pads = max(journal, films.temperature)  # beside a journal that is kept cold they are as warm as their films
+    share, bend = left_out_growth(case, journal, pads), left_out_bending(case, films, pads)
     over_clearance = bend / case.bearing.assembled_clearance
     if over_clearance > FOLDS and share <= CLOSES:
         yield Notice("W422", "folds", {"bend": over_clearance, "advice": _advice(case, "growth", "bending")})
@@ -156,19 +159,18 @@ def _kept_by_little(checks: Iterable[Check], left: _LeftOut, supply_temperature:
             yield Notice("W422", "temperature", {"margin": one.limit - one.value, "check": one.code})
 
 
-def left_out_growth(case: PadCase, warm: float) -> float:
+def left_out_growth(case: PadCase, journal: float, pads: float) -> float:
     """Share of the assembled clearance that growth would take of the pad that it narrows most; 0 where it counts.
 
     Below zero where the housing makes more room than journal and pads take.
 
-    Journal and pads have a temperature in K, that of the journal or of the films where it has none, and expand as
-    the case says, else as steel.
+    Journal and pads have temperatures in K and expand as the case says, else as steel.
     """
     if case.heat.growth is not None:
         return 0.0
-    heat, bearing = pad_heat(case, case.fuller, warm), case.bearing.film(1.0, case.journal_speed)
+    heat, bearing = pad_heat(case, case.fuller, pads), case.bearing.film(1.0, case.journal_speed)
     return max(
-        heat.narrowing(bearing, number, warm, warm) / pad.assembled_clearance
+        heat.narrowing(bearing, number, journal, pads) / pad.assembled_clearance
         for number, pad in enumerate(bearing.pads)
     )
 

@@ -151,13 +151,15 @@ def lacking(case: TiltingPadJournalCase) -> Iterator[Issue]:
 def heat_not_read(case: TiltingPadJournalCase) -> Iterator[str]:
     """Paths of what is given for another thermal model, and makes no difference here.
 
-    Pads, housing and materials of films that leave deformation out count for what it would take (W422).
+    Pads, housing, a temperature of the journal and materials of films that leave deformation out count for what it
+    would take (W422).
     """
     if case.thermal_model != "full":
         if case.walls.pads is not None and is_given(case.walls.pads, "edge_coefficient"):
             yield "walls.pads.edge_coefficient"
-        if is_given(case.walls, "journal"):
-            yield "walls.journal"
+        for name in ("shaft_conductance", "ambient_temperature"):
+            if is_given(case.walls.journal, name):
+                yield f"walls.journal.{name}"
     if case.pad_bending == "plate":
         return
     if case.materials.pads is not None and is_given(case.materials.pads, "poisson_ratio"):
@@ -183,7 +185,8 @@ def heat_choices(case: TiltingPadJournalCase, supply: float | None) -> HeatChoic
 
 def fuller_choices(case: TiltingPadJournalCase) -> HeatChoices:
     """Walls, bending and growth as given, else of steel, whether the films of the case count them or not."""
-    return HeatChoices(JournalHeat(), pad_walls(case), pad_bending(case), pad_growth(case), pad_materials(case))
+    journal = JournalHeat(case.walls.journal.temperature)
+    return HeatChoices(journal, pad_walls(case), pad_bending(case), pad_growth(case), pad_materials(case))
 
 
 def journal_heat(given: ConductingJournalInput, ambient: float) -> JournalHeat:
