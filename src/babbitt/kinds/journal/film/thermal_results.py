@@ -20,12 +20,13 @@ from babbitt.kinds.journal.film.thermal_film import film_heat, following_stiffne
 if TYPE_CHECKING:
     from babbitt.reynolds.heat.thermal_solution import ThermalFilm
     from babbitt.reynolds.model import JournalFilm
+    from babbitt.reynolds.solution import FilmSolution
 
 __all__ = [
-    "BACK_FROM",
     "coefficient_settings",
     "warnings_about_heat",
     "flow_without_pressure",
+    "is_notable",
     "settings_found",
     "stiffness_values",
     "temperatures_of_coefficients",
@@ -37,7 +38,8 @@ __all__ = [
 ]
 
 BACK_FROM = 0.05
-"""Oil that goes back into supplies, over what leaves by the sides, from which it is reported."""
+"""Oil that goes back into supplies from which it is reported, over what leaves by the sides or what the journal
+drags through the mean gap, c B U/2, if that is less: fresh oil pressed through the unloaded gap hides none."""
 
 NOTHING = 1e-6
 """Oil that goes back into supplies, over what leaves by the sides, up to which it is left out."""
@@ -156,6 +158,13 @@ def flow_without_pressure(case: FilmCase, state: FilmState, calm: JournalFilm) -
     return found.leaving_flow if found.outcome.solved else math.nan
 
 
+def is_notable(returned: float, found: FilmSolution) -> bool:
+    """Whether so much oil goes back into supplies, m3/s, that it is reported."""
+    film = found.film
+    dragged = 0.25 * abs(film.angular_speed) * film.diameter * film.clearance * film.width
+    return returned > BACK_FROM * min(found.leaving_flow, dragged)
+
+
 def warnings_about_heat(
     case: FilmCase, state: FilmState, values: dict[str, float], followed: bool
 ) -> Iterator[Notice]:
@@ -169,7 +178,7 @@ def warnings_about_heat(
         })  # fmt: skip
     thermal = state.thermal
     back = float(thermal.returned_flow.sum())
-    if back > BACK_FROM * thermal.film.leaving_flow:
+    if is_notable(back, thermal.film):
         warmth = thermal.heat.returned / (state.volumetric_heat_capacity * back)
         share = thermal.heat.returned / thermal.heat.oil
         yield Notice("W148", "own_temperatures", {

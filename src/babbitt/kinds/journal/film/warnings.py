@@ -18,7 +18,7 @@ from babbitt.kinds.journal.feed_pressure import pressed_area, warnings_about_pre
 from babbitt.kinds.journal.film.isothermal import FilmState
 from babbitt.kinds.journal.film.layout import closed_pockets, supply_numbers, without_pressure
 from babbitt.kinds.journal.film.model import FilmCase
-from babbitt.kinds.journal.film.thermal_results import BACK_FROM
+from babbitt.kinds.journal.film.thermal_results import is_notable
 from babbitt.kinds.journal.film.thinner_oil import film_over_viscosity
 from babbitt.kinds.journal.film.unloaded import is_unloaded
 from babbitt.kinds.journal.film.values import fills_of, supply_pressures
@@ -118,7 +118,7 @@ def _warnings_about_holes(case: FilmCase, state: FilmState) -> Iterator[Notice]:
 def _warnings_about_returned_oil(film: FilmSolution) -> Iterator[Notice]:
     """Oil that a film of one temperature presses back into supplies, whose heat its balance does not know."""
     returned = -float(film.supply_flow[film.supply_flow < 0.0].sum())
-    if returned > BACK_FROM * film.leaving_flow:
+    if is_notable(returned, film):
         yield Notice("W148", "one_temperature", {"flow": returned})
 
 
