@@ -74,14 +74,15 @@ def ring_point(duty: LineOperation, films: LoadCurve, stiffness: float) -> RingP
 def ring_sweep(duty: LineOperation, films: LoadCurve, stiffnesses: Sequence[float]) -> tuple[RingPoint, ...]:
     """Solve the line on rings of several stiffnesses (N/m per pad).
 
-    Those on which pads find no film are left out, and what is left when the work that is allowed ends: from the
-    stiffest on, so that one which reaches a loss is the stiffest that does.
+    The points stand in the order of the stiffnesses. Those on which pads find no film are left out, and what is
+    left when the work that is allowed ends: solved from the stiffest on, so that one which reaches a loss is the
+    stiffest that does.
     """
-    points = []
+    points = {}
     for stiffness in sorted(stiffnesses, reverse=True):
         with suppress(NoPadFilmError, WorkBoundError):
-            points.append(ring_point(duty, films, stiffness))
-    return tuple(points[::-1])
+            points[stiffness] = ring_point(duty, films, stiffness)
+    return tuple(points[stiffness] for stiffness in stiffnesses if stiffness in points)
 
 
 @dataclass(frozen=True, eq=False)
