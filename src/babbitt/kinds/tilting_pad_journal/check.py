@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from time import perf_counter
 
 from babbitt.core.notices import InputError, Notice
@@ -14,11 +15,16 @@ from babbitt.design.bounds import Bounds, certain, undecided
 from babbitt.design.checks import checks_not_made, limit_checks
 from babbitt.design.heat_balance import Equilibrium
 from babbitt.design.turbulence import ALL_TURBULENT
-from babbitt.kinds.tilting_pad_journal.cross_coupling import SOUGHT, CrossCoupling, cross_coupling_of
+from babbitt.kinds.tilting_pad_journal.cross_coupling import (
+    SOUGHT,
+    CrossCoupling,
+    cross_coupling_of,
+    with_decrements_over_speed,
+)
 from babbitt.kinds.tilting_pad_journal.dynamics import PadDynamics, dynamics_of
 from babbitt.kinds.tilting_pad_journal.failure import failure_of_pads, feasible_growth
 from babbitt.kinds.tilting_pad_journal.film import operating_films
-from babbitt.kinds.tilting_pad_journal.left_out_deformation import warnings_about_left_out_deformation
+from babbitt.kinds.tilting_pad_journal.fuller_model import warnings_of_fuller_model
 from babbitt.kinds.tilting_pad_journal.level_one import (
     about_synchronous_verdict,
     cross_coupling_checks,
@@ -84,7 +90,7 @@ class PadSolutionState:
 
 
 def pad_solution(case: PadCase) -> Solution:
-    """Solve one bearing.
+    """Solve one bearing, and ask what other models and numbers make of it.
 
     Returns
     -------
@@ -96,10 +102,31 @@ def pad_solution(case: PadCase) -> Solution:
     InputError
         E101 where the supply is less than what leaves by the sides of the pads.
     """
+    result, state = by_its_model(case)
+    if state is None:
+        return Solution(case, result)
+    if state.cross_coupling is not None:
+        state.cross_coupling = with_decrements_over_speed(case, state.cross_coupling)
+        result = replace(result, arrays={**result.arrays, **cross_coupling_rows(state.cross_coupling)})
+    told = warnings_of_fuller_model(case, state.films, result, result_and_films)
+    result = replace(result, warnings=(*result.warnings, *told))
+    if case.assumption_sensitivity:
+        result = with_sensitivity(case, result, lambda other: by_its_model(other)[0])
+    return Solution(case, result, state)
+
+
+def result_and_films(case: PadCase) -> tuple[Result, PadFilms | None]:
+    """A bearing by its own model; no films without equilibrium."""
+    result, state = by_its_model(case)
+    return result, None if state is None else state.films
+
+
+def by_its_model(case: PadCase) -> tuple[Result, PadSolutionState | None]:
+    """Films, dynamics and checks of a bearing; no state without equilibrium."""
     begun = perf_counter()
     found = operating_films(case)
     if found.film is None or not found.outcome.solved:
-        return Solution(case, unsolved(case, found, perf_counter() - begun))
+        return unsolved(case, found, perf_counter() - begun), None
     films = found.film
     refuse_starved(case, films)
     margins = pad_margins(case, films.solution)
@@ -117,7 +144,7 @@ def pad_solution(case: PadCase) -> Solution:
         *cross_coupling_checks(case, values, *least_decrement(case)),
     )
     told = tuple(warnings_of_solution(case, films, dynamics, margins, values))
-    result = Result(
+    return Result(
         case.name,
         case.kind,
         METHOD,
@@ -130,7 +157,6 @@ def pad_solution(case: PadCase) -> Solution:
             *about_stability_on_the_ramp(checks, told),
             *warnings_about_kept_limits(films, checks),
             *warnings_about_one_temperature(case, checks, values),
-            *warnings_about_left_out_deformation(case, films, checks, values),
             *about_synchronous_verdict(values, least_decrement(case)[0]),
         ),
         not_checked=(
@@ -147,10 +173,7 @@ def pad_solution(case: PadCase) -> Solution:
         | cross_coupling_rows(driven)
         | pedestal_rows(case, dynamics),
         missing=missing_of(case, values),
-    )
-    if case.assumption_sensitivity:
-        result = with_sensitivity(case, result, lambda other: pad_solution(other).result)
-    return Solution(case, result, PadSolutionState(films, dynamics, margins, driven))
+    ), PadSolutionState(films, dynamics, margins, driven)
 
 
 def unsolved(case: PadCase, found: Equilibrium[PadFilms], time: float) -> Result:

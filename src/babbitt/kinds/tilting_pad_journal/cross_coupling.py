@@ -26,6 +26,7 @@ __all__ = [
     "cross_coupling_of",
     "decrements_over",
     "decrements_over_speed",
+    "with_decrements_over_speed",
 ]
 
 BEARINGS = 2
@@ -80,14 +81,14 @@ class CrossCoupling:
     curve : tuple
         Cross-coupling, N/m, and log decrement by both kinds, point after point.
     over_speed : tuple
-        Speed, rad/s, and what `decrements_over_speed` tells there, point after point.
+        Speed, rad/s, and what `decrements_over_speed` tells there, point after point; empty where it is not asked.
     """
 
     anticipated: float
     full: CrossCouplingMargin
     synchronous: CrossCouplingMargin
     curve: tuple[tuple[float, float, float], ...]
-    over_speed: tuple[tuple[float, float, float, float, float], ...]
+    over_speed: tuple[tuple[float, float, float, float, float], ...] = ()
 
 
 def cross_coupling_of(case: PadCase, full: PadCoefficients) -> CrossCoupling | None:
@@ -108,12 +109,14 @@ def cross_coupling_of(case: PadCase, full: PadCoefficients) -> CrossCoupling | N
     known = [one.critical for one in (full_margin, synchronous) if math.isfinite(one.critical)]
     crosses = np.linspace(0.0, BEYOND * max((2.0 * anticipated, *known)), POINTS).tolist()
     curves = (decrements_over(one, mass, crosses) for one in (chain, reduced))
+    return CrossCoupling(anticipated, full_margin, synchronous, tuple(zip(crosses, *curves, strict=True)))
+
+
+def with_decrements_over_speed(case: PadCase, found: CrossCoupling) -> CrossCoupling:
+    """The same with log decrements at speeds about that of the case, each at its own equilibrium."""
     speeds = [share * abs(case.journal_speed) for share in SPEEDS]
-    over_speed = zip(speeds, decrements_over_speed(case, speeds), strict=True)
-    return CrossCoupling(
-        anticipated, full_margin, synchronous, tuple(zip(crosses, *curves, strict=True)),
-        tuple((speed, *row) for speed, row in over_speed),
-    )  # fmt: skip
+    rows = zip(speeds, decrements_over_speed(case, speeds), strict=True)
+    return replace(found, over_speed=tuple((speed, *row) for speed, row in rows))
 
 
 def margin_of(chain: PadCoefficients, mass: float, anticipated: float) -> CrossCouplingMargin:

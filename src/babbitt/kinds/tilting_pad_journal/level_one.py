@@ -55,7 +55,8 @@ def cross_coupling_rows(found: CrossCoupling | None) -> dict[str, Matrix]:
     """The curves of the log decrement."""
     if found is None:
         return {}
-    return {"decrement_over_cross_coupling": found.curve, "decrement_over_speed": found.over_speed}
+    curves = {"decrement_over_cross_coupling": found.curve, "decrement_over_speed": found.over_speed}
+    return {name: curve for name, curve in curves.items() if curve}
 
 
 def cross_coupling_checks(

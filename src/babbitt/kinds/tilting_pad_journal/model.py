@@ -17,7 +17,6 @@ from babbitt.design.conditions import (
     Proportions,
     Surfaces,
 )
-from babbitt.properties.fits import REFERENCE_TEMPERATURE
 from babbitt.properties.lubricants import Lubricant
 from babbitt.properties.materials import BearingMetal, LoadCharacter
 from babbitt.reynolds.heat.heat_model import JournalHeat
@@ -106,10 +105,6 @@ class HeatChoices:
     materials: tuple[PadMaterial, ...] = ()
 
 
-STEEL_PADS = HeatChoices(JournalHeat(), PadWalls(), PadBending(), PadGrowth(REFERENCE_TEMPERATURE))
-"""Pads, journal and housing of steel that conduct, bend and grow, and clearances of 20 degC (assumptions)."""
-
-
 @dataclass(frozen=True)
 class Feed:
     """How oil reaches the pads.
@@ -192,7 +187,8 @@ class PadCase:
     Speed in rad/s, positive counter-clockwise; `load_angle` in rad from +x. With the thermal model `ISOTHERMAL`
     the films have the `effective_temperature` (K), else it is None and found from friction and fresh oil; `heat`
     counts for films with their own temperatures, whose bores at the probes `probe_alarm` and `probe_trip` (K)
-    limit; `fuller` has walls, bending and growth whether the films count them or not. Without `turbulence`
+    limit; `fuller` has all of that, bending and growth whether the films count them or not, and is asked whether it
+    keeps the limits, too (None: it is not). Without `turbulence`
     films are laminar whatever their Reynolds number.
     `given_clearances` names the two of clearance, assembled_clearance and preload that the case gives of every
     pad, empty where they are not known.
@@ -212,7 +208,7 @@ class PadCase:
     oil_supply: OilSupply | None = None
     effective_temperature: float | None = None
     heat: HeatChoices = HeatChoices()
-    fuller: HeatChoices = STEEL_PADS
+    fuller: HeatChoices | None = None
     turbulence: TurbulenceLaw | None = None
     load_angle: float = -0.5 * math.pi
     accuracy: Accuracy = Accuracy.ENGINEERING

@@ -11,7 +11,7 @@ from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Check, Matrix, Result
 from babbitt.kinds.tilting_pad_journal.model import PadCase, Thermal
 
-__all__ = ["ASSUMED", "MOVED", "Assumption", "assumptions", "end_in_words", "with_sensitivity"]
+__all__ = ["ASSUMED", "MOVED", "Assumption", "assumptions", "end_in_words", "with_sensitivity", "worse"]
 
 STARVED = "W405"
 """Of pads that get less oil than they draw in: their numbers are those of films with all of it."""
@@ -190,17 +190,31 @@ def end_of(assumption: Assumption, value: float, solve: Callable[[PadCase], Resu
 
 def about_assumptions(result: Result, ends: Sequence[End]) -> Iterator[Notice]:
     """Ends of assumptions without film or verdict, or that miss a limit which the bearing as calculated keeps."""
-    said = tuple(notice for one in ends if not math.isnan(one.value) for notice in worse(result, one))
+    said: list[Notice] = []
+    for one in ends:
+        if not math.isnan(one.value):
+            changed = Notice("W419", one.assumption.name, {"value": one.value, "base": one.assumption.base})
+            said += worse(result, changed, one.result, one.refusal)
     if said:
-        yield Notice("W419", "ends", {"ends": said})
+        yield Notice("W419", "ends", {"ends": tuple(said)})
 
 
-def worse(base: Result, end: End) -> Iterator[Notice]:
-    """What is worse with another number of an assumption than as calculated."""
-    said = Notice("W419", end.assumption.name, {"value": end.value, "base": end.assumption.base})
-    found = end.result
+def worse(base: Result, said: Notice, found: Result | None, refusal: str) -> Iterator[Notice]:
+    """What of a bearing is worse otherwise than as calculated.
+
+    Parameters
+    ----------
+    base : Result
+        As calculated.
+    said : Notice
+        What is otherwise.
+    found : Result or None
+        With that. None where it is refused.
+    refusal : str
+        Why, where it is.
+    """
     if found is None:
-        yield Notice("W419", "refused", {"end": said, "why": end.refusal})
+        yield Notice("W419", "refused", {"end": said, "why": refusal})
         return
     if not found.outcome.solved:
         yield Notice("W419", "unsolved", {"end": said, "outcome": found.outcome.value})

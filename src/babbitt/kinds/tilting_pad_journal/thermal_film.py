@@ -18,7 +18,7 @@ from babbitt.reynolds.tilting_pads.pad_heat import PadHeat
 from babbitt.reynolds.tilting_pads.thermal_pad_solution import PadTemperatures, ThermalTiltingPadSolution
 from babbitt.reynolds.tilting_pads.thermal_pads import thermal_pads_with_light_ones, thermal_tilting_pads_at
 
-__all__ = ["pad_heat", "thermal_films"]
+__all__ = ["LEAST_CLEARANCE", "pad_heat", "thermal_films"]
 
 MOST_ROUNDS = 10
 SAME_TEMPERATURE = 0.05

@@ -82,7 +82,7 @@ def pad_case(case: TiltingPadJournalCase, point: PadOperatingPoint | None, named
         oil_supply=supply_of(case, temperature),
         effective_temperature=effective,
         heat=heat_choices(case, temperature),
-        fuller=fuller_choices(case),
+        fuller=fuller_choices(case, temperature),
         turbulence=LAWS_OF_TURBULENCE[case.turbulence],
         load_angle=angle,
         accuracy=Accuracy(case.accuracy),

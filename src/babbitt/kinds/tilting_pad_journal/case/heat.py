@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING, Annotated, ClassVar
 
 from pydantic import Field
@@ -151,10 +152,10 @@ def lacking(case: TiltingPadJournalCase) -> Iterator[Issue]:
 def heat_not_read(case: TiltingPadJournalCase) -> Iterator[str]:
     """Paths of what is given for another thermal model, and makes no difference here.
 
-    Pads, housing, a temperature of the journal and materials of films that leave deformation out count for what it
-    would take (W422).
+    Walls and materials count for what films with temperatures of their own make of the bearing (W422), where the
+    fresh oil is known and films are laminar.
     """
-    if case.thermal_model != "full":
+    if case.turbulence != "laminar" or case.supply.temperature is None:
         if case.walls.pads is not None and is_given(case.walls.pads, "edge_coefficient"):
             yield "walls.pads.edge_coefficient"
         for name in ("shaft_conductance", "ambient_temperature"):
@@ -173,19 +174,24 @@ def heat_choices(case: TiltingPadJournalCase, supply: float | None) -> HeatChoic
     """What takes heat from the films at a temperature of the fresh oil, and what of it deforms the pads."""
     if Thermal(case.thermal_model) is not Thermal.FULL or supply is None:
         return HeatChoices()
-    housing = case.walls.housing.temperature
-    return HeatChoices(
-        journal_heat(case.walls.journal, supply if housing is None else housing),
-        None if case.walls.pads is None else pad_walls(case),
-        pad_bending(case) if "bending" in case.deformation else None,
-        pad_growth(case) if "growth" in case.deformation else None,
-        pad_materials(case),
+    every = fuller_choices(case, supply)
+    return replace(
+        every,
+        walls=None if case.walls.pads is None else every.walls,
+        bending=every.bending if "bending" in case.deformation else None,
+        growth=every.growth if "growth" in case.deformation else None,
     )
 
 
-def fuller_choices(case: TiltingPadJournalCase) -> HeatChoices:
-    """Walls, bending and growth as given, else of steel, whether the films of the case count them or not."""
-    journal = JournalHeat(case.walls.journal.temperature)
+def fuller_choices(case: TiltingPadJournalCase, supply: float | None) -> HeatChoices:
+    """Journal, walls, bending and growth as given, else of steel, whether the films of the case count them or not.
+
+    ``supply`` is the temperature of the fresh oil in K; None: not known, and a shaft conducts no heat.
+    """
+    housing = case.walls.housing.temperature
+    around = supply if housing is None else housing
+    given = case.walls.journal
+    journal = JournalHeat(given.temperature) if around is None else journal_heat(given, around)
     return HeatChoices(journal, pad_walls(case), pad_bending(case), pad_growth(case), pad_materials(case))
 
 
