@@ -337,9 +337,16 @@ NOT_READ = {
         {"thermal": "global", "effective_temperature": "60 degC"},
         ("effective_temperature",),
     ),
-    "walls of films of one temperature": (
-        {"walls": {"pads": {"edge_coefficient": "50 W/(m2 K)"}, "journal": {"shaft_conductance": "2 W/K"}}},
+    "walls of turbulent films": (
+        {
+            "turbulence": "ng_pan",
+            "walls": {"pads": {"edge_coefficient": "50 W/(m2 K)"}, "journal": {"shaft_conductance": "2 W/K"}},
+        },
         ("walls.pads.edge_coefficient", "walls.journal.shaft_conductance"),
+    ),
+    "probes of films of one temperature": (
+        {"pads.probe_fraction": 0.6, "pads.each": [{"probe_fraction": 0.7}, {}, {}, {}]},
+        ("pads.probe_fraction", "pads.each (pad 1).probe_fraction"),
     ),
     "Poisson's ratio of beams": (
         {
@@ -348,7 +355,7 @@ NOT_READ = {
         },
         ("materials.pads.poisson_ratio", "pads.each (pad 1).material.poisson_ratio"),
     ),
-    # what deformation that is left out would take depends on all these (W422)
+    # what the fuller model makes of the bearing depends on all these (W422)
     "all that grows": (
         {
             "thermal": "global",

@@ -14,8 +14,6 @@ from babbitt.reynolds.oil.turbulence import NG_PAN, FilmTurbulence
 from babbitt.reynolds.tilting_pads.bending_mode import (
     BendingMode,
     bending_stiffness,
-    edge_under_heat,
-    edge_under_load,
 )
 from babbitt.reynolds.tilting_pads.dynamics import condensed_at, full_coefficients
 from babbitt.reynolds.tilting_pads.flexible_pads import bent_bearing
@@ -246,17 +244,3 @@ def test_unloaded_pads_do_not_bend():
 def test_a_pad_without_stiffness_is_refused():
     with pytest.raises(InputError, match="bending_stiffness"):
         one_pad(bending_stiffness=0.0)
-
-
-@pytest.mark.parametrize("fraction", [0.5, 0.6])
-def test_edges_under_even_pressure_and_heat_are_those_of_the_beam(fraction):
-    """What bending would move, told of pads that stay rigid: E/(1 - nu^2) of the beam in closed form."""
-    pad = TiltingPad(0.0, 1.2, 1e-4, 8e-5, 0.02, pivot_fraction=fraction)
-    bending = PadBending(poisson_ratio=0.3)
-    by_pressure, by_heat = bending_matrices(0.05, 0.02, 1.2, fraction, 96, bending)
-    pressure, width = 2e6, 0.07
-    load = pressure * 0.05 * 1.2 * width
-    pressed = (by_pressure @ np.full(97, pressure)).max()
-    assert edge_under_load(pad, 0.05, width, bending, load) == pytest.approx(pressed, rel=1e-3)
-    assert edge_under_heat(pad, 0.05, bending, 5.0) == pytest.approx((by_heat @ np.full(97, 5.0)).max(), rel=1e-6)
-    assert edge_under_load(pad, 0.05, width, bending, 0.0) == edge_under_heat(pad, 0.05, bending, 0.0) == 0.0

@@ -22,13 +22,13 @@ KEPT_BY_LITTLE = "W415"
 """Of limits of bores that are kept by less than what is uncertain of films with temperatures of their own."""
 
 ROUNDS, SAME_TEMPERATURE = 10, 0.5
-"""Growth of pads of one temperature: how often it is found anew, until the films are as warm as before within K."""
+"""Growth of pads of one temperature is found anew so often, or until the films are as warm as before (K)."""
 
 
 def warnings_of_fuller_model(
     case: PadCase, films: PadFilms, result: Result, solve: Callable[[PadCase], tuple[Result, PadFilms | None]]
 ) -> Iterator[Notice]:
-    """What a bearing that misses no limit misses once all is counted: temperatures, conduction, growth and bending.
+    """What a bearing that misses no limit misses once temperatures, conduction, growth and bending count.
 
     Films with temperatures of their own where the fresh oil is known and films are laminar; else pads of one
     temperature with clearances that growth narrows, bent by pressure.
@@ -46,7 +46,7 @@ def warnings_of_fuller_model(
     """
     if case.fuller is None or not all(one.ok for one in result.limits):
         return
-    if case.turbulence is None and case.oil_supply is not None:
+    if case.asks_own_temperatures:
         full = with_temperatures(case, case.fuller)
         if full.thermal is case.thermal and full.heat == case.heat:
             return

@@ -187,9 +187,9 @@ class PadCase:
     Speed in rad/s, positive counter-clockwise; `load_angle` in rad from +x. With the thermal model `ISOTHERMAL`
     the films have the `effective_temperature` (K), else it is None and found from friction and fresh oil; `heat`
     counts for films with their own temperatures, whose bores at the probes `probe_alarm` and `probe_trip` (K)
-    limit; `fuller` has all of that, bending and growth whether the films count them or not, and is asked whether it
-    keeps the limits, too (None: it is not). Without `turbulence`
-    films are laminar whatever their Reynolds number.
+    limit; `fuller` has all of that, bending and growth, whether the films count them or not, and is asked whether
+    the limits are kept with it (None: it is not). Without `turbulence` films are laminar whatever their Reynolds
+    number.
     `given_clearances` names the two of clearance, assembled_clearance and preload that the case gives of every
     pad, empty where they are not known.
     `rotor_mass` (kg) is the part of a rotor that this bearing carries, `shaft_stiffness` (N/m) that of the shaft
@@ -229,6 +229,11 @@ class PadCase:
     kind: str = "tilting_pad_journal"
     cooling: HousingCooling | None = None
     bearing_speed: float = 0.0
+
+    @property
+    def asks_own_temperatures(self) -> bool:
+        """Whether the `fuller` films have temperatures of their own: laminar ones of known fresh oil."""
+        return self.fuller is not None and self.turbulence is None and self.oil_supply is not None
 
     @property
     def sense(self) -> float:

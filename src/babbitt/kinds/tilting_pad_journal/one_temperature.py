@@ -44,6 +44,8 @@ def warnings_about_one_temperature(
 ) -> Iterator[Notice]:
     """Which kept limits of pads of one temperature films with temperatures of their own may miss.
 
+    Asked where these are not solved themselves (`fuller_model`).
+
     Parameters
     ----------
     case : PadCase
@@ -52,7 +54,7 @@ def warnings_about_one_temperature(
     values : Mapping of str to float
         Named results of films of one temperature.
     """
-    if case.thermal.is_resolved:
+    if case.thermal.is_resolved or case.asks_own_temperatures:
         return
     near_stable = kept_stability("W416", checks, LESS_STABLE)
     if near_stable:

@@ -19,9 +19,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.reynolds.tilting_pads.model import TiltingPad
-from babbitt.reynolds.tilting_pads.pad_heat import PadBending
 
-__all__ = ["BendingMode", "bending_stiffness", "edge_under_heat", "edge_under_load"]
+__all__ = ["BendingMode", "bending_stiffness"]
 
 Array = NDArray[np.float64]
 
@@ -70,24 +69,3 @@ def bending_stiffness(pad: TiltingPad, radius: float, width: float, modulus: flo
     E/(1 - nu^2)) in Pa."""
     inertia = width * pad.thickness**3 / 12.0
     return modulus * inertia / (radius + 0.5 * pad.thickness) ** 3 * BendingMode.of(pad).energy
-
-
-def edge_under_load(pad: TiltingPad, radius: float, width: float, bending: PadBending, load: float) -> float:
-    """What the farther edge of a pad moves outward under a load in N that presses it evenly, m.
-
-    q = int p psi dA/k_q with p = P/(R_p L extent), where int psi dphi is the energy of the mode: psi is its shape
-    under just that pressure. Radius of the bore and width in m.
-    """
-    mode = BendingMode.of(pad)
-    stiffness = bending_stiffness(pad, radius, width, bending.elastic_modulus / (1.0 - bending.poisson_ratio**2))
-    return load * mode.energy / pad.extent / stiffness * mode.farthest
-
-
-def edge_under_heat(pad: TiltingPad, radius: float, bending: PadBending, difference: float) -> float:
-    """What the farther edge moves outward with a bore warmer than the back by a difference in K all along, m.
-
-    rho^2 alpha dT/t (1 - cos b): the pad opens to a larger radius (`pad_bending`).
-    """
-    away = pad.extent * max(pad.pivot_fraction, 1.0 - pad.pivot_fraction)
-    opening = (radius + 0.5 * pad.thickness) ** 2 * bending.thermal_expansion / pad.thickness
-    return opening * difference * (1.0 - math.cos(away))

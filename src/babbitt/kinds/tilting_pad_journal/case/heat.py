@@ -161,6 +161,12 @@ def heat_not_read(case: TiltingPadJournalCase) -> Iterator[str]:
         for name in ("shaft_conductance", "ambient_temperature"):
             if is_given(case.walls.journal, name):
                 yield f"walls.journal.{name}"
+    if case.thermal_model in ("isothermal", "global"):  # probes are read in films with temperatures of their own
+        if is_given(case.pads, "probe_fraction"):
+            yield "pads.probe_fraction"
+        for number, one in enumerate(case.pads.each):
+            if is_given(one, "probe_fraction"):
+                yield f"{own_path(number)}.probe_fraction"
     if case.pad_bending == "plate":
         return
     if case.materials.pads is not None and is_given(case.materials.pads, "poisson_ratio"):
