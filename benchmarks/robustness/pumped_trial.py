@@ -67,6 +67,7 @@ ROLLED = 1e-8
 SMALL = {
     "grid_error": 1e-9,
     "attitude_angle": 1e-7,
+    "eccentricity_ratio": 1e-11,  # of the clearance: what is left where recesses nearly cancel under a light load
     "cavitated_share": 1e-9,
     "compressibility_damping_loss": 1e-8,
     "heel_force_along": 1e-9,
