@@ -126,6 +126,48 @@ def test_flow_by_supply_pressure_that_is_not_known_asks_for_the_larger_rise():
     assert calm == pytest.approx(HOTTER_BY_SHEAR * heat_of_shear(known))
 
 
+SEIZING = {
+    "kind": "journal", "name": "Stainless in cast iron", "diameter": "293 mm", "width": "170.4 mm",
+    "clearance": {"kind": "relative", "mean": "0.65 permille"}, "lubricant": "ISO VG 22", "span": "360 deg",
+    "supply_element": {"kind": "slot", "length": "83.19 mm", "width": "16.84 mm", "place": "opposite"},
+    "supply": {"temperature": "52.6 degC", "pressure": "0.394 MPa"},
+    "materials": {"bearing_metal": "B83", "bearing": "EN-GJL-250", "journal": "X5CrNi18-10"},
+    "load": "202.653 kN", "speed": "1086.1 rpm",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("method", [{}, {"method": "film", "accuracy": "draft"}], ids=["iso7902", "film"])
+def test_a_clearance_that_growth_may_close_is_no_clean_pass(method):
+    """0.45 of 0.65 permille are left at the one temperature, none in films with their own."""
+    quick, film = solved(SEIZING, **method), solved(SEIZING, **OWN)
+    assert film.verdict is Verdict.NO_SOLUTION
+    assert film.failure.code == "S003"
+    assert quick.verdict is not Verdict.PASS
+    (notice,) = (one for one in quick.warnings if one.code == "W218")
+    assert 0.25 < notice.values["share"] < 0.5
+    alike = SEIZING["materials"] | {"journal": "EN-GJL-250"}
+    assert not [one for one in solved(SEIZING, materials=alike, **method).warnings if one.code == "W218"]
+
+
+def test_the_critical_mass_of_fast_thick_films_needs_more_margin():
+    """7.89 t by one temperature, 6.03 t by films with temperatures of their own, for a rotor of 7.02 t."""
+    case = {
+        "kind": "journal", "name": "Thick", "diameter": "203.9 mm", "width": "123.2 mm", "span": "360 deg",
+        "clearance": {"kind": "relative", "mean": "2.0 permille"}, "lubricant": "ISO VG 320",
+        "supply": {"temperature": "40.1 degC", "pressure": "0.2 MPa"}, "speed": "-3091 rpm", "load": "27.1 kN",
+        "pockets": [{"angle": f"{at} deg", "extent": "20 deg", "width": "86.3 mm"} for at in (28, 180)],
+        "materials": {
+            "bearing": "C45", "journal": "C45",
+            "bearing_metal": {"name": "bronze", "family": "copper-tin", "temperature": "170 degC",
+                              "specific_load": "20 MPa", "sliding_speed": "60 m/s"},
+        },
+        "rotor_mass": "7021 kg",
+    }  # fmt: skip
+    quick, film = solved(case, method="film", accuracy="draft"), solved(case, **OWN)
+    assert film.values["critical_mass"] < 7021.0 < quick.values["critical_mass"]
+    assert any("(C115)" in one.message for one in quick.warnings if one.code == "W191")
+
+
 def test_friction_below_that_of_the_film_and_oil_that_does_not_thin_are_questioned():
     plain = solved(FAST | {"speed": "1000 rpm"})
     cooler = solved(FAST | {"speed": "1000 rpm", "friction": {"factor": 0.5}})
