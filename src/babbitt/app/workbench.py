@@ -251,7 +251,7 @@ class Workbench:
             if ended.why != "cancelled" and mine > self._shown:  # no later question was answered yet
                 self._fail(tell_ended(ended))
             return
-        except Exception:  # an error of the program, or all processes died: what is shown is not of this case
+        except Exception:  # an error of the program: what is shown is not of this case
             if mine > self._shown:
                 self._fail(word("died"))
             raise
