@@ -77,7 +77,7 @@ class Workbench:
                 self._view = AnswerView(self._chosen)
         ui.on("turned", self._turned, args=["field", "angle"])
         ui.on("linked", self._linked)
-        ui.timer(0.1, self._begin, once=True)
+        ui.timer(0.0, self._begin, once=True)
         self._timer = ui.timer(LOOK, self._look)
 
     def _case(self) -> None:
