@@ -33,6 +33,9 @@ from babbitt.core.kind import kinds
 PERIOD = 2.0
 """Seconds between two changes of a visitor."""
 
+AT_WORK = 0.012
+"""Seconds after a change in which a worker process is at its answer."""
+
 MEGABYTE = 1024.0
 """kB, as Linux counts the memory of a process."""
 
@@ -193,14 +196,16 @@ async def measured(address: str, server: int, sessions: int, seconds: float) -> 
 
 
 async def killed(server: int, visitor: Visitor) -> None:
-    """Kill all worker processes; the page answers the change after."""
+    """Kill all worker processes while one answers; the page answers this change and the next one."""
     workers = [one for one in processes_of(server)[1:] if memory(one) > 50.0]
-    for one in workers:
-        os.kill(one, signal.SIGKILL)
     begun = time.perf_counter()
     before = len(visitor.seconds)
-    for load in (13.0, 14.0):
-        await visitor.change(load)
+    change = asyncio.create_task(visitor.change(13.0))
+    await asyncio.sleep(AT_WORK)
+    for one in workers:
+        os.kill(one, signal.SIGKILL)
+    await change
+    await visitor.change(14.0)
     answered = len(visitor.seconds) - before
     seconds = time.perf_counter() - begun
     print(f"{len(workers)} worker processes killed: {answered} of 2 changes answered in {seconds:.1f} s")

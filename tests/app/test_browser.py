@@ -5,10 +5,13 @@ import re
 import subprocess
 import sys
 from urllib.request import Request, urlopen
+from xml.etree import ElementTree
 
 import pytest
 from browsing import IN_BROWSER, film_thickness, section, text_of, until
 
+from babbitt.app.answer import answer
+from babbitt.app.link import case_of
 from babbitt.core.kind import kinds
 
 pytestmark = IN_BROWSER
@@ -72,20 +75,31 @@ def test_the_method_is_changed_and_compared_and_turned(page):
     page.wait_for_selector(".figure svg")
 
 
+def picture(page):
+    """What the drawing says that it shows, and how wide it is; None where there is none."""
+    return page.evaluate(
+        "(one => one && [one.getAttribute('aria-label'), one.getBoundingClientRect().width > 200])"
+        "(document.querySelector('svg.picture'))"
+    )
+
+
 @pytest.mark.parametrize("kind", kinds())
-def test_every_template_opens_and_comes_back_from_its_link(page, kind):
-    name = kinds()[kind].description
+def test_every_template_opens_draws_and_comes_back_from_its_link(page, kind):
+    template = kinds()[kind].read_template()
+    shown = [ElementTree.fromstring(answer(template).bearings[0].picture).get("aria-label"), True]
     page.get_by_role("button", name="New").click()
-    page.get_by_role("menuitem", name=name, exact=True).click()
-    title = re.search(r"(?m)^name: (.*?)\s*(#.*)?$", kinds()[kind].read_template()).group(1)
-    until(page, lambda: title[:12] in text_of(page))
-    page.wait_for_selector(".verdict")
+    page.get_by_role("menuitem", name=kinds()[kind].description, exact=True).click()
+    until(page, lambda: picture(page) == shown)
     page.get_by_label("Copy a link to this case").click()
     until(page, lambda: "#case=" in page.evaluate("location.href"))
     link = page.evaluate("location.href")
+    assert case_of(link.partition("#")[2]) == template
+    page.evaluate("sessionStorage.clear()")  # no draft: the link alone brings the case back
     page.goto("about:blank")
     page.goto(link)
+    until(page, lambda: picture(page) == shown)
     page.wait_for_selector(".verdict")
+    title = re.search(r"(?m)^name: (.*?)\s*(#.*)?$", template).group(1)
     until(page, lambda: title[:12] in text_of(page))
 
 

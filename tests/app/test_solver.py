@@ -7,7 +7,7 @@ import threading
 
 import pytest
 
-from babbitt.app.solver import Ended, Latest, Solver
+from babbitt.app.solver import Ended, Latest, Solver, outcome_of
 
 pytestmark = pytest.mark.slow
 FOREVER = 600.0
@@ -28,6 +28,37 @@ def asleep():
     threading.Event().wait(FOREVER)
 
 
+def killed_once(trace):
+    """Kills its own process while it is at work, but for the second time."""
+    if not trace.exists():
+        trace.touch()
+        os.kill(os.getpid(), signal.SIGKILL)
+    return 42
+
+
+class LastWords:
+    """An answer whose process is killed while it is sent, but for the second time."""
+
+    def __init__(self, trace):
+        self.trace = trace
+
+    def __reduce__(self):
+        return int, (killed_once(self.trace),)
+
+
+def soon(questions, *asked):
+    """The answer, within a time that starting a process anew takes on a busy machine."""
+    return asyncio.run(asyncio.wait_for(questions.ask(*asked), 40.0))
+
+
+@pytest.mark.parametrize("function", [killed_once, LastWords])
+def test_a_change_is_answered_though_its_process_was_killed(solver, tmp_path, function):
+    """At work, and while it held the pipe of its answer: the question is asked again."""
+    assert soon(Latest(solver), function, tmp_path / "latest") == 42
+    assert soon(solver, function, tmp_path / "any") == 42
+    assert soon(solver, doubled, 21) == 42
+
+
 def test_an_answer_comes_from_another_process(solver):
     assert asyncio.run(solver.ask(os.getpid)) != os.getpid()
 
@@ -42,12 +73,12 @@ def test_the_latest_question_is_answered_though_its_process_was_killed(solver):
 def test_a_busy_process_that_is_killed_ends_its_question_alone(solver):
     async def asked():
         process = await solver.ask(os.getpid)
-        waiting = asyncio.create_task(solver.ask(asleep, longest=FOREVER))
-        while not any(future.running() for future in solver._open):
+        waiting = solver.start(asleep, longest=FOREVER)
+        while not waiting.running():
             await asyncio.sleep(0.05)
         os.kill(process, signal.SIGKILL)
         with pytest.raises(Ended) as ended:
-            await waiting
+            await outcome_of(waiting)
         return ended.value.why, await solver.ask(doubled, 21)
 
     assert asyncio.run(asked()) == ("died", 42)

@@ -17,6 +17,7 @@ from babbitt.core.language import written_in
 from babbitt.core.limited_flow import quantity_held
 from babbitt.core.notices import Effect, InputError, explanations
 from babbitt.core.quantities import QUANTITIES
+from babbitt.core.quantities.display import displayed_in
 from babbitt.core.result import Bound, Check, Result
 from babbitt.core.solution import Solution
 from babbitt.report import verdict as verdicts
@@ -364,7 +365,8 @@ def report_of(text: str, report_format: Any) -> bytes:
 
 
 def json_of(text: str) -> str:
-    """The results, as `babbitt solve --json` writes them."""
+    """The results, as `babbitt solve --json` writes them: in SI, its messages, too."""
     from babbitt.report.export import write_json
 
-    return write_json(solved(text))
+    with displayed_in("si"):
+        return write_json(solved(text))

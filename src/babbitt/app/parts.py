@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from concurrent.futures import BrokenExecutor
 from tempfile import TemporaryDirectory
 from typing import Any
 
@@ -202,9 +201,6 @@ class LongWork:
                 found = await outcome_of(self._running)
         except (Ended, InputError) as error:
             self._said.text = tell_ended(error, LONGEST_STUDY)
-            return
-        except BrokenExecutor:
-            self._said.text = word("died")
             return
         finally:
             self._running = None

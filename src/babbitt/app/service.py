@@ -67,7 +67,7 @@ class Service:
             self._compiling.add_done_callback(self._end_compiling)
 
     def _load_behind(self, loaded: Any) -> None:
-        if not loaded.cancelled():
+        if _succeeded(loaded):
             self.solver.start(kernels_loaded)
 
     def _end_compiling(self, _: Any) -> None:

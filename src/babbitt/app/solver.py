@@ -7,19 +7,16 @@ import math
 import os
 import time
 from abc import ABC, abstractmethod
-from collections.abc import Callable
-from concurrent.futures import BrokenExecutor, CancelledError
+from collections.abc import Awaitable, Callable
+from concurrent.futures import Future
+from contextlib import suppress
 from dataclasses import dataclass
-from importlib import import_module
-from importlib.util import find_spec
-from multiprocessing import get_context
-from threading import Thread
+from queue import SimpleQueue
+from threading import Event, Thread
 from typing import Any
 
-from pebble import ProcessExpired, ProcessFuture, ProcessPool
-
 from babbitt.app.units import spoken
-from babbitt.core.picklable_error import PicklableError
+from babbitt.app.worker import Ended, Worker
 
 __all__ = ["LONGEST", "LONGEST_STUDY", "Ended", "InUnits", "Latest", "Questions", "Solver", "outcome_of"]
 
@@ -36,29 +33,31 @@ process takes as long."""
 POLL = 0.5
 """Seconds between two looks at a question that runs."""
 
-LARGEST = 4 << 30
-"""Bytes of memory of a worker."""
+
+class Pending(Future[Any]):
+    """An answer to come. It can be cancelled while it is worked at, too; its process is ended then."""
+
+    is_wanted = True
+
+    def cancel(self) -> bool:
+        """Say that nobody waits for it; whether it was still to come."""
+        self.is_wanted = False
+        return super().cancel() or self.running()
 
 
-class Ended(PicklableError):  # noqa: N818 - not an error of the program
-    """A question that was not answered: ended by its time limit, withdrawn, or its process died.
-
-    Attributes
-    ----------
-    why : str
-        ``too_long``, ``cancelled`` or ``died``: keys of the catalogue of words.
-    """
-
-    def __init__(self, why: str) -> None:
-        super().__init__(why)
-        self.why = why
+@dataclass(frozen=True)
+class _Question:
+    function: Callable[..., Any]
+    given: tuple[Any, ...]
+    longest: float
+    answer: Pending
 
 
 class Questions(ABC):
     """What takes questions."""
 
     @abstractmethod
-    def start(self, function: Callable[..., Any], *given: Any, longest: float = LONGEST) -> ProcessFuture[Any]:
+    def start(self, function: Callable[..., Any], *given: Any, longest: float = LONGEST) -> Pending:
         """Ask; the answer comes by the future."""
 
     async def ask(self, function: Callable[..., Any], *given: Any, longest: float = LONGEST) -> Any:
@@ -68,10 +67,7 @@ class Questions(ABC):
         ------
         Ended
         """
-        try:
-            return await outcome_of(self.start(function, *given, longest=longest))
-        except BrokenExecutor:  # a process died before it took the question
-            return await outcome_of(self.start(function, *given, longest=longest))
+        return await _asked_again(lambda: outcome_of(self.start(function, *given, longest=longest)))
 
 
 class Solver(Questions):
@@ -86,40 +82,63 @@ class Solver(Questions):
     """
 
     def __init__(self, workers: int | None = None, niceness: int = 0) -> None:
-        self._count = workers or max(1, (os.cpu_count() or 1) // 2)
+        count = workers or max(1, (os.cpu_count() or 1) // 2)
         self._niceness = niceness
-        self._pool = self._new_pool()
-        self._open: set[ProcessFuture[Any]] = set()
+        self._asked: SimpleQueue[_Question | None] = SimpleQueue()
+        self._is_needed, self._is_open = Event(), True
+        self._threads = [Thread(target=self._serve, daemon=True) for _ in range(count)]
+        for one in self._threads:
+            one.start()
 
-    def _new_pool(self) -> ProcessPool:
-        return ProcessPool(
-            max_workers=self._count,
-            initializer=_prepared,
-            initargs=(self._niceness,),
-            context=get_context("spawn"),
-        )
-
-    def start(self, function: Callable[..., Any], *given: Any, longest: float = LONGEST) -> ProcessFuture[Any]:
+    def start(self, function: Callable[..., Any], *given: Any, longest: float = LONGEST) -> Pending:
         """Ask; the answer comes by the future."""
-        try:
-            future = self._pool.schedule(function, args=given, timeout=longest)
-        except RuntimeError:  # a process was killed while it held the pipe of all: the pool cannot go on
-            self._renew()
-            future = self._pool.schedule(function, args=given, timeout=longest)
-        self._open.add(future)
-        future.add_done_callback(self._open.discard)
-        return future
-
-    def _renew(self) -> None:
-        """Take new processes, and end the questions that the old ones will not answer."""
-        lost, self._pool = self._pool, self._new_pool()
-        for future in list(self._open):
-            future.cancel()  # type: ignore[no-untyped-call]
-        Thread(target=_ended, args=(lost,), daemon=True).start()
+        answer = Pending()
+        self._asked.put(_Question(function, given, longest, answer))
+        self._is_needed.set()
+        return answer
 
     def close(self) -> None:
         """End all processes."""
-        _ended(self._pool)
+        self._is_open = False
+        if not self._is_needed.is_set():
+            return
+        for _ in self._threads:
+            self._asked.put(None)
+        for one in self._threads:
+            one.join()
+
+    def _serve(self) -> None:
+        """Keep one process, and have it answer one question after the other."""
+        self._is_needed.wait()
+        worker = self._new_worker()
+        while self._is_open:
+            question = self._asked.get()
+            worker = self._living(worker)  # it may have been killed while it waited
+            if question is not None and question.answer.set_running_or_notify_cancel():
+                self._answer(question, worker)
+                worker = self._living(worker)
+        worker.end()
+
+    def _answer(self, question: _Question, worker: Worker) -> None:
+        answer = question.answer
+        try:
+            found = worker.answer(
+                question.function, question.given, question.longest, lambda: answer.is_wanted and self._is_open
+            )
+        except Exception as error:
+            answer.set_exception(error)
+        else:
+            answer.set_result(found)
+
+    def _living(self, worker: Worker) -> Worker:
+        return worker if worker.lives or not self._is_open else self._new_worker()
+
+    def _new_worker(self) -> Worker:
+        """A process that is ready; one that died before it was tells so to whoever asks it."""
+        worker = Worker(self._niceness)
+        with suppress(Ended, EOFError, OSError):
+            worker.heard(math.inf, lambda: self._is_open)
+        return worker
 
 
 class InUnits(Questions):
@@ -135,39 +154,37 @@ class InUnits(Questions):
     def __init__(self, solver: Solver, system: Callable[[], str]) -> None:
         self._solver, self._system = solver, system
 
-    def start(self, function: Callable[..., Any], *given: Any, longest: float = LONGEST) -> ProcessFuture[Any]:
+    def start(self, function: Callable[..., Any], *given: Any, longest: float = LONGEST) -> Pending:
         """Ask; the answer comes by the future."""
         return self._solver.start(spoken, self._system(), function, *given, longest=longest)
 
 
-def _ended(pool: ProcessPool) -> None:
-    pool.stop()  # type: ignore[no-untyped-call]
-    pool.join()
-
-
-async def outcome_of(future: ProcessFuture[Any]) -> Any:
+async def outcome_of(future: Pending) -> Any:
     """The answer of a future.
 
     Raises
     ------
     Ended
-    BrokenExecutor
-        Where all processes died and the question was not taken up.
     """
     try:
         return await asyncio.wrap_future(future)
-    except TimeoutError:
-        raise Ended("too_long") from None
-    except (CancelledError, asyncio.CancelledError):
+    except asyncio.CancelledError:
         raise Ended("cancelled") from None
-    except (ProcessExpired, MemoryError):
-        raise Ended("died") from None
 
 
-@dataclass
-class _Question:
-    function: Callable[..., Any]
-    given: tuple[Any, ...]
+async def _asked_again(ask: Callable[[], Awaitable[Any]]) -> Any:
+    """The answer of a question; one whose process died is asked once more.
+
+    Raises
+    ------
+    Ended
+    """
+    try:
+        return await ask()
+    except Ended as ended:
+        if ended.why != "died":
+            raise
+    return await ask()
 
 
 class Latest:
@@ -180,8 +197,8 @@ class Latest:
 
     def __init__(self, solver: Questions) -> None:
         self._solver = solver
-        self._waiting: _Question | None = None
-        self._running: ProcessFuture[Any] | None = None
+        self._waiting: object = None
+        self._running: Pending | None = None
         self._begun = math.inf
 
     async def ask(self, function: Callable[..., Any], *given: Any) -> Any:
@@ -191,51 +208,39 @@ class Latest:
         ------
         Ended
         """
-        mine = self._waiting = _Question(function, given)
+        mine = self._waiting = object()
         while self._running is not None:
             running = self._running
             await asyncio.wait([asyncio.wrap_future(running)], timeout=POLL)
             if self._waiting is not mine:
                 return None
             self._end_if_stale(running)
-        try:
-            return await self._answer(mine)
-        except BrokenExecutor:  # a process died before it took the question
-            return await self._answer(mine)
+
+        async def asked() -> Any:
+            return await self._answer(function, given) if self._waiting is mine else None
+
+        return await _asked_again(asked)
 
     def withdraw(self) -> None:
         """Take back what no process has taken up yet: its answer would be of a case that has changed since."""
         self._waiting = None
         if self._running is not None and not self._running.running():
-            self._running.cancel()  # type: ignore[no-untyped-call]
+            self._running.cancel()
 
-    async def _answer(self, question: _Question) -> Any:
+    async def _answer(self, function: Callable[..., Any], given: tuple[Any, ...]) -> Any:
         self._begun = math.inf
-        self._running = future = self._solver.start(question.function, *question.given)
+        self._running = future = self._solver.start(function, *given)
         try:
             return await outcome_of(future)
         finally:
             if self._running is future:
                 self._running = None
 
-    def _end_if_stale(self, running: ProcessFuture[Any]) -> None:
+    def _end_if_stale(self, running: Pending) -> None:
         """Withdraw a question that nobody waits for and that has been worked at for long."""
         if running.done():
             self._running = None if self._running is running else self._running
         elif running.running():
             self._begun = min(self._begun, time.monotonic())
             if time.monotonic() - self._begun > STALE:
-                running.cancel()  # type: ignore[no-untyped-call]
-
-
-def _prepared(niceness: int) -> None:
-    """Bound the memory of a worker, have it stand back, and load what the first question needs."""
-    if hasattr(os, "nice"):  # not on Windows
-        os.nice(niceness)
-    if find_spec("resource") is not None:  # not on Windows: there memory is not bounded
-        resource = import_module("resource")
-        resource.setrlimit(resource.RLIMIT_DATA, (LARGEST, LARGEST))
-    from babbitt.app.answer import answer
-    from babbitt.core.kind import kinds
-
-    answer(kinds()["journal"].read_template())
+                running.cancel()

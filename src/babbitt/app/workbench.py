@@ -77,7 +77,7 @@ class Workbench:
                 self._view = AnswerView(self._chosen)
         ui.on("turned", self._turned, args=["field", "angle"])
         ui.on("linked", self._linked)
-        ui.timer(0.1, self._begin, once=True)
+        ui.timer(0.0, self._begin, once=True)
         self._timer = ui.timer(LOOK, self._look)
 
     def _case(self) -> None:
@@ -251,7 +251,7 @@ class Workbench:
             if ended.why != "cancelled" and mine > self._shown:  # no later question was answered yet
                 self._fail(tell_ended(ended))
             return
-        except Exception:  # an error of the program, or all processes died: what is shown is not of this case
+        except Exception:  # an error of the program: what is shown is not of this case
             if mine > self._shown:
                 self._fail(word("died"))
             raise

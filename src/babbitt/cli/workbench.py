@@ -32,7 +32,7 @@ def workbench(
     from babbitt.core.notices import InputError
     from babbitt.core.optional_package import how_to_install
 
-    if find_spec("nicegui") is None or find_spec("pebble") is None:
+    if find_spec("nicegui") is None:
         raise InputError("E007", f"the workbench needs the package nicegui. {how_to_install('nicegui', 'app')}")
     if case is None:
         text = kinds()["journal"].read_template()

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import multiprocessing
-import os
 import signal
 import threading
 from collections.abc import Iterator
@@ -11,6 +10,7 @@ from concurrent.futures import Executor, Future, ProcessPoolExecutor
 from contextlib import contextmanager
 from typing import Any, Protocol
 
+from babbitt.core.child_process import end_with_parent
 from babbitt.core.notices import InputError
 from babbitt.core.optional_package import how_to_install, optional_package
 from babbitt.study.rows import Columns, RowTask, answered
@@ -100,7 +100,7 @@ class Processes:
     def _started(self) -> ProcessPoolExecutor:
         # Spawned, since a process that is forked while a library holds a lock waits for it for ever.
         context = multiprocessing.get_context("spawn")
-        return ProcessPoolExecutor(self.count, mp_context=context, initializer=_begin)
+        return ProcessPoolExecutor(self.count, mp_context=context, initializer=end_with_parent)
 
 
 class Given:
@@ -164,19 +164,6 @@ class Cluster:
     def stop(self) -> None:
         """Leave the cluster."""
         self._client.close(timeout=1)  # with it its chunks are forgotten
-
-
-def _begin() -> None:
-    """Let a process end with the one that started it, however that ends."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    parent = multiprocessing.parent_process()
-    if parent is not None:
-        threading.Thread(target=_end_with, args=(parent,), daemon=True).start()
-
-
-def _end_with(parent: Any) -> None:
-    parent.join()
-    os._exit(1)
 
 
 @contextmanager
