@@ -5,6 +5,7 @@ from __future__ import annotations
 from babbitt.app.answer import Fault, Figure, faults_of, solved
 from babbitt.app.progress import followed
 from babbitt.case import CaseError
+from babbitt.core.language import translated
 from babbitt.report.text import plain_text
 from babbitt.report.view import view_of
 
@@ -25,7 +26,7 @@ def all_figures(text: str, progress: str) -> tuple[tuple[Fault, ...], tuple[Figu
     except CaseError as error:
         return faults_of(error), ()
     return (), tuple(
-        Figure(plain_text(f"{one.result.name}: {drawn.name}"), drawn.caption, drawn.image.decode())
+        Figure(plain_text(f"{one.result.name}: {drawn.name}"), translated(drawn.caption), drawn.image.decode())
         for one in followed(solutions, progress)
         for drawn in view_of(one.result).figures(one, "svg")
     )

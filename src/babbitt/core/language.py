@@ -280,9 +280,9 @@ def read_again() -> None:
 
 
 def folders() -> Iterator[Traversable]:
-    """Where texts may stand: those of all kinds first, then those of each kind that ships, then others."""
+    """Where texts may stand: those of all kinds first, of reports and page, then of each kind that ships, then others."""
     yield files("babbitt.core.notices")
-    yield files("babbitt").joinpath("report")
+    yield from (files("babbitt").joinpath(name) for name in ("report", "app"))
     yield from sorted(files("babbitt").joinpath("kinds").iterdir(), key=lambda folder: folder.name)
     yield from map(files, _OTHERS)
 
