@@ -99,6 +99,23 @@ def test_what_a_case_assumes_stays_in_its_words(language, words_alone):
         assert one in page
 
 
+NAMES = ("laminar film", "oil film too hot", "film, Reynolds", "ISO VG 46; general value")
+"""Of oils and sources: texts of the program, or in their form."""
+
+
+@pytest.mark.parametrize("language", OTHERS)
+@pytest.mark.parametrize("name", NAMES)
+def test_the_name_and_the_source_of_an_oil_stay(language, name, words_alone):
+    oil = f'{{kind: two_points, name: "{name}", nu40: 46 mm2/s, nu100: 6.8 mm2/s, source: "{name}"}}'
+    machine = solve(
+        parse_case(FILM.replace("TURBULENCE", "").replace("lubricant: ISO VG 46", f"lubricant: {oil}"))
+    )
+    with written_in(language):
+        groups = content(machine, Level.STANDARD)["bearings"][0]["inputs"]
+        assert [row["value"] for group in groups for row in group["rows"]].count(name) == 2
+        assert translated_if_known("laminar film") != "laminar film"  # outside the report of this case
+
+
 STEP = SimpleNamespace(centre_angle=math.pi, axial_centre=5e-3, extent=1.0, axial_length=0.02, depth=5e-5)
 FEEDS = [
     SimpleNamespace(angle=1.0, extent=0.3, is_closed=closed, pressure=pressure, width=width, axial_position=place)

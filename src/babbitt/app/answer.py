@@ -13,7 +13,7 @@ from babbitt.case.case_file import CaseFile
 from babbitt.case.method_mapping import METHOD, choices_of
 from babbitt.core.check_text import margin, value_and_limit
 from babbitt.core.files.reading import Reach
-from babbitt.core.language import translated, written_in
+from babbitt.core.language import keeping, translated, written_in
 from babbitt.core.limited_flow import quantity_held
 from babbitt.core.notices import Effect, InputError, explanations
 from babbitt.core.quantities import QUANTITIES
@@ -208,7 +208,8 @@ def answer(text: str, quick: bool = False) -> Answer:
         machine = solved(text, quick)
     except CaseError as error:
         return Answer(faults_of(error), quick=quick, seconds=time.perf_counter() - begun)
-    bearings = tuple(shown(one) for one in machine.solutions)
+    with keeping(machine.own_words):
+        bearings = tuple(shown(one) for one in machine.solutions)
     return Answer((), bearings, machine.case_hash, quick, time.perf_counter() - begun)
 
 
@@ -335,11 +336,13 @@ def rows_of(result: Result) -> Iterable[tuple[str, str, str, str]]:
 
 def figures(text: str) -> tuple[Figure, ...]:
     """The figures that a report would have, of every bearing."""
-    return tuple(
-        Figure(plain_text(f"{one.result.name}: {drawn.name}"), translated(drawn.caption), drawn.image.decode())
-        for one in solved(text).solutions
-        for drawn in view_of(one.result).report_figures(one)
-    )
+    machine = solved(text)
+    with keeping(machine.own_words):
+        return tuple(
+            Figure(plain_text(f"{one.result.name}: {drawn.name}"), translated(drawn.caption), drawn.image.decode())
+            for one in machine.solutions
+            for drawn in view_of(one.result).report_figures(one)
+        )
 
 
 def compared(text: str) -> tuple[Table, ...]:
