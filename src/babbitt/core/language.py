@@ -186,13 +186,15 @@ def listed(numbers: Iterable[str]) -> str:
 
 
 def decimal(number: str) -> str:
-    """A number with its decimal sign: a comma in German and Russian.
+    """A number with its decimal sign: a comma in German and Russian, which set the sign of per cent apart, too.
 
     >>> with written_in("ru"):
-    ...     decimal("0.25")
-    '0,25'
+    ...     decimal("0.25"), decimal("+31.5%")
+    ('0,25', '+31,5 %')
     """
-    return number if language() == ENGLISH else re.sub(r"(?<=\d)\.(?=\d)", ",", number)
+    if language() == ENGLISH:
+        return number
+    return re.sub(r"(?<=\d)%", " %", re.sub(r"(?<=\d)\.(?=\d)", ",", number))
 
 
 def unit_sign(label: str) -> str:

@@ -26,8 +26,8 @@ from babbitt.study.designs import ABSENT, ComparedBearing, Designs
 
 __all__ = ["DesignRow", "bearing_rows", "difference", "kinds_said", "print_designs", "short_designs"]
 
-SAME = {"0 %", "+0.0 K", "+0.0 °"}
-"""Differences of results that no design changes."""
+SAME = {"0 %", "+0.0 K", "+0.0 °", "+0,0 K", "+0,0 °"}
+"""Differences of results that no design changes, in every language."""
 
 ROUND_OFF = 1e-9
 """Numbers without unit up to which they are what is left of a balance."""
