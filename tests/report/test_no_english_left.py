@@ -10,6 +10,8 @@ import pytest
 
 from babbitt.case import parse_case
 from babbitt.core.language import LANGUAGES, translated_if_known, written_in
+from babbitt.core.notices import Notice
+from babbitt.core.notices.words import words
 from babbitt.core.report_level import Level
 from babbitt.kinds.journal.report import film_inputs
 from babbitt.report.bearing_content import bearing_content
@@ -18,6 +20,7 @@ from babbitt.report.comparison_page import comparison_page
 from babbitt.report.comparison_table import told_left_out
 from babbitt.report.content import content
 from babbitt.report.names import shown_name
+from babbitt.report.study_values import reason_text
 from babbitt.reynolds.oil.turbulence import CONSTANTINESCU, NG_PAN
 from babbitt.solving import solve
 from babbitt.study.comparison import compare_methods
@@ -172,3 +175,33 @@ def test_the_oil_system_has_a_name_in_the_language():
     with written_in("de"):
         assert shown_name("Oil system of Gear") == "Ölsystem von Gear"
     assert shown_name("Oil system of Gear") == "Oil system of Gear"
+
+
+REFUSALS = [
+    "case: diameter: -0.001 is too small; allowed: 1 mm to 3 m [E003]",
+    "case: speed: 0.0 is too small; allowed: 0.1 rpm to 1000000 rpm, with either sign [E003]",
+    "case: width: width 1 mm is 0.00833 of the diameter; allowed: 12 mm to 180 mm (B/D 0.1 to 1.5) [E004] "
+    "case: supply_element.width: the pocket reaches outside the bearing: 40 mm in a width of 1 mm; allowed: less "
+    "than 1 mm [E004]",
+    "case: supply.temperature: the supply, 200 degC, is not cooler than the end of the data of ISO VG 46, "
+    "120 degC; allowed: less than 120 degC [E004]",
+    "case: lubricant: a sentence that is not known [E005]",
+]
+
+
+@pytest.mark.parametrize("language", OTHERS)
+@pytest.mark.parametrize("message", REFUSALS)
+def test_a_row_that_is_refused_says_why(message, language):
+    with written_in(language):
+        said = reason_text(message, "", "refused")
+    assert not english_left([said])
+    assert re.findall(r"\[E\d+\]", said) == re.findall(r"\[E\d+\]", message)
+    assert reason_text(message, "", "refused") == message
+
+
+def test_a_row_without_a_solution_says_why():
+    values = dict.fromkeys(words().placeholders("S001", "carries"), 0.25)
+    with written_in("de"):
+        said = reason_text(Notice("S001", "carries", values).sentence(), "S001", "overloaded")
+        assert said == Notice("S001", "carries", values).message
+    assert not english_left([said])

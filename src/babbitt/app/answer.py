@@ -24,6 +24,7 @@ from babbitt.report.coefficient_temperatures import temperature_remark
 from babbitt.report.labels import label, told_meaning
 from babbitt.report.meanings import remark_on_zero
 from babbitt.report.names import shown_name
+from babbitt.report.study_values import refusal
 from babbitt.report.text import plain_text
 from babbitt.report.units_of_matrices import suited_among
 from babbitt.report.us_words import OF_RESULTS, in_us_units
@@ -215,7 +216,7 @@ def answer(text: str, quick: bool = False) -> Answer:
 
 def faults_of(error: CaseError) -> tuple[Fault, ...]:
     """All that is wrong, as the page shows it."""
-    return tuple(Fault(one.field, one.line, one.message, one.code) for one in error.problems)
+    return tuple(Fault(one.field, one.line, refusal(one.message), one.code) for one in error.problems)
 
 
 def solved(text: str, quick: bool = False) -> MachineResult:
