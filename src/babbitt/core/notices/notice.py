@@ -116,14 +116,12 @@ def retold(code: str, sentence: str) -> str | None:
     ...     retold("W109", "surface speed 45.00 m/s > 20 m/s"), retold("W109", "another sentence")
     ('Gleitgeschwindigkeit 45,00 m/s > 20 m/s', None)
     """
-    for variant, form in _forms(code):
-        if (found := form.fullmatch(sentence)) is not None:
-            said = words(language()).message(code, variant)
-            parts = {
-                name: retold(code, part) or translated_if_known(part) for name, part in found.groupdict().items()
-            }
-            return decimal(PLACEHOLDER.sub(lambda place, parts=parts: parts[place[1]], said))
-    return None
+    matches = ((variant, form.fullmatch(sentence)) for variant, form in _forms(code))
+    variant, found = next((one for one in matches if one[1] is not None), ("", None))
+    if found is None:
+        return None
+    parts = {name: retold(code, part) or translated_if_known(part) for name, part in found.groupdict().items()}
+    return decimal(PLACEHOLDER.sub(lambda place: parts[place[1]], words(language()).message(code, variant)))
 
 
 @cache
