@@ -2,21 +2,34 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
 from babbitt import __version__
 from babbitt.case.case_file import CaseFile
 from babbitt.case.case_hash import case_hash
-from babbitt.case.part import given_paths
+from babbitt.case.part import Part, given_paths
 from babbitt.case.parts.title_block import TitleBlock
 from babbitt.core.notices import InputError
 from babbitt.core.progress import ProgressCallback, no_progress
 from babbitt.core.result import Result
 from babbitt.core.solution import Solution
 
-__all__ = ["MachineResult", "given_fields", "own_assumptions", "refusal_of", "solve"]
+__all__ = ["MachineResult", "given_fields", "own_words", "refusal_of", "solve"]
+
+OWN_WORDS = (
+    "assumptions",
+    "name",
+    "source",
+    "lubricant",
+    "oil",
+    "bearing_metal",
+    "bearing",
+    "journal",
+    "material",
+)
+"""Fields whose texts are words of the case."""
 
 
 @dataclass(frozen=True)
@@ -36,8 +49,8 @@ class MachineResult:
         The case file as it was read; empty where there was none.
     source, notes : str
         What the case says of itself.
-    assumptions : tuple of str
-        What the case and its bearings themselves assume, in their words.
+    own_words : tuple of str
+        Names in the case, and what it and its bearings themselves assume.
     title_block : TitleBlock or None
         Of the report.
     given : Mapping
@@ -51,7 +64,7 @@ class MachineResult:
     case_text: str = ""
     source: str = ""
     notes: str = ""
-    assumptions: tuple[str, ...] = ()
+    own_words: tuple[str, ...] = ()
     title_block: TitleBlock | None = None
     given: Mapping[str, frozenset[str]] = field(default_factory=dict)
 
@@ -109,16 +122,27 @@ def solve(case: CaseFile, progress: ProgressCallback = no_progress) -> MachineRe
         case_text=case.text,
         source=getattr(case, "source", ""),
         notes=getattr(case, "notes", ""),
-        assumptions=own_assumptions(case),
+        own_words=own_words(case),
         title_block=case.title_block,
         given=given_fields(case, (one.problem for one in solutions)),
     )
 
 
-def own_assumptions(case: CaseFile) -> tuple[str, ...]:
-    """What a case and its bearings assume, in their words: no report translates or converts it."""
-    parts = (case, *getattr(case, "bearings", ()))
-    return tuple(dict.fromkeys(said for one in parts for said in getattr(one, "assumptions", ())))
+def own_words(case: CaseFile) -> tuple[str, ...]:
+    """Words of a case: what it assumes, names of oils, metals, bearings. No report translates or converts them."""
+    return tuple(dict.fromkeys(_words_in(case)))
+
+
+def _words_in(given: Any, field: str = "") -> Iterator[str]:
+    if isinstance(given, str):
+        if field in OWN_WORDS:
+            yield given
+    elif isinstance(given, Part):
+        for name, one in given:
+            yield from _words_in(one, name)
+    elif isinstance(given, list | tuple):
+        for one in given:
+            yield from _words_in(one, field)
 
 
 def given_fields(case: CaseFile, problems: Iterable[Any]) -> Mapping[str, frozenset[str]]:

@@ -78,3 +78,22 @@ def test_a_study_that_is_put_into_the_case_stays_its_own(page):
     assert not page.get_by_text(REMARK).is_visible()
     page.get_by_label("Diameter", exact=True).fill("130")
     page.get_by_text(REMARK).wait_for(state="visible")
+
+
+def test_the_page_speaks_german_and_keeps_case_and_units_in_russian(page, server):
+    page.goto(f"{server}/?language=de")
+    page.locator(".verdict .word", has_text="bestanden").wait_for()
+    assert page.evaluate("document.documentElement.lang") == "de"
+    page.get_by_role("button", name="Neu").click()
+    page.get_by_role("menuitem", name=re.compile("^ein Axiallager")).click()
+    page.locator(".small", has_text="Maßgebender Nachweis").wait_for()
+    page.get_by_role("button", name="US-Einheiten").click()
+    page.locator(".card .number", has_text=" psi").first.wait_for()
+    until(page, lambda: '"units":"us"' in page.evaluate("Object.values(sessionStorage).join()"))
+    page.get_by_role("combobox", name="Sprache").click()
+    page.get_by_role("option", name="Русский").click()
+    page.locator(".small", has_text="Определяющая проверка").wait_for()
+    assert page.evaluate("document.documentElement.lang") == "ru"
+    page.locator(".card .number", has_text=" psi").first.wait_for()
+    page.get_by_role("tab", name="Текст").click()
+    page.locator(".cm-line", has_text="kind: thrust").first.wait_for()

@@ -296,7 +296,7 @@ def test_reports_of_studies_lack_no_word_and_have_the_same_numbers(study, words_
 
 
 def without_reasons(made, english):
-    """What is told in the same numbers; reasons of refusals are sentences of the rows, in English alone."""
+    """What is told in the same numbers; refusals whose sentence a language does not know name field and code."""
     pairs = zip(made["tables"], english["tables"], strict=True)
     kept = [one for one, own in pairs if not own["title"].startswith("Why rows")]
     return made | {

@@ -10,6 +10,8 @@ import pytest
 
 from babbitt.case import parse_case
 from babbitt.core.language import LANGUAGES, translated_if_known, written_in
+from babbitt.core.notices import Notice
+from babbitt.core.notices.words import words
 from babbitt.core.report_level import Level
 from babbitt.kinds.journal.report import film_inputs
 from babbitt.report.bearing_content import bearing_content
@@ -18,6 +20,7 @@ from babbitt.report.comparison_page import comparison_page
 from babbitt.report.comparison_table import told_left_out
 from babbitt.report.content import content
 from babbitt.report.names import shown_name
+from babbitt.report.study_values import reason_text
 from babbitt.reynolds.oil.turbulence import CONSTANTINESCU, NG_PAN
 from babbitt.solving import solve
 from babbitt.study.comparison import compare_methods
@@ -99,6 +102,23 @@ def test_what_a_case_assumes_stays_in_its_words(language, words_alone):
         assert one in page
 
 
+NAMES = ("laminar film", "oil film too hot", "film, Reynolds", "ISO VG 46; general value")
+"""Of oils and sources: texts of the program, or in their form."""
+
+
+@pytest.mark.parametrize("language", OTHERS)
+@pytest.mark.parametrize("name", NAMES)
+def test_the_name_and_the_source_of_an_oil_stay(language, name, words_alone):
+    oil = f'{{kind: two_points, name: "{name}", nu40: 46 mm2/s, nu100: 6.8 mm2/s, source: "{name}"}}'
+    machine = solve(
+        parse_case(FILM.replace("TURBULENCE", "").replace("lubricant: ISO VG 46", f"lubricant: {oil}"))
+    )
+    with written_in(language):
+        groups = content(machine, Level.STANDARD)["bearings"][0]["inputs"]
+        assert [row["value"] for group in groups for row in group["rows"]].count(name) == 2
+        assert translated_if_known("laminar film") != "laminar film"  # outside the report of this case
+
+
 STEP = SimpleNamespace(centre_angle=math.pi, axial_centre=5e-3, extent=1.0, axial_length=0.02, depth=5e-5)
 FEEDS = [
     SimpleNamespace(angle=1.0, extent=0.3, is_closed=closed, pressure=pressure, width=width, axial_position=place)
@@ -155,3 +175,33 @@ def test_the_oil_system_has_a_name_in_the_language():
     with written_in("de"):
         assert shown_name("Oil system of Gear") == "Ölsystem von Gear"
     assert shown_name("Oil system of Gear") == "Oil system of Gear"
+
+
+REFUSALS = [
+    "case: diameter: -0.001 is too small; allowed: 1 mm to 3 m [E003]",
+    "case: speed: 0.0 is too small; allowed: 0.1 rpm to 1000000 rpm, with either sign [E003]",
+    "case: width: width 1 mm is 0.00833 of the diameter; allowed: 12 mm to 180 mm (B/D 0.1 to 1.5) [E004] "
+    "case: supply_element.width: the pocket reaches outside the bearing: 40 mm in a width of 1 mm; allowed: less "
+    "than 1 mm [E004]",
+    "case: supply.temperature: the supply, 200 degC, is not cooler than the end of the data of ISO VG 46, "
+    "120 degC; allowed: less than 120 degC [E004]",
+    "case: lubricant: a sentence that is not known [E005]",
+]
+
+
+@pytest.mark.parametrize("language", OTHERS)
+@pytest.mark.parametrize("message", REFUSALS)
+def test_a_row_that_is_refused_says_why(message, language):
+    with written_in(language):
+        said = reason_text(message, "", "refused")
+    assert not english_left([said])
+    assert re.findall(r"\[E\d+\]", said) == re.findall(r"\[E\d+\]", message)
+    assert reason_text(message, "", "refused") == message
+
+
+def test_a_row_without_a_solution_says_why():
+    values = dict.fromkeys(words().placeholders("S001", "carries"), 0.25)
+    with written_in("de"):
+        said = reason_text(Notice("S001", "carries", values).sentence(), "S001", "overloaded")
+        assert said == Notice("S001", "carries", values).message
+    assert not english_left([said])

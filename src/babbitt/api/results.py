@@ -335,7 +335,7 @@ class BearingResult:
             E007 for another suffix, a path that cannot be written, or a package that is not installed.
         """
         from babbitt.report.document import write_report
-        from babbitt.solving import MachineResult, given_fields, own_assumptions
+        from babbitt.solving import MachineResult, given_fields, own_words
 
         case, solved = self.case, self.solution
         machine = MachineResult(
@@ -343,7 +343,7 @@ class BearingResult:
             (solved,),
             self.case_hash,
             case_text=self.case_text,
-            assumptions=() if case is None else own_assumptions(case),
+            own_words=() if case is None else own_words(case),
             title_block=None if case is None else case.title_block,
             given={} if case is None else given_fields(case, [solved.problem]),
         )

@@ -13,7 +13,7 @@ from babbitt.case.case_file import CaseFile
 from babbitt.case.method_mapping import METHOD, choices_of
 from babbitt.core.check_text import margin, value_and_limit
 from babbitt.core.files.reading import Reach
-from babbitt.core.language import written_in
+from babbitt.core.language import keeping, translated, written_in
 from babbitt.core.limited_flow import quantity_held
 from babbitt.core.notices import Effect, InputError, explanations
 from babbitt.core.quantities import QUANTITIES
@@ -22,8 +22,10 @@ from babbitt.core.result import Bound, Check, Result
 from babbitt.core.solution import Solution
 from babbitt.report import verdict as verdicts
 from babbitt.report.coefficient_temperatures import temperature_remark
-from babbitt.report.labels import label
-from babbitt.report.meanings import meaning, remark_on_zero
+from babbitt.report.labels import label, told_meaning
+from babbitt.report.meanings import remark_on_zero
+from babbitt.report.names import shown_name
+from babbitt.report.study_values import refusal
 from babbitt.report.text import plain_text
 from babbitt.report.units_of_matrices import suited_among
 from babbitt.report.us_words import OF_RESULTS, in_us_units
@@ -111,6 +113,8 @@ class Shown:
     Attributes
     ----------
     name, method : str
+    key : str
+        The name by which questions call it, whatever the language.
     verdict, verdict_key : str
         In words, and for the style of the page.
     governing : str
@@ -127,6 +131,7 @@ class Shown:
 
     name: str
     method: str
+    key: str
     verdict: str
     verdict_key: str
     governing: str
@@ -205,13 +210,14 @@ def answer(text: str, quick: bool = False) -> Answer:
         machine = solved(text, quick)
     except CaseError as error:
         return Answer(faults_of(error), quick=quick, seconds=time.perf_counter() - begun)
-    bearings = tuple(shown(one) for one in machine.solutions)
+    with keeping(machine.own_words):
+        bearings = tuple(shown(one) for one in machine.solutions)
     return Answer((), bearings, machine.case_hash, quick, time.perf_counter() - begun)
 
 
 def faults_of(error: CaseError) -> tuple[Fault, ...]:
     """All that is wrong, as the page shows it."""
-    return tuple(Fault(one.field, one.line, one.message, one.code) for one in error.problems)
+    return tuple(Fault(one.field, one.line, refusal(one.message), one.code) for one in error.problems)
 
 
 def solved(text: str, quick: bool = False) -> MachineResult:
@@ -245,9 +251,10 @@ def shown(solution: Solution) -> Shown:
     governing = result.governing_check
     picture = view_of(result).picture(solution)
     return Shown(
+        shown_name(result.name),
+        translated(view_of(result).title or result.method),
         plain_text(result.name),
-        view_of(result).title or result.method,
-        result.verdict.value,
+        translated(result.verdict.value),
         result.verdict.key,
         "" if governing is None else f"{label(governing.quantity, result.kind)}: {margin(governing)}",
         cards_of(result),
@@ -324,23 +331,25 @@ def rows_of(result: Result) -> Iterable[tuple[str, str, str, str]]:
         return
     for name, value in result.values.items():
         if name in QUANTITIES and math.isfinite(value) and name != "wall_time":
-            said = meaning(name, result.kind) + remark_on_zero(name, value) + temperature_remark(name, result)
+            said = told_meaning(name, result.kind) + remark_on_zero(name, value) + temperature_remark(name, result)
             quantity = suited_among(name, result.values)
             yield in_us_units(said), quantity.symbol, quantity.format(value), quantity.display.label
 
 
 def figures(text: str) -> tuple[Figure, ...]:
     """The figures that a report would have, of every bearing."""
-    return tuple(
-        Figure(plain_text(f"{one.result.name}: {drawn.name}"), drawn.caption, drawn.image.decode())
-        for one in solved(text).solutions
-        for drawn in view_of(one.result).report_figures(one)
-    )
+    machine = solved(text)
+    with keeping(machine.own_words):
+        return tuple(
+            Figure(plain_text(f"{one.result.name}: {drawn.name}"), translated(drawn.caption), drawn.image.decode())
+            for one in machine.solutions
+            for drawn in view_of(one.result).report_figures(one)
+        )
 
 
 def compared(text: str) -> tuple[Table, ...]:
     """Every method that knows the bearing, side by side."""
-    from babbitt.report.comparison_table import compared_rows, head, spoken
+    from babbitt.report.comparison_table import compared_rows, head, spoken, told_left_out
     from babbitt.study.comparison import compare_methods
 
     tables = []
@@ -350,8 +359,8 @@ def compared(text: str) -> tuple[Table, ...]:
             (f"{row.meaning} {row.unit}".strip(), *row.cells) for row in compared_rows(one.compared, variants)
         )
         heads = ("", *(head(variant, one.asked) for variant in variants))
-        remarks = tuple(spoken(line) for line in (*one.sentences, *one.left_out.splitlines()) if line)
-        tables.append(Table(plain_text(one.name), heads, rows, remarks))
+        left_out = map(told_left_out, filter(None, one.left_out.splitlines()))
+        tables.append(Table(shown_name(one.name), heads, rows, (*map(spoken, one.sentences), *left_out)))
     return tuple(tables)
 
 

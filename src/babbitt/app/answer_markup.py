@@ -11,7 +11,7 @@ from collections.abc import Iterable
 from xml.etree import ElementTree
 
 from babbitt.app.answer import Answer, Card, Finding, Shown
-from babbitt.app.words import word
+from babbitt.app.words import told, word
 from babbitt.report.picture import SUBSCRIPT
 
 __all__ = ["cards_markup", "findings_markup", "verdict_markup"]
@@ -58,7 +58,7 @@ def _card(card: Card, before: Card | None) -> Element:
         bar = _within(made, "bar", attributes={"role": "img", "aria-label": _used(card)})
         _within(bar, "used", attributes={"style": f"width: {100.0 * used:.0f}%"})
         line = _within(made, "line small")
-        _within(line, "word", card.word)
+        _within(line, "word", told(card.word))
         _within(line, "", f"{card.limit} ({card.margin})")
     return made
 
@@ -72,7 +72,7 @@ def _symbol(outer: Element, symbol: str, after: str) -> None:
 
 
 def _used(card: Card) -> str:
-    share = f"{100.0 * card.share:.0f} %" if math.isfinite(card.share) else "over 100 %"
+    share = f"{100.0 * card.share:.0f} %" if math.isfinite(card.share) else word("over_all")
     return f"{share} {word('used')}"
 
 

@@ -9,6 +9,7 @@ from typing import Any
 from babbitt.app.answer import Table
 from babbitt.app.form import Choice, Entry, Group, Item, Path
 from babbitt.app.maps import INK
+from babbitt.core.language import translated_if_known
 from babbitt.core.units import ZERO_CELSIUS
 from babbitt.properties.lubricants import lubricant
 from babbitt.report import catalogue_tables
@@ -28,12 +29,18 @@ ADDITIVE = 0.7
 
 def oils() -> Table:
     """The lubricants."""
-    return Table("", catalogue_tables.LUBRICANT_HEADS, tuple(catalogue_tables.lubricant_rows()))
+    return _spoken(catalogue_tables.LUBRICANT_HEADS, catalogue_tables.lubricant_rows())
 
 
 def metals() -> Table:
     """The bearing metals with their limits."""
-    return Table("", catalogue_tables.METAL_HEADS, tuple(catalogue_tables.metal_rows()), words=2)
+    return _spoken(catalogue_tables.METAL_HEADS, catalogue_tables.metal_rows(), words=2)
+
+
+def _spoken(heads: Iterable[str], rows: Iterable[tuple[str, ...]], words: int = 1) -> Table:
+    """Heads and cells in the language that is written; names stay as they are."""
+    said = tuple((name, *map(translated_if_known, cells)) for name, *cells in rows)
+    return Table("", tuple(map(translated_if_known, heads)), said, words=words)
 
 
 def field_for(items: Iterable[Item], names: Iterable[str]) -> Path | None:

@@ -12,7 +12,7 @@ from babbitt.app.coefficients import FEWEST, CoefficientFile, Speeds, coefficien
 from babbitt.app.document import CaseDocument
 from babbitt.app.parts import LongWork, Question, show_faults
 from babbitt.app.solver import Questions
-from babbitt.app.words import word
+from babbitt.app.words import told, word
 from babbitt.export import FORMATS
 
 __all__ = ["CoefficientsView"]
@@ -57,7 +57,7 @@ class CoefficientsView:
                 on_change=lambda event: self._set("number", int(event.value or FEWEST)),
             ).props("dense").classes("narrow")  # fmt: skip
             ui.select(
-                {name: f"{name}: {one.meaning}" for name, one in FORMATS.items()}, value=self._format,
+                {name: f"{name}: {told(one.meaning)}" for name, one in FORMATS.items()}, value=self._format,
                 label=word("format"), on_change=self._formatted,
             ).props("dense").classes("grow")  # fmt: skip
 

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from babbitt.app.answer import NAME, Fault, Table, faults_of, read
 from babbitt.case import CaseError, located
+from babbitt.core.language import translated
 from babbitt.core.notices import InputError
 from babbitt.report.designs_table import SAME, bearing_rows, kinds_said
+from babbitt.report.names import shown_name
 from babbitt.report.text import counted, plain_text
 from babbitt.report.us_words import OF_RESULTS, in_us_units
 from babbitt.study.designs import ComparedBearing, Designs, compare_designs
@@ -32,19 +34,26 @@ def side_by_side(first: str, other: str) -> tuple[tuple[Fault, ...], tuple[Table
 def _inputs(found: Designs) -> Table:
     rows = tuple((one.path, *one.shown) for one in found.changed)
     said = kinds_said(found)
-    return Table("Changed inputs", ("field", *found.labels), rows, (said,) if said else ())
+    return Table(translated("Changed inputs"), (translated("field"), *found.labels), rows, (said,) if said else ())
 
 
 def _results(bearing: ComparedBearing) -> Table:
     rows = list(bearing_rows(bearing))
     shown = [one for one in rows if set(one.differences) - SAME]
     left = len(rows) - len(shown)
-    remarks = [f"left out: {counted(left, 'result')} that no design changes"] if left else []
+    remarks = (
+        [translated("left out: {results} that no design changes", results=counted(left, "result"))] if left else []
+    )
     remarks += [
-        f"{label}: {one.outcome.value}; {in_us_units(plain_text(one.message), OF_RESULTS)}"
+        f"{label}: {translated(one.outcome.value)}; {in_us_units(plain_text(one.message), OF_RESULTS)}"
         for label, one in zip(LABELS, bearing.results, strict=True)
         if one is not None and not one.outcome.solved
     ]
-    heads = ("quantity", "unit", *LABELS, "B against A")
+    heads = (
+        translated("quantity"),
+        translated("unit"),
+        *LABELS,
+        translated("{design} against {first}", design=LABELS[1], first=LABELS[0]),
+    )
     cells = tuple((one.meaning, one.unit, *one.cells, *one.differences) for one in shown)
-    return Table(plain_text(bearing.name), heads, cells, tuple(remarks), words=2)
+    return Table(shown_name(bearing.name), heads, cells, tuple(remarks), words=2)

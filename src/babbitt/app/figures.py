@@ -5,6 +5,7 @@ from __future__ import annotations
 from babbitt.app.answer import Fault, Figure, faults_of, solved
 from babbitt.app.progress import followed
 from babbitt.case import CaseError
+from babbitt.core.language import keeping, translated
 from babbitt.report.text import plain_text
 from babbitt.report.view import view_of
 
@@ -21,11 +22,12 @@ def all_figures(text: str, progress: str) -> tuple[tuple[Fault, ...], tuple[Figu
         File for `babbitt.app.progress`: bearings that are done.
     """
     try:
-        solutions = solved(text).solutions
+        machine = solved(text)
     except CaseError as error:
         return faults_of(error), ()
-    return (), tuple(
-        Figure(plain_text(f"{one.result.name}: {drawn.name}"), drawn.caption, drawn.image.decode())
-        for one in followed(solutions, progress)
-        for drawn in view_of(one.result).figures(one, "svg")
-    )
+    with keeping(machine.own_words):
+        return (), tuple(
+            Figure(plain_text(f"{one.result.name}: {drawn.name}"), translated(drawn.caption), drawn.image.decode())
+            for one in followed(machine.solutions, progress)
+            for drawn in view_of(one.result).figures(one, "svg")
+        )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable
+from dataclasses import replace
 from typing import Any
 
 from nicegui import ui
@@ -12,7 +13,7 @@ from babbitt.app.answer import Fault
 from babbitt.app.document import CaseDocument
 from babbitt.app.form import NONE, TEXT, Choice, Entry, Group, Item, Path, Rows, as_text, quantities, sections_of
 from babbitt.app.units import SYSTEMS, in_unit, is_number, shown_in, split
-from babbitt.app.words import sections, word
+from babbitt.app.words import field_name, sections, word
 from babbitt.study.size_choices import standard_choices
 
 __all__ = ["FormView"]
@@ -97,7 +98,8 @@ class FormView:
         return kept
 
     def _list(self, items: Iterable[Item]) -> None:
-        for item in items:
+        for found in items:
+            item = replace(found, label=field_name(str(found.path[-1])))
             match item:
                 case Entry():
                     self._entry(item)

@@ -15,15 +15,20 @@ from babbitt.app.link import link_of
 from babbitt.app.parts import icon_button, tell_ended
 from babbitt.app.python_text import python_of
 from babbitt.app.solver import Ended, Questions
-from babbitt.app.words import word
+from babbitt.app.words import page_language, word
 from babbitt.case.loading import LARGEST_FILE
 from babbitt.core.kind import kinds
+from babbitt.core.language import translated
 from babbitt.core.notices import InputError
 
 if TYPE_CHECKING:
     from babbitt.report.document import Format
 
 __all__ = ["Head"]
+
+
+TONGUES = {"en": "English", "de": "Deutsch", "ru": "Русский"}
+"""Names of the languages, each in itself."""
 
 
 class Head:
@@ -33,18 +38,20 @@ class Head:
     ----------
     document : CaseDocument
     solver : Questions
-    replaced : callable
-        Called when the whole case is another one.
+    replaced, darken : callable
+        Called when the whole case is another one, and to change between light and dark.
     """
 
-    def __init__(self, document: CaseDocument, solver: Questions, replaced: Callable[[], None]) -> None:
+    def __init__(
+        self, document: CaseDocument, solver: Questions, replaced: Callable[[], None], darken: Callable[[], None]
+    ) -> None:
         self.document, self._solver, self._replaced = document, solver, replaced
         with ui.header().classes("head"):
             ui.link(word("skip"), "#answer").classes("skip")
             ui.html(word("title"), tag="h1", sanitize=False).classes("title")
             with self._menu(word("new"), "note_add"):
                 for name, kind in kinds().items():
-                    self._entry(kind.description, partial(self._template, name))
+                    self._entry(translated(kind.description), partial(self._template, name))
             icon_button("folder_open", word("open"), lambda: self._upload.run_method("pickFiles"))
             self._upload = ui.upload(
                 on_upload=self._opened, on_rejected=lambda: ui.notify(word("too_large"), type="negative"),
@@ -63,8 +70,11 @@ class Head:
                 self._entry(word("as_json"), self._json)
             icon_button("print", word("print"), lambda: ui.run_javascript("window.print()"))
             ui.space()
-            dark = ui.dark_mode(None)  # as the system has it
-            icon_button("contrast", word("dark"), lambda: dark.set_value(not dark.value))
+            ui.select(
+                TONGUES, value=page_language(),
+                on_change=lambda event: ui.run_javascript(f"babbitt.speak({json.dumps(event.value)})"),
+            ).props(f'dense borderless aria-label="{word("language")}"')  # fmt: skip
+            icon_button("contrast", word("dark"), darken)
 
     def _menu(self, says: str, icon: str) -> ui.menu:
         with ui.button(says, icon=icon).props("flat dense no-caps"):

@@ -12,9 +12,10 @@ import numpy as np
 
 from babbitt.app.answer import solved
 from babbitt.app.units import from_si
+from babbitt.core.language import language, phrases, translated
 from babbitt.core.notices import InputError
 from babbitt.core.quantities.display import written_in_system
-from babbitt.report.text import plain_text
+from babbitt.report.names import shown_name
 from babbitt.report.view import view_of
 
 if TYPE_CHECKING:
@@ -62,10 +63,11 @@ class Sheet:
 
 @dataclass(frozen=True)
 class Map:
-    """One field of one bearing, and the unit of places along the shaft."""
+    """One field of one bearing, its short name in words, and the unit of places along the shaft."""
 
     bearing: str
     name: str
+    title: str
     meaning: str
     unit: str
     width_unit: str
@@ -78,7 +80,7 @@ def maps_of(text: str) -> tuple[Map, ...]:
     for solution in solved(text).solutions:
         fields = view_of(solution.result).fields
         if fields is not None and solution.result.outcome.solved:
-            found += _maps(fields(solution), plain_text(solution.result.name))
+            found += _maps(fields(solution), shown_name(solution.result.name))
     return tuple(found)
 
 
@@ -118,7 +120,8 @@ def _maps(fields: xarray.Dataset, bearing: str) -> Iterator[Map]:
         values = from_si(np.asarray(one.transpose(*film) if over_width else one, float), unit)
         places = from_si(across.values, width_unit) if over_width else None
         sheets = tuple(_sheets(around.values, places, values))
-        yield Map(bearing, str(name), one.attrs["long_name"], said, width_unit, sheets)
+        title = phrases(language()).get(f"field {name}") or str(name).replace("_", " ")
+        yield Map(bearing, str(name), title, translated(one.attrs["long_name"]), said, width_unit, sheets)
 
 
 def _sheets(around: Any, across: Any, values: Any) -> Iterator[Sheet]:
@@ -146,7 +149,7 @@ def _finite(row: Any) -> tuple[float | None, ...]:
 def chart_of(found: Map, as_surface: bool) -> dict[str, Any]:
     """A field as a chart for Plotly: a line over the angle, colours over the unrolled film, or a surface."""
     over_width = bool(found.sheets[0].widths)
-    title = f"{found.name.replace('_', ' ')} {found.unit}".strip()
+    title = f"{found.title} {found.unit}".strip()
     angle, width = {"title": {"text": "φ °"}}, {"title": {"text": f"z {found.width_unit}"}}
     base = {
         "paper_bgcolor": "rgba(0,0,0,0)", "plot_bgcolor": "rgba(0,0,0,0)", "font": {"color": INK},

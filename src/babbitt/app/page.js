@@ -1,4 +1,3 @@
-document.documentElement.lang = "en";
 window.babbitt = {
   still: matchMedia("(prefers-reduced-motion: reduce)").matches,
   // Orbits move, or are held.
@@ -6,14 +5,20 @@ window.babbitt = {
     (drawn) => babbitt.still ? drawn.pauseAnimations() : drawn.unpauseAnimations()),
   hold: () => { babbitt.still = !babbitt.still; babbitt.settle(); },
   // The draft outlives a reload: it is kept by the browser, for this tab alone, and is sent to nobody else.
-  keep: (key, text) => {
-    try { sessionStorage.setItem(key, JSON.stringify({hash: location.hash, text: text})); } catch { /* full, or forbidden */ }
+  keep: (key, draft) => {
+    try { sessionStorage.setItem(key, JSON.stringify({hash: location.hash, ...draft})); } catch { /* full, or forbidden */ }
   },
   kept: (key) => {
     try {
       const found = JSON.parse(sessionStorage.getItem(key));
-      return found && found.hash === location.hash ? found.text : null;
-    } catch { return null; }
+      return found && found.hash === location.hash ? found : {};
+    } catch { return {}; }
+  },
+  // Another language is the same page asked for anew: the address says which.
+  speak: (tongue) => {
+    const address = new URL(location.href);
+    address.searchParams.set("language", tongue);
+    location.href = address.href;
   },
 };
 // What the library of the page leaves without a name, or out of reach of the keyboard.

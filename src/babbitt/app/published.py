@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from babbitt.app.answer import Table
 from babbitt.app.progress import followed
+from babbitt.core.language import translated
 from babbitt.validation import ValidationCase, cases, summary, validation_case
 
 __all__ = ["published", "scoreboard"]
@@ -15,7 +16,12 @@ HEADS = ("case", "what it shows", "title")
 
 def published() -> Table:
     """All published cases."""
-    return Table("", HEADS, tuple((one.name, one.evidence.value, one.title) for one in cases()), words=3)
+    return Table(
+        "",
+        tuple(map(translated, HEADS)),
+        tuple((one.name, translated(one.evidence.value), one.title) for one in cases()),
+        words=3,
+    )
 
 
 def scoreboard(names: Sequence[str], progress: str) -> tuple[Table, ...]:
@@ -33,12 +39,13 @@ def scoreboard(names: Sequence[str], progress: str) -> tuple[Table, ...]:
     rows = []
     for one in followed(chosen, progress):
         found = summary(one.rows, one.evidence)
-        rows.append((one.name, one.evidence.value, found.sentence))
-    return (Table("", ("case", "what it shows", "how it does"), tuple(rows), words=3),)
+        rows.append((one.name, translated(one.evidence.value), found.sentence))
+    return (Table("", tuple(map(translated, (*HEADS[:2], "how it does"))), tuple(rows), words=3),)
 
 
 def _values(case: ValidationCase) -> Table:
     rows = case.rows
-    heads = ("quantity", "unit", "reference", "computed", "difference", "tolerance", "verdict")
+    names = ("quantity", "unit", "reference value", "computed", "difference", "tolerance", "verdict")
+    heads = tuple(map(translated, names))
     remarks = (summary(rows, case.evidence).sentence, case.story.source)
     return Table(case.title, heads, tuple(row.cells() for row in rows), remarks, words=2)

@@ -6,6 +6,8 @@ import secrets
 import socket
 from importlib.resources import files
 
+from babbitt.core.language import ENGLISH, LANGUAGES
+
 __all__ = ["LOOPBACK", "free_port", "serve"]
 
 LOOPBACK = ("127.0.0.1", "localhost", "::1")
@@ -22,7 +24,15 @@ def free_port(host: str) -> int:
         return int(found.getsockname()[1])
 
 
-def serve(text: str, host: str, port: int, token: str, allowed_hosts: tuple[str, ...], browser: bool) -> None:
+def serve(
+    text: str,
+    host: str,
+    port: int,
+    token: str,
+    allowed_hosts: tuple[str, ...],
+    browser: bool,
+    tongue: str = ENGLISH,
+) -> None:
     """Serve the page until it is interrupted.
 
     Parameters
@@ -39,12 +49,14 @@ def serve(text: str, host: str, port: int, token: str, allowed_hosts: tuple[str,
         Further names under which the server may be addressed.
     browser : bool
         Whether to open the browser.
+    tongue : {"en", "de", "ru"}
+        Language of pages whose address asks for none.
     """
-    from nicegui import app, ui
+    from nicegui import app, context, ui
 
     from babbitt.app.guard import Guard
     from babbitt.app.service import started
-    from babbitt.app.words import word
+    from babbitt.app.words import LANGUAGE, word
     from babbitt.app.workbench import Workbench
     from babbitt.report.picture import STYLE
 
@@ -61,7 +73,8 @@ def serve(text: str, host: str, port: int, token: str, allowed_hosts: tuple[str,
     def page() -> None:
         ui.add_css(style)
         ui.add_head_html(f"<script>{script}</script>")
-        Workbench(service, text).build()
+        asked = context.client.request.query_params.get(LANGUAGE, tongue)
+        Workbench(service, text, asked if asked in LANGUAGES else tongue).build()
 
     shown = f"[{host}]" if ":" in host else host
     path = f"/?token={token}" if token else "/"

@@ -12,7 +12,7 @@ from nicegui import context, ui
 from babbitt.app.document import CaseDocument
 from babbitt.app.form import Entry, Path, as_text, quantities
 from babbitt.app.units import shown_in, split
-from babbitt.app.words import word
+from babbitt.app.words import path_name, word
 
 __all__ = ["Slider"]
 
@@ -66,7 +66,7 @@ class Slider:
         self._picked = [path for path in self._picked if path in entries] or first_picked(entries)
         with self._box:
             ui.select(
-                {path: " ".join(map(str, path)).replace("_", " ") for path in entries},
+                {path: path_name(path) for path in entries},
                 value=self._picked, multiple=True, label=word("pick_field"), on_change=self._pick,
             ).props("dense use-chips").classes("w-full")  # fmt: skip
             for path in self._picked:
@@ -80,7 +80,7 @@ class Slider:
         number, unit = shown_in(self._system(), *split(as_text(entry.value), entry.units), entry.units)
         value = float(number)
         first, last = sorted((value / SPAN, value * SPAN)) if value else (-1.0, 1.0)
-        says = f"{' '.join(map(str, entry.path)).replace('_', ' ')}"
+        says = path_name(entry.path)
         with ui.row().classes("slider"):
             ui.label(says).classes("name")
             found = ui.slider(min=first, max=last, step=_step(last - first), value=value).classes("grow")

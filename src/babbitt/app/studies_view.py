@@ -25,7 +25,7 @@ from babbitt.app.studies import (
     study_file,
     with_value,
 )
-from babbitt.app.words import word
+from babbitt.app.words import path_name, word
 from babbitt.case.with_units import case_text
 from babbitt.core.notices import InputError
 from babbitt.study.size import Size, size_of
@@ -94,7 +94,7 @@ class StudiesView:
         self.draw()
 
     def _fields(self) -> None:
-        names = {path: path.replace("_", " ").replace(".", " ") for path in self._known}
+        names = {path: path_name(path.split(".")) for path in self._known}
         fewest, most = NEEDS[self._kind]
         if not self._axes and fewest:
             first = first_axis(self.document.given, self._known)

@@ -1,28 +1,71 @@
-"""The words of the page, from one catalogue."""
+"""The words of the page: English by their keys, other languages from the catalogues of the reports."""
 
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from functools import cache
 from importlib.resources import files
 from typing import Any
 
-__all__ = ["sections", "word"]
+from nicegui.slot import Slot
+
+from babbitt.core.language import ENGLISH, language, phrases, translated, translated_if_known, written_in
+
+__all__ = ["LANGUAGE", "field_name", "page_language", "path_name", "sections", "told", "word"]
+
+LANGUAGE = "language"
+"""Under which a page keeps its language, and its address asks for one."""
 
 
 @cache
 def _catalogue() -> Mapping[str, Any]:
-    return tomllib.loads(files("babbitt.app").joinpath("words.en.toml").read_text(encoding="utf-8"))
+    return tomllib.loads(files("babbitt.app").joinpath("page.toml").read_text(encoding="utf-8"))
+
+
+def page_language() -> str:
+    """The language of the page that is drawn or was acted on; without a page the one that is written now."""
+    stack = Slot.get_stack()
+    return str(stack[-1].parent.client.storage.get(LANGUAGE, language())) if stack else language()
 
 
 def word(key: str, **values: Any) -> str:
-    """A word or sentence of the catalogue, its placeholders filled."""
-    found: str = _catalogue()[key]
-    return found.format(**values) if values else found
+    """A word or sentence of the catalogue in the language of the page, its placeholders filled."""
+    with written_in(page_language()):
+        return translated(_catalogue()[key], **values)
 
 
 def sections() -> Mapping[str, tuple[str, ...]]:
     """Headings of the form, each with its fields."""
     found: Mapping[str, list[str]] = _catalogue()["sections"]
-    return {heading: tuple(names) for heading, names in found.items()}
+    with written_in(page_language()):
+        return {translated(heading): tuple(names) for heading, names in found.items()}
+
+
+def told(text: str) -> str:
+    """What another module says, in the language of the page where that knows it."""
+    with written_in(page_language()):
+        return translated_if_known(text)
+
+
+def field_name(name: str) -> str:
+    """What stands at a field of a case; in English where the language has no name for it.
+
+    A catalogue has it as ``field load_angle``, or as the quantity that is called alike.
+
+    >>> field_name("load_angle")
+    'Load angle'
+    """
+    known = phrases(page_language()).get(f"field {name}")
+    return known or told(name.replace("_", " ").capitalize())
+
+
+def path_name(path: Iterable[str | int]) -> str:
+    """A field with those that it stands in.
+
+    >>> path_name(["supply", "temperature"])
+    'supply temperature'
+    """
+    if page_language() == ENGLISH:
+        return " ".join(map(str, path)).replace("_", " ")
+    return ", ".join(field_name(str(step)) for step in path)

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from contextlib import suppress
+from copy import copy
 from itertools import count
 from typing import Any
 
@@ -29,9 +30,15 @@ from babbitt.app.service import Service
 from babbitt.app.slider import Slider
 from babbitt.app.solver import Ended, InUnits, Latest
 from babbitt.app.studies_view import StudiesView
-from babbitt.app.words import word
+from babbitt.app.tongue import InLanguage
+from babbitt.app.units import SYSTEMS
+from babbitt.app.words import LANGUAGE, word
+from babbitt.core.language import ENGLISH, written_in
 
 __all__ = ["Workbench"]
+
+LOCALES: Mapping[str, Any] = {ENGLISH: "en-US", "de": "de", "ru": "ru"}
+"""What the library of the page calls the languages."""
 
 LOOK = 0.5
 """Seconds between two looks at kernels that are being compiled."""
@@ -45,12 +52,17 @@ class Workbench:
     service : Service
     text : str
         The case to begin with.
+    tongue : {"en", "de", "ru"}
+        The language of the page.
     """
 
-    def __init__(self, service: Service, text: str) -> None:
-        self.service = service
-        self._solver, self._slow = (InUnits(one, self._system) for one in (service.solver, service.slow))
-        self._drafts, self._settled = Latest(InUnits(service.drafts, self._system)), Latest(self._solver)
+    def __init__(self, service: Service, text: str, tongue: str = ENGLISH) -> None:
+        self.service, self._tongue = service, tongue
+        self._drafts, self._solver, self._slow = (
+            InLanguage(InUnits(one, self._system), tongue)
+            for one in (service.drafts, service.solver, service.slow)
+        )
+        self._quick, self._settled = Latest(self._drafts), Latest(self._solver)
         self._questions, self._shown = count(1), 0
         self.document = CaseDocument(text)
         self.found = Answer()
@@ -64,7 +76,15 @@ class Workbench:
     def build(self) -> None:
         """Draw the page."""
         self._client = context.client
-        Head(self.document, self._solver, self._replaced)
+        self._client.storage[LANGUAGE] = self._tongue
+        self._client.page = copy(self._client.page)  # that of all visitors is left alone
+        self._client.page.language = LOCALES[self._tongue]
+        with written_in(self._tongue):
+            self._build()
+
+    def _build(self) -> None:
+        self._dark = ui.dark_mode(None)  # as the system has it
+        Head(self.document, self._solver, self._replaced, self._darken)
         with ui.element("div").classes("bench"):
             with ui.element("section").classes("case").props(f'aria-label="{word("form")}"'):
                 self._case()
@@ -102,7 +122,7 @@ class Workbench:
             "studies": self._studies_tab,
             "coefficients": self._coefficients_tab,
             "catalogue": lambda: CatalogueView(self.document, self._set_elsewhere),
-            "validation": lambda: PublishedView(self.service.slow),
+            "validation": lambda: PublishedView(self._slow),
         }
         with ui.tabs().props("dense align=left no-caps").classes("wrapped") as tabs:
             made = {name: ui.tab(word(name)) for name in drawn}
@@ -136,22 +156,26 @@ class Workbench:
     def _bearing_shown(self) -> str | None:
         """Name of the bearing that is shown; None where the case has one alone."""
         bearings = self.found.bearings
-        return bearings[self.place].name if len(bearings) > 1 else None
+        return bearings[self.place].key if len(bearings) > 1 else None
 
     async def _begin(self) -> None:
         """Take the case of the draft or of the link, if there is one, and answer."""
-        script = f"return {{fragment: location.hash, draft: babbitt.kept('{self._key}')}}"
+        script = f"return {{fragment: location.hash, ...babbitt.kept('{self._key}')}}"
         found = await ui.run_javascript(script, timeout=5.0)
-        fragment, draft = str(found["fragment"] or ""), found["draft"]
+        self._dark.value = found.get("dark")
+        self._form.system = system if (system := found.get("units")) in SYSTEMS else self._form.system
+        fragment, draft = str(found["fragment"] or ""), found.get("text")
         text = draft if isinstance(draft, str) else None
         if text is None and len(fragment) > 1:
             text = case_of(fragment)
             if text is None:
                 ui.notify(word("not_a_link"), type="negative")
-        if text is None or text == self.document.text:
-            await self._answer(False)
-        else:
+        if text is not None and text != self.document.text:
             self._replace(text)
+        elif self._form.system != SYSTEMS[0]:
+            self._all_anew()
+        else:
+            await self._answer(False)
 
     def _linked(self, event: events.GenericEventArguments) -> None:
         """Another link came into the address."""
@@ -231,8 +255,17 @@ class Workbench:
         with self._client:
             if not quick:
                 self._outdate()
-                ui.run_javascript(f"babbitt.keep({json.dumps(self._key)}, {json.dumps(self.document.text)})")
+                self._keep()
             await self._answered(quick)
+
+    def _keep(self) -> None:
+        """Have the browser keep what a reload would lose."""
+        draft = {"text": self.document.text, "units": self._system(), "dark": self._dark.value}
+        ui.run_javascript(f"babbitt.keep({json.dumps(self._key)}, {json.dumps(draft)})")
+
+    def _darken(self) -> None:
+        self._dark.value = not self._dark.value
+        self._keep()
 
     def _outdate(self) -> None:
         """Mark what was computed of another case; the study that is asked of a case does not change it."""
@@ -242,7 +275,7 @@ class Workbench:
             outdate()
 
     async def _answered(self, quick: bool) -> None:
-        mine, latest = next(self._questions), self._drafts if quick else self._settled
+        mine, latest = next(self._questions), self._quick if quick else self._settled
         if quick:
             self._settled.withdraw()
         try:

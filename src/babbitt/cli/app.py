@@ -46,7 +46,7 @@ Units = Annotated[System, typer.Option("--units", help="Of tables, reports and p
 
 
 class Tongue(StrEnum):
-    """Languages of reports and plots."""
+    """Languages of reports, plots and the workbench."""
 
     EN = "en"
     DE = "de"

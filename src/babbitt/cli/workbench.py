@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from babbitt.cli.app import app
+from babbitt.cli.app import Tongue, app
 
 __all__ = ["workbench"]
 
@@ -23,6 +23,7 @@ def workbench(
     allow_host: Annotated[
         list[str] | None, typer.Option(help="A further name under which the server may be addressed.")
     ] = None,
+    language: Annotated[Tongue, typer.Option(help="Of the page; it can be changed there.")] = Tongue.EN,
     browser: Annotated[bool, typer.Option("--browser/--no-browser", help="Open the browser.")] = True,
 ) -> None:
     """See a bearing in the browser while you change it."""
@@ -42,4 +43,4 @@ def workbench(
         text = text_of(case)
     from babbitt.app.server import serve
 
-    serve(text, host, port, token, tuple(allow_host or ()), browser)
+    serve(text, host, port, token, tuple(allow_host or ()), browser, language)

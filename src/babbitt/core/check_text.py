@@ -90,4 +90,4 @@ def distance(share: float, kelvin: float = math.nan, decimals: int = 0) -> str:
         return decimal(f"{kelvin * unit.scale:+.1f} {unit.label}")
     if share <= LARGEST_MARGIN:
         return decimal(f"{share:+.{decimals}%}")
-    return translated("over {margin}", margin=f"{LARGEST_MARGIN:+.0%}")
+    return translated("over {margin}", margin=decimal(f"{LARGEST_MARGIN:+.0%}"))

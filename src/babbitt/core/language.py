@@ -18,7 +18,7 @@ import tomllib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cache, lru_cache
 from importlib.resources import files
 from importlib.resources.abc import Traversable
@@ -35,6 +35,7 @@ __all__ = [
     "decimal",
     "folders",
     "has_folder",
+    "keeping",
     "language",
     "listed",
     "phrases",
@@ -72,10 +73,11 @@ _OTHERS: list[str] = []
 
 @dataclass
 class _Writing:
-    """What is written now: in which language, and which texts it lacks."""
+    """What is written now: in which language, which texts it lacks, and which are words of the case."""
 
     language: str = ENGLISH
     missing: dict[str, None] = field(default_factory=dict)
+    own: frozenset[str] = frozenset()
 
 
 _WRITING: ContextVar[_Writing] = ContextVar("babbitt_language", default=_Writing())  # noqa: B039 - never written to
@@ -111,6 +113,21 @@ def written_in(chosen: str) -> Iterator[Mapping[str, None]]:
         _WRITING.reset(former)
 
 
+@contextmanager
+def keeping(own: Iterable[str]) -> Iterator[None]:
+    """Words of a case, such as the name of an oil, are not taken for texts of a module; ends with the block.
+
+    >>> with written_in("de"), keeping(["laminar film"]):
+    ...     translated_if_known("laminar film"), translated_if_known("rigid surfaces")
+    ('laminar film', 'starre Oberflächen')
+    """
+    former = _WRITING.set(replace(_WRITING.get(), own=frozenset(own)))
+    try:
+        yield
+    finally:
+        _WRITING.reset(former)
+
+
 def language() -> str:
     """The language in which is written now."""
     return _WRITING.get().language
@@ -134,7 +151,7 @@ def translated(text: str, /, **values: Any) -> str:
         return text.format(**values) if values else text
     found = phrases(writing.language).get(text)
     if found is None and not values:
-        found = _recognised(text, writing.language)
+        found = _recognised(text, writing.language, writing.own)
     if found is None:
         if text and not NUMBER.fullmatch(text):
             writing.missing[text] = None
@@ -144,10 +161,10 @@ def translated(text: str, /, **values: Any) -> str:
 
 def translated_if_known(text: str) -> str:
     """A text that may be the user's own: translated where it is known, numbers with the sign of the language."""
-    tongue = language()
-    if tongue == ENGLISH:
+    tongue, own = language(), _WRITING.get().own
+    if tongue == ENGLISH or text in own:
         return text
-    found = phrases(tongue).get(text) or _recognised(text, tongue)
+    found = phrases(tongue).get(text) or _recognised(text, tongue, own)
     if found is not None:
         return found
     if NUMBERS.fullmatch(text):
@@ -169,13 +186,15 @@ def listed(numbers: Iterable[str]) -> str:
 
 
 def decimal(number: str) -> str:
-    """A number with its decimal sign: a comma in German and Russian.
+    """A number with its decimal sign: a comma in German and Russian, which set the sign of per cent apart, too.
 
     >>> with written_in("ru"):
-    ...     decimal("0.25")
-    '0,25'
+    ...     decimal("0.25"), decimal("+31.5%")
+    ('0,25', '+31,5 %')
     """
-    return number if language() == ENGLISH else re.sub(r"(?<=\d)\.(?=\d)", ",", number)
+    if language() == ENGLISH:
+        return number
+    return re.sub(r"(?<=\d)%", " %", re.sub(r"(?<=\d)\.(?=\d)", ",", number))
 
 
 def unit_sign(label: str) -> str:
@@ -254,8 +273,11 @@ def _piece(placeholder: str) -> str:
 
 
 @lru_cache(MOST_TEXTS)
-def _recognised(text: str, tongue: str) -> str | None:
-    """A composed text in a language, by the phrase it was composed from; None where there is none."""
+def _recognised(text: str, tongue: str, own: frozenset[str]) -> str | None:
+    """A composed text in a language, by the phrase it was composed from; None where there is none.
+
+    Its parts are translated but for words of the case, `own`.
+    """
     for pattern, said in _patterns(tongue):
         if (found := pattern.fullmatch(text)) is not None:
             return said.format(**{name: translated_if_known(part) for name, part in found.groupdict().items()})
@@ -280,9 +302,9 @@ def read_again() -> None:
 
 
 def folders() -> Iterator[Traversable]:
-    """Where texts may stand: those of all kinds first, then those of each kind that ships, then others."""
+    """Where texts may stand: first those of all kinds, of reports and page, then each kind's, then others."""
     yield files("babbitt.core.notices")
-    yield files("babbitt").joinpath("report")
+    yield from (files("babbitt").joinpath(name) for name in ("report", "app"))
     yield from sorted(files("babbitt").joinpath("kinds").iterdir(), key=lambda folder: folder.name)
     yield from map(files, _OTHERS)
 

@@ -8,7 +8,7 @@ from html import escape
 from pathlib import Path
 
 from babbitt.core.files.writing import require_writable, write_file
-from babbitt.core.language import ENGLISH, language, translated, translated_if_known, written_in
+from babbitt.core.language import ENGLISH, keeping, language, translated, translated_if_known, written_in
 from babbitt.core.notices import InputError
 from babbitt.report.comparison_table import (
     AS_ASKED,
@@ -68,7 +68,7 @@ def require_page(path: Path) -> None:
 def comparison_page(comparisons: Sequence[Comparison]) -> str:
     """The page as HTML; equal for equal input."""
     css = (TEMPLATES / "report.css").read_text(encoding="utf-8")
-    bodies = "\n".join(part for comparison in comparisons for part in _bearing(comparison))
+    bodies = "\n".join(map(_kept, comparisons))
     names = ", ".join(shown_name(one.name) for one in comparisons)
     title = escape(translated("{names}: methods compared", names=names))
     return (
@@ -76,6 +76,12 @@ def comparison_page(comparisons: Sequence[Comparison]) -> str:
         f"<title>{title}</title>"
         f"<style>\n{css}</style></head>\n<body>\n{bodies}\n</body></html>\n"
     )
+
+
+def _kept(comparison: Comparison) -> str:
+    """The part of a bearing, with the words of its case as they are."""
+    with keeping(comparison.own_words):
+        return "\n".join(_bearing(comparison))
 
 
 def _bearing(comparison: Comparison) -> Iterator[str]:
@@ -117,8 +123,7 @@ def _bearing(comparison: Comparison) -> Iterator[str]:
         label = spoken(asked.label)
         yield f"<h3>{_told(translated('What {label} takes for granted', label=label))}</h3>"
         for said in assumed:
-            kept = said in comparison.own_words
-            yield f'<p class="finding">{_told(said if kept else translated_if_known(said))}</p>'
+            yield f'<p class="finding">{_told(translated_if_known(said))}</p>'
 
 
 def _heading(words: str) -> str:

@@ -10,7 +10,7 @@ from collections import Counter
 from collections.abc import Collection, Sequence
 from typing import TYPE_CHECKING, Any
 
-from babbitt.core.language import language, phrases, translated
+from babbitt.core.language import keeping, language, phrases, translated
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.report_level import Level
 from babbitt.core.result import Result, Verdict
@@ -59,13 +59,18 @@ def content(machine: MachineResult, level: Level = Level.FULL) -> Data:
     dict
         Strings, numbers, lists and dictionaries only.
     """
+    own_words = {plain_text(one) for one in machine.own_words}
+    with keeping(own_words):
+        return dict(in_us_units(_said(machine, level, own_words), own_words=own_words))
+
+
+def _said(machine: MachineResult, level: Level, own_words: Collection[str]) -> Data:
     results = machine.results
     parts = chapters(machine.solutions)
-    own_words = {plain_text(one) for one in machine.assumptions}
     shared = _shared_assumptions(results, own_words) if level is Level.STANDARD else ()
     summed, marks = totals(results), footnote(columns_of(results), results)
     worst = [_worst_case(results, code) for code in _codes(results, level)]
-    said = {
+    return {
         "language": language(),
         "words": dict(phrases(language())),
         "name": plain_text(machine.name) or translated("Unnamed case"),
@@ -104,7 +109,6 @@ def content(machine: MachineResult, level: Level = Level.FULL) -> Data:
         "checker": checker_content(parts, worst) if level is not Level.SUMMARY else None,
         "case_text": plain_lines(machine.case_text).strip("\n") if level is Level.FULL else "",
     }
-    return dict(in_us_units(said, own_words=own_words))
 
 
 def _governing(results: Sequence[Result]) -> Data | None:

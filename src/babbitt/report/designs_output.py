@@ -12,7 +12,7 @@ from babbitt import __version__
 from babbitt.core.check_text import comparison
 from babbitt.core.files.spreadsheet import Cell, rows_text, workbook
 from babbitt.core.files.writing import require_distinct, require_writable, write_file
-from babbitt.core.language import language, translated, written_in
+from babbitt.core.language import keeping, language, translated, written_in
 from babbitt.core.quantities import QUANTITIES
 from babbitt.report.comparison_page import require_page
 from babbitt.report.designs_table import bearing_rows, kinds_said
@@ -166,10 +166,12 @@ def designs_page(designs: Designs) -> str:
     """The comparison as one HTML page; equal for equal input."""
     css = (TEMPLATES / "report.css").read_text(encoding="utf-8")
     title = _text(translated("{designs}: designs compared", designs=_joined(designs.labels)))
+    with keeping(word for machine in designs.machines for word in machine.own_words):
+        body = "\n".join(_body(designs))
     return (
         f'<!DOCTYPE html>\n<html lang="{language()}"><head>{GENERATOR_TAG}<meta charset="utf-8">'
         f"<title>{title}</title>"
-        f"<style>\n{css}</style></head>\n<body>\n" + "\n".join(_body(designs)) + "\n</body></html>\n"
+        f"<style>\n{css}</style></head>\n<body>\n" + body + "\n</body></html>\n"
     )
 
 

@@ -17,7 +17,7 @@ from babbitt.core.language import decimal, translated
 from babbitt.core.quantities import QUANTITIES, Quantity
 from babbitt.core.result import Result
 from babbitt.report.comparison_table import WIDEST_HEAD
-from babbitt.report.meanings import meaning
+from babbitt.report.labels import told_meaning
 from babbitt.report.table import PIPED_WIDTH, console
 from babbitt.report.text import counted, plain_text
 from babbitt.report.units_of_matrices import suited_among
@@ -26,8 +26,8 @@ from babbitt.study.designs import ABSENT, ComparedBearing, Designs
 
 __all__ = ["DesignRow", "bearing_rows", "difference", "kinds_said", "print_designs", "short_designs"]
 
-SAME = {"0 %", "+0.0 K", "+0.0 °"}
-"""Differences of results that no design changes."""
+SAME = {"0 %", "+0.0 K", "+0.0 °", "+0,0 K", "+0,0 °"}
+"""Differences of results that no design changes, in every language."""
 
 ROUND_OFF = 1e-9
 """Numbers without unit up to which they are what is left of a balance."""
@@ -111,7 +111,7 @@ def _row(name: str, bearing: ComparedBearing) -> DesignRow | None:
     quantity = suited_among(name, *solved)
     cells = tuple(ABSENT if value is None else quantity.format(value) for value in known)
     first = next(one for one in bearing.results if one is not None)
-    said = f"{translated(meaning(name, first.kind))}, {quantity.symbol}"
+    said = f"{told_meaning(name, first.kind)}, {quantity.symbol}"
     differences = tuple(difference(name, known[0], other) for other in known[1:])
     return DesignRow(said, quantity.display.label, cells, differences, name)
 

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from babbitt.core.language import translated
+from babbitt.core.language import ENGLISH, language, translated, translated_if_known
 from babbitt.core.quantities import AXES
-from babbitt.report.meanings import own_meaning
+from babbitt.report.meanings import meaning, own_meaning
 from babbitt.report.vocabulary import VOCABULARY
 
 SHORT = {
@@ -116,6 +116,17 @@ SHORT = {
     "edge_inertia": "Inertia at the recess edge",
     "least_power_viscosity": "Viscosity of least power",
 }
+
+
+def told_meaning(name: str, kind: str) -> str:
+    """What a quantity means; its short name in a language that has no words for the meaning.
+
+    >>> told_meaning("total_flow", "journal")
+    'Total oil flow Q3 + Qp'
+    """
+    said = meaning(name, kind)
+    known = translated_if_known(said)
+    return known if known != said or language() == ENGLISH else label(name, kind)
 
 
 def label(name: str, kind: str = "") -> str:

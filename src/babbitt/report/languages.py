@@ -7,7 +7,7 @@ from importlib.resources import files
 from typing import TYPE_CHECKING
 
 from babbitt.core.kind import Kind, find_kind, kinds
-from babbitt.core.language import ENGLISH, LANGUAGES, read_words
+from babbitt.core.language import ENGLISH, LANGUAGES, language, read_words
 from babbitt.core.nearest_name import unknown_name
 from babbitt.core.notices import InputError
 
@@ -29,7 +29,8 @@ def knows(tongue: str, kind: Kind) -> bool:
 
 
 def chosen_language(block: TitleBlock | None, wanted: Iterable[str], asked: str | None = None) -> str:
-    """The language to write in: the one asked for, else that of the title block of a case, else English.
+    """The language to write in: the one asked for, else that of the title block of a case, else that which is
+    written now: English where none was chosen.
 
     Raises
     ------
@@ -37,7 +38,7 @@ def chosen_language(block: TitleBlock | None, wanted: Iterable[str], asked: str 
         E005 for one that is not known, or that lacks the words of one of the kinds that are wanted.
     """
     own = None if block is None else block.language
-    chosen = asked or own or ENGLISH
+    chosen = asked or own or language()
     require_words(wanted, chosen)
     return chosen
 

@@ -12,8 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.core.check_text import distance
-from babbitt.core.language import ENGLISH, decimal, language, translated, unit_sign
+from babbitt.core.language import ENGLISH, decimal, language, translated, translated_if_known, unit_sign
 from babbitt.core.notices import explanations
+from babbitt.core.notices.notice import retold
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.quantities.display import SI, in_system, written_in_system
 from babbitt.core.result import Outcome
@@ -36,6 +37,7 @@ __all__ = [
     "output_scale",
     "percent",
     "reason_text",
+    "refusal",
     "significant",
 ]
 
@@ -209,11 +211,38 @@ _COMPARED = re.compile(r"[A-Z]\d{3} .+ = .+ [<>] .+")
 """What tells of a limit that is missed, in symbols and numbers alone."""
 
 
+_REFUSED = re.compile(
+    r"(?P<field>\S+: (?:[a-z_]\w*(?:\.\w+|\[[^\]]*\])*: )?)(?P<why>.+?) \[(?P<code>E\d{3})\](?: |$)", re.DOTALL
+)
+"""One of several faults of a case: its file and field, what is wrong, its code."""
+
+
+def refusal(why: str) -> str:
+    """Why a field is refused, in the language that is written where it knows the sentence, else as given.
+
+    >>> refusal("20.0 is too large; allowed: 1 mm to 3 m")
+    '20.0 is too large; allowed: 1 mm to 3 m'
+    """
+    found = translated_if_known(why)
+    return why if found == why else _in_signs(re.sub(r" to (?=[-+−\d])", f" {translated('to')} ", found))
+
+
+def _refused(why: str) -> str:
+    said = refusal(why)
+    return translated("not accepted by the case") if said == why else said
+
+
+def _in_signs(said: str) -> str:
+    """Numbers and units with the signs of the language."""
+    return decimal(re.sub(r"(?<=\d )rpm\b", unit_sign("rpm"), said))
+
+
 def reason_text(message: str, code: str, status: str = "") -> str:
     """Why a row has no answer or misses a limit, in the units that are spoken.
 
-    Rows keep it as a sentence in English. In other languages a missed limit has its numbers, anything else the
-    title of its code or how the calculation ended.
+    Rows keep it as a sentence in English. Other languages have it where they know its form; else a missed limit
+    has its numbers, a refusal its fields and codes, anything else the title of its code or how the calculation
+    ended.
 
     Parameters
     ----------
@@ -224,8 +253,11 @@ def reason_text(message: str, code: str, status: str = "") -> str:
     if language() == ENGLISH or not message:
         return said
     if _COMPARED.fullmatch(message):
-        shown = decimal(re.sub(r"(?<=\d )rpm\b", unit_sign("rpm"), said))
-        return shown.replace("(rounded)", translated("{value} (rounded)", value="").strip())
+        return _in_signs(said).replace("(rounded)", translated("{value} (rounded)", value="").strip())
+    if code in explanations() and (told := retold(code, said)) is not None:
+        return told
+    if refusals := list(_REFUSED.finditer(said)):
+        return "; ".join(f"{one['field']}{_refused(one['why'])} [{one['code']}]" for one in refusals)
     if status.upper() in Outcome.__members__:
         return translated(Outcome[status.upper()].value)
     return (

@@ -13,7 +13,7 @@ from babbitt.core.notices import InputError
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Result
 from babbitt.core.solution import Method, Solution
-from babbitt.solving import own_assumptions
+from babbitt.solving import own_words
 
 __all__ = ["Comparison", "Variant", "compare_methods"]
 
@@ -67,7 +67,7 @@ class Comparison:
     caption : str
         Of the figure, beside what every such figure shows.
     own_words : tuple of str
-        What the case itself assumes, which no page translates.
+        Names in the case and what it assumes itself, which no page translates.
     """
 
     name: str
@@ -127,7 +127,7 @@ def compare_methods(case: CaseFile) -> tuple[Comparison, ...]:
 
 
 def _with_own_words(comparisons: Iterable[Comparison], case: CaseFile) -> tuple[Comparison, ...]:
-    words = own_assumptions(case)
+    words = own_words(case)
     return tuple(replace(one, own_words=words) for one in comparisons)
 
 

@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
+from functools import cache
 from typing import Any
 
 from babbitt.core.language import ENGLISH, decimal, language, listed, translated_if_known, written_in
 from babbitt.core.notices.explanation import Effect
-from babbitt.core.notices.words import PLACEHOLDER, explanations, words
+from babbitt.core.notices.words import PLACEHOLDER, SHARED, explanations, words
 from babbitt.core.quantities import QUANTITIES, Quantity
 from babbitt.core.quantities.display import SI
 
-__all__ = ["Notice", "quantity_shown"]
+__all__ = ["Notice", "quantity_shown", "retold"]
 
 
 COMPARED = re.compile(rf"({PLACEHOLDER.pattern}) [<>] ({PLACEHOLDER.pattern})")
@@ -100,6 +102,40 @@ class Notice:
     def plain_values(self) -> dict[str, Any]:
         """The values for JSON: clauses as their values, several as a list, null for what is not finite."""
         return {name: _plain(value) for name, value in self.values.items()}
+
+
+def retold(code: str, sentence: str) -> str | None:
+    """A sentence of a code that was kept in English, in the language that is written now.
+
+    Returns
+    -------
+    str or None
+        None where the code has no message of this form.
+
+    >>> with written_in("de"):
+    ...     retold("W109", "surface speed 45.00 m/s > 20 m/s"), retold("W109", "another sentence")
+    ('Gleitgeschwindigkeit 45,00 m/s > 20 m/s', None)
+    """
+    matches = ((variant, form.fullmatch(sentence)) for variant, form in _forms(code))
+    variant, found = next((one for one in matches if one[1] is not None), ("", None))
+    if found is None:
+        return None
+    parts = {name: retold(code, part) or translated_if_known(part) for name, part in found.groupdict().items()}
+    return decimal(PLACEHOLDER.sub(lambda place: parts[place[1]], words(language()).message(code, variant)))
+
+
+@cache
+def _forms(code: str) -> tuple[tuple[str, re.Pattern[str]], ...]:
+    """Variants of the English message of a code as expressions, those with most words first."""
+    english, found = words(), []
+    for _, variant in (key for key in english.messages if key[0] in (code, SHARED)):
+        said = english.message(code, variant)
+        texts, names = re.split(PLACEHOLDER.pattern, said)[::3], [place[1] for place in PLACEHOLDER.finditer(said)]
+        groups = [f"(?P<{name}>.+?)" if name not in names[:n] else ".+?" for n, name in enumerate(names)]
+        made = "".join(itertools.chain(*itertools.zip_longest(map(re.escape, texts), groups, fillvalue="")))
+        if re.search("[a-z]{2}", "".join(texts)):  # values alone are of no form
+            found.append((len("".join(texts)), variant, re.compile(made)))
+    return tuple((variant, form) for _, variant, form in sorted(found, key=lambda one: -one[0]))
 
 
 def quantity_shown(measure: str) -> Quantity | None:

@@ -94,12 +94,12 @@ Assumption by measurement of 378 bearings with 2.5 to 7 MPa and ISO VG 22 to 460
 ``heavy``): the films of none are thinner than by the viscosity at 3.9 K/MPa above."""
 
 GROWN = 0.25
-"""Share of the clearance that growth may take at the one temperature: the loaded film is hotter, so is the journal,
-the clearance narrower and the film hotter still.
+"""Share of the clearance that growth may take at the one temperature: the loaded film is hotter, so is the
+journal, the clearance narrower and the film hotter still.
 
-Assumption by measurement of 104 bearings that pass cleanly around a journal of stainless steel in cast iron (0.35
-to 1.6 permille, 2 to 22 m/s, 0.8 to 4.2 MPa; docs/theory/procedure.md): conducting films with temperatures of their
-own miss a limit or close in two of them, of which growth takes 31 and 40 %; in another bearing from 30 % on."""
+Assumption by measurement of 104 bearings that pass cleanly around a journal of stainless steel in cast iron
+(docs/theory/procedure.md): conducting films with temperatures of their own miss a limit or close in two of them, of
+which growth takes 31 and 40 %; in another bearing from 30 % on."""
 
 TURBULENT_SOONER = 2.9
 """Reynolds number of films with temperatures of their own over that of one temperature.
