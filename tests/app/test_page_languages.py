@@ -12,11 +12,11 @@ from babbitt.app.catalogue import metals, oils
 from babbitt.app.designs import side_by_side
 from babbitt.app.document import CaseDocument
 from babbitt.app.form import Rows, form_of
+from babbitt.app.in_language import InLanguage
 from babbitt.app.maps import chart_of, maps_of
 from babbitt.app.published import published
 from babbitt.app.solver import Questions
 from babbitt.app.studies import Axis, asked_text, block_of, studied
-from babbitt.app.tongue import InLanguage
 from babbitt.app.words import field_name, path_name, sections, word
 from babbitt.core.kind import kinds
 from babbitt.core.language import LANGUAGES, phrases, written_in

@@ -15,9 +15,9 @@ window.babbitt = {
     } catch { return {}; }
   },
   // Another language is the same page asked for anew: the address says which.
-  speak: (tongue) => {
+  speak: (language) => {
     const address = new URL(location.href);
-    address.searchParams.set("language", tongue);
+    address.searchParams.set("language", language);
     location.href = address.href;
   },
 };

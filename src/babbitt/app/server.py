@@ -31,7 +31,7 @@ def serve(
     token: str,
     allowed_hosts: tuple[str, ...],
     browser: bool,
-    tongue: str = ENGLISH,
+    language: str = ENGLISH,
 ) -> None:
     """Serve the page until it is interrupted.
 
@@ -49,7 +49,7 @@ def serve(
         Further names under which the server may be addressed.
     browser : bool
         Whether to open the browser.
-    tongue : {"en", "de", "ru"}
+    language : {"en", "de", "ru"}
         Language of pages whose address asks for none.
     """
     from nicegui import app, context, ui
@@ -73,8 +73,8 @@ def serve(
     def page() -> None:
         ui.add_css(style)
         ui.add_head_html(f"<script>{script}</script>")
-        asked = context.client.request.query_params.get(LANGUAGE, tongue)
-        Workbench(service, text, asked if asked in LANGUAGES else tongue).build()
+        asked = context.client.request.query_params.get(LANGUAGE, language)
+        Workbench(service, text, asked if asked in LANGUAGES else language).build()
 
     shown = f"[{host}]" if ":" in host else host
     path = f"/?token={token}" if token else "/"

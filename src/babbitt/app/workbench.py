@@ -22,6 +22,7 @@ from babbitt.app.figures import all_figures
 from babbitt.app.form import Path
 from babbitt.app.form_view import FormView
 from babbitt.app.head import Head
+from babbitt.app.in_language import InLanguage
 from babbitt.app.link import case_of
 from babbitt.app.maps_view import MapsView
 from babbitt.app.parts import LongWork, on_request, outdate, show_faults, show_figures, show_table, tell_ended
@@ -30,7 +31,6 @@ from babbitt.app.service import Service
 from babbitt.app.slider import Slider
 from babbitt.app.solver import Ended, InUnits, Latest
 from babbitt.app.studies_view import StudiesView
-from babbitt.app.tongue import InLanguage
 from babbitt.app.units import SYSTEMS
 from babbitt.app.words import LANGUAGE, word
 from babbitt.core.language import ENGLISH, written_in
@@ -52,14 +52,14 @@ class Workbench:
     service : Service
     text : str
         The case to begin with.
-    tongue : {"en", "de", "ru"}
+    language : {"en", "de", "ru"}
         The language of the page.
     """
 
-    def __init__(self, service: Service, text: str, tongue: str = ENGLISH) -> None:
-        self.service, self._tongue = service, tongue
+    def __init__(self, service: Service, text: str, language: str = ENGLISH) -> None:
+        self.service, self._language = service, language
         self._drafts, self._solver, self._slow = (
-            InLanguage(InUnits(one, self._system), tongue)
+            InLanguage(InUnits(one, self._system), language)
             for one in (service.drafts, service.solver, service.slow)
         )
         self._quick, self._settled = Latest(self._drafts), Latest(self._solver)
@@ -76,10 +76,10 @@ class Workbench:
     def build(self) -> None:
         """Draw the page."""
         self._client = context.client
-        self._client.storage[LANGUAGE] = self._tongue
+        self._client.storage[LANGUAGE] = self._language
         self._client.page = copy(self._client.page)  # that of all visitors is left alone
-        self._client.page.language = LOCALES[self._tongue]
-        with written_in(self._tongue):
+        self._client.page.language = LOCALES[self._language]
+        with written_in(self._language):
             self._build()
 
     def _build(self) -> None:

@@ -98,8 +98,8 @@ GROWN = 0.25
 journal, the clearance narrower and the film hotter still.
 
 Assumption by measurement of 104 bearings that pass cleanly around a journal of stainless steel in cast iron
-(docs/theory/procedure.md): conducting films with temperatures of their own miss a limit or close in two of them, of
-which growth takes 31 and 40 %; in another bearing from 30 % on."""
+(docs/theory/procedure.md): conducting films with temperatures of their own miss a limit or close in two of them,
+of which growth takes 31 and 40 %; in another bearing from 30 % on."""
 
 TURBULENT_SOONER = 2.9
 """Reynolds number of films with temperatures of their own over that of one temperature.

@@ -5,9 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from pebble import ProcessFuture
-
-from babbitt.app.solver import LONGEST, Questions
+from babbitt.app.solver import LONGEST, Pending, Questions
 from babbitt.core.language import written_in
 
 __all__ = ["InLanguage", "said"]
@@ -19,18 +17,18 @@ class InLanguage(Questions):
     Parameters
     ----------
     solver : Questions
-    tongue : str
+    language : str
     """
 
-    def __init__(self, solver: Questions, tongue: str) -> None:
-        self._solver, self._tongue = solver, tongue
+    def __init__(self, solver: Questions, language: str) -> None:
+        self._solver, self._language = solver, language
 
-    def start(self, function: Callable[..., Any], *given: Any, longest: float = LONGEST) -> ProcessFuture[Any]:
+    def start(self, function: Callable[..., Any], *given: Any, longest: float = LONGEST) -> Pending:
         """Ask; the answer comes by the future."""
-        return self._solver.start(said, self._tongue, function, *given, longest=longest)
+        return self._solver.start(said, self._language, function, *given, longest=longest)
 
 
-def said(tongue: str, function: Callable[..., Any], *given: Any) -> Any:
+def said(language: str, function: Callable[..., Any], *given: Any) -> Any:
     """What a function says, in a language."""
-    with written_in(tongue):
+    with written_in(language):
         return function(*given)
