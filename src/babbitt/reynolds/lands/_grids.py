@@ -218,8 +218,8 @@ def film_coefficients(bearing, grid, k, x, y, x_rate, y_rate, film):
     for i in range(n + 1):
         film.squeeze[i] = -(x_rate * grid.weight_x[k, i] + y_rate * grid.weight_y[k, i])
     inlet_flux(bearing, grid, k, x, y, film)
-    # A first line that runs dry in a converging gap that opens would get more at its start than a full one does,
-    # and be full if dry and dry if full.
+    # In a gap that converges while it opens, h/2 at the groove is more than a full first line gets, which would
+    # be full if dry and dry if full: no film at all. A journal at rest never has that.
     pressure = bearing.lands[k, START_PRESSURE]
     full = film.couette[0] + film.conductance[0] * pressure
     if film.inlet[0] > full:

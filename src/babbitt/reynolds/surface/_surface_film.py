@@ -21,7 +21,7 @@ import numpy as np
 from numpy import bool_, float64, int64
 from numpy.typing import NDArray
 
-from babbitt.reynolds._compiling import compiled, inner
+from babbitt.reynolds._compiling import compiled, inlined, inner
 from babbitt.reynolds.lands._grids import FAR, GAUSS, NEAR, growth_to_rupture
 from babbitt.reynolds.oil._turbulent_oil import thickened
 
@@ -270,6 +270,20 @@ def surface_coefficients(surface, at, rate, film):
                 film.load[d, after, j] += there
                 film.squeeze[i, j] -= rate[d] * here
                 film.squeeze[after, j] -= rate[d] * there
+    bound_inlet(surface, film)
+
+
+@inlined
+def bound_inlet(surface, film):
+    """Let no line that ruptures behind a held node get more than a full one, as ``_grids.film_coefficients``."""
+    for i in range(min(surface.step.size, surface.held.shape[0])):
+        for j in range(len(surface.nodes)):
+            pressure = surface.held_pressure[i, j]
+            full = film.couette[i, j] + film.conductance[i, j] * pressure
+            if surface.held[i, j] and film.inlet[i, j] > full:
+                film.inlet[i, j] = full
+                for d in range(len(surface.motions)):
+                    film.inlet_d[d, i, j] = film.couette_d[d, i, j] + film.conductance_d[d, i, j] * pressure
 
 
 NEAR_END = (0.5 - GAUSS) / (2.0 * GAUSS)  # from Gauss point a back to the line, in distances of the Gauss points
