@@ -11,7 +11,16 @@ from front_door_cases import result_of
 from babbitt.core.notices import InputError
 from babbitt.reynolds.equilibrium.many_positions import FilmPositions
 from babbitt.reynolds.equilibrium.position import film_at_position
-from babbitt.reynolds.model import DRAFT, ENGINEERING, Cavitation, FilmStart, JournalFilm, Land, Pocket, grooved_bore
+from babbitt.reynolds.model import (
+    DRAFT,
+    ENGINEERING,
+    Cavitation,
+    FilmStart,
+    JournalFilm,
+    Land,
+    Pocket,
+    grooved_bore,
+)
 from babbitt.reynolds.surface import surface_solution
 
 LANDS = grooved_bore((0.0, math.pi), math.radians(20.0))

@@ -58,7 +58,7 @@ def test_a_runout_whose_positions_use_up_the_work_leaves_the_film_at_rest(allow)
 
 
 def test_next_to_no_runout_gives_the_film_without_one():
-    """Temperatures that vary across the pads cost most: a search for more than it can settle ended without a film."""
+    """Temperatures that vary across the pads cost most: a search closer than they settle ended without a film."""
     resolved = ADIABATIC.replace("thermal: adiabatic", "thermal: adiabatic, radial_temperature: resolved")
     assert resolved != ADIABATIC
     (result,) = solve(parse_case(resolved.replace("runout: 5 um", "runout: 0.01 um"))).results

@@ -40,8 +40,8 @@ __all__ = [
 ]
 
 NEARLY = 1e-5
-"""Change of heights and inlets that ends the search at a place of a turning collar: 0.01 K. Pads whose temperatures
-vary across them settle to about 1e-6, and a closer search would take twice the rounds."""
+"""Change of heights and inlets (0.01 K) that ends the search at a place of a turning collar. Pads whose
+temperatures vary across them settle to about 1e-6, and a closer search would take twice the rounds."""
 
 
 @dataclass(frozen=True)

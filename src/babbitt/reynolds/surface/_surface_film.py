@@ -21,7 +21,7 @@ import numpy as np
 from numpy import bool_, float64, int64
 from numpy.typing import NDArray
 
-from babbitt.reynolds._compiling import compiled, inlined, inner
+from babbitt.reynolds._compiling import compiled, inner
 from babbitt.reynolds.lands._grids import FAR, GAUSS, NEAR, growth_to_rupture
 from babbitt.reynolds.oil._turbulent_oil import thickened
 
@@ -238,6 +238,9 @@ def surface_coefficients(surface, at, rate, film):
                 if fed:
                     reach, reach_gap, reach_growth = inlet_reach(surface, i, q, gap, (hb - ha) / (2.0 * GAUSS))
                 inlet = 0.5 * speed * (gap + reach)
+                narrows = not fed and inlet > mean  # then no more than a full line gets (``film_coefficients``)
+                if narrows:
+                    inlet = mean
                 for d in range(motions):
                     lever = surface.lever[d, q]
                     sa, sb = surface.shape_a[d, i] * lever, surface.shape_b[d, i] * lever
@@ -249,7 +252,7 @@ def surface_coefficients(surface, at, rate, film):
                     start += reach_gap * start + reach_growth * rise
                     of_motion[d, 0], of_motion[d, 1] = -t * j3_d, 0.5 * speed * j2_d - mean * j3_d
                     of_motion[d, 2], of_motion[d, 3] = -NEAR * ca - FAR * cb, -FAR * ca - NEAR * cb
-                    of_motion[d, 4] = -0.5 * speed * start
+                    of_motion[d, 4] = of_motion[d, 1] if narrows else -0.5 * speed * start
                     of_motion[d, 5], of_motion[d, 6] = half * (NEAR * sa + FAR * sb), half * (FAR * sa + NEAR * sb)
             film.conductance[i, j] += along * t
             film.couette[i, j] += share * mean
@@ -270,20 +273,6 @@ def surface_coefficients(surface, at, rate, film):
                 film.load[d, after, j] += there
                 film.squeeze[i, j] -= rate[d] * here
                 film.squeeze[after, j] -= rate[d] * there
-    bound_inlet(surface, film)
-
-
-@inlined
-def bound_inlet(surface, film):
-    """Let no line that ruptures behind a held node get more than a full one, as ``_grids.film_coefficients``."""
-    for i in range(min(surface.step.size, surface.held.shape[0])):
-        for j in range(len(surface.nodes)):
-            pressure = surface.held_pressure[i, j]
-            full = film.couette[i, j] + film.conductance[i, j] * pressure
-            if surface.held[i, j] and film.inlet[i, j] > full:
-                film.inlet[i, j] = full
-                for d in range(len(surface.motions)):
-                    film.inlet_d[d, i, j] = film.couette_d[d, i, j] + film.conductance_d[d, i, j] * pressure
 
 
 NEAR_END = (0.5 - GAUSS) / (2.0 * GAUSS)  # from Gauss point a back to the line, in distances of the Gauss points
