@@ -238,9 +238,6 @@ def surface_coefficients(surface, at, rate, film):
                 if fed:
                     reach, reach_gap, reach_growth = inlet_reach(surface, i, q, gap, (hb - ha) / (2.0 * GAUSS))
                 inlet = 0.5 * speed * (gap + reach)
-                narrows = not fed and inlet > mean  # then no more than a full line gets (``film_coefficients``)
-                if narrows:
-                    inlet = mean
                 for d in range(motions):
                     lever = surface.lever[d, q]
                     sa, sb = surface.shape_a[d, i] * lever, surface.shape_b[d, i] * lever
@@ -252,13 +249,15 @@ def surface_coefficients(surface, at, rate, film):
                     start += reach_gap * start + reach_growth * rise
                     of_motion[d, 0], of_motion[d, 1] = -t * j3_d, 0.5 * speed * j2_d - mean * j3_d
                     of_motion[d, 2], of_motion[d, 3] = -NEAR * ca - FAR * cb, -FAR * ca - NEAR * cb
-                    of_motion[d, 4] = of_motion[d, 1] if narrows else -0.5 * speed * start
+                    of_motion[d, 4] = -0.5 * speed * start
                     of_motion[d, 5], of_motion[d, 6] = half * (NEAR * sa + FAR * sb), half * (FAR * sa + NEAR * sb)
             film.conductance[i, j] += along * t
             film.couette[i, j] += share * mean
             film.cubed[i, q] += near
             film.cubed[after, q] += far
-            film.inlet[i, j] += share * inlet
+            # from a full supply no more than a full line gets (``_grids.film_coefficients``)
+            bounded = i < lines and not fed and surface.held_fill[i, j] >= 1.0 and inlet > mean
+            film.inlet[i, j] += share * (mean if bounded else inlet)
             opens_a, opens_b = half * share * surface.opening_a[i, q], half * share * surface.opening_b[i, q]
             film.squeeze[i, j] += NEAR * opens_a + FAR * opens_b
             film.squeeze[after, j] += FAR * opens_a + NEAR * opens_b
@@ -267,7 +266,7 @@ def surface_coefficients(surface, at, rate, film):
                 film.couette_d[d, i, j] += share * of_motion[d, 1]
                 film.cubed_d[d, i, q] += of_motion[d, 2]
                 film.cubed_d[d, after, q] += of_motion[d, 3]
-                film.inlet_d[d, i, j] += share * of_motion[d, 4]
+                film.inlet_d[d, i, j] += share * (of_motion[d, 1] if bounded else of_motion[d, 4])
                 here, there = share * of_motion[d, 5], share * of_motion[d, 6]
                 film.load[d, i, j] += here
                 film.load[d, after, j] += there
