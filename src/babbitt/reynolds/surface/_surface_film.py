@@ -255,9 +255,14 @@ def surface_coefficients(surface, at, rate, film):
             film.couette[i, j] += share * mean
             film.cubed[i, q] += near
             film.cubed[after, q] += far
-            # from a full supply no more than a full line gets (``_grids.film_coefficients``)
-            bounded = i < lines and not fed and surface.held_fill[i, j] >= 1.0 and inlet > mean
-            film.inlet[i, j] += share * (mean if bounded else inlet)
+            entering, bounded = inlet, False
+            if inlet > mean and not fed:  # while it opens no more than a full line gets (``film_coefficients``)
+                opens = half * (NEAR * surface.opening_a[i, q] + FAR * surface.opening_b[i, q])
+                for d in range(motions):
+                    opens -= rate[d] * of_motion[d, 5]
+                bounded = inlet - 2.0 * opens < mean
+                entering = mean if bounded else inlet - 2.0 * max(opens, 0.0)
+            film.inlet[i, j] += share * entering
             opens_a, opens_b = half * share * surface.opening_a[i, q], half * share * surface.opening_b[i, q]
             film.squeeze[i, j] += NEAR * opens_a + FAR * opens_b
             film.squeeze[after, j] += FAR * opens_a + NEAR * opens_b
