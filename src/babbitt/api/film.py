@@ -221,9 +221,8 @@ class SolvedFilm:
         warnings.warn(
             f"{self._case.name}: no film was found at {np.count_nonzero(lost)} of {len(lost)} places, the first "
             f"at x = {1e6 * x:.4g} µm, y = {1e6 * y:.4g} µm with vx = {1e3 * vx:.4g} mm/s, "
-            f"vy = {1e3 * vy:.4g} mm/s: the nodes with pressure changed for ever; what is asked for is NaN there, and "
-            "a place close by may "
-            "have a film",
+            f"vy = {1e3 * vy:.4g} mm/s: the nodes with pressure changed for ever; what is asked for is NaN "
+            "there, and a place close by may have a film",
             RuntimeWarning,
             stacklevel=3,
         )
