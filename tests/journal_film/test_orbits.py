@@ -373,3 +373,10 @@ def test_a_changing_load_between_the_limits_for_calm_and_for_shocks_is_told(magn
 def test_load_times_speed_between_the_limits_for_calm_and_for_shocks_is_told(magnitude, character, told):
     """B83 bears 75 MPa m/s calmly and 50 in shocks; 45, 35 and 70 kN at 31.4 m/s are 58.9, 45.8 and 91.6."""
     assert ("load_times_speed" in shocks_of(magnitude, character)) is told
+
+
+def test_a_step_to_nowhere_is_a_motion_that_was_not_found():
+    """And no refusal of a place that the user never gave."""
+    journal = moving_journal.MovingJournal(GROOVED, np.array(STEADY), MIXED, SPEED, COARSE)
+    with pytest.raises(moving_journal.NoMotionError):
+        journal.force_at(np.array([math.nan, 0.0]), np.zeros(2))

@@ -51,6 +51,20 @@ def test_a_runout_whose_positions_use_up_the_work_leaves_the_film_at_rest(allow)
     warnings = {notice.code: notice.message for notice in result.warnings}
     assert "quasi_static_load_ratio" not in result.values
     assert "again and again" in warnings["W209"]
+    assert "C202" not in {check.code for check in result.checks}  # a film that was not found is no film of 0 um
+    (not_made,) = (notice.message for notice in result.not_checked if notice.code == "C202")
+    assert "again and again" in not_made
+    assert result.verdict is Verdict.NO_VERDICT
+
+
+def test_next_to_no_runout_gives_the_film_without_one():
+    """Temperatures that vary across the pads cost most: a search closer than they settle ended without a film."""
+    resolved = ADIABATIC.replace("thermal: adiabatic", "thermal: adiabatic, radial_temperature: resolved")
+    assert resolved != ADIABATIC
+    (result,) = solve(parse_case(resolved.replace("runout: 5 um", "runout: 0.01 um"))).results
+    assert "W209" not in {notice.code for notice in result.warnings}
+    at_rest, turning = (result.values[f"{of}minimum_film_thickness"] for of in ("", "quasi_static_"))
+    assert turning == pytest.approx(at_rest, abs=0.01e-6)
 
 
 def test_warnings_need_no_work_that_a_runout_has_used_up(monkeypatch):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import warnings
 from collections.abc import Callable
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -143,7 +144,8 @@ class SolvedFilm:
         Returns
         -------
         ndarray, shape (..., 2)
-            N, with the viscosity of the operating point; NaN where the film does not converge.
+            N, with the viscosity of the operating point; NaN, with a RuntimeWarning that names the place, where
+            no film was found, as may be of films that are solved one by one.
 
         Raises
         ------
@@ -183,7 +185,7 @@ class SolvedFilm:
         Returns
         -------
         stiffness, damping : ndarray, shape (..., 2, 2)
-            N/m and N s/m, [[xx, xy], [yx, yy]]; NaN where the film does not converge.
+            N/m and N s/m, [[xx, xy], [yx, yy]]; NaN where no film was found, as of `force`.
 
         Raises
         ------
@@ -213,6 +215,17 @@ class SolvedFilm:
                 "for such places, or stay inside",
             )
         lost = ~(found.settled | found.outside)
+        if not lost.any():
+            return
+        x, y, vx, vy = rows[lost][0]
+        warnings.warn(
+            f"{self._case.name}: no film was found at {np.count_nonzero(lost)} of {len(lost)} places, the first "
+            f"at x = {1e6 * x:.4g} µm, y = {1e6 * y:.4g} µm with vx = {1e3 * vx:.4g} mm/s, "
+            f"vy = {1e3 * vy:.4g} mm/s: the nodes with pressure changed for ever; what is asked for is NaN "
+            "there, and a place close by may have a film",
+            RuntimeWarning,
+            stacklevel=3,
+        )
         for name in ("force", "stiffness", "damping"):
             if hasattr(found, name):
                 getattr(found, name)[lost] = math.nan

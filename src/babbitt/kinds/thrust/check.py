@@ -70,6 +70,7 @@ def _checked(design: ThrustDesign) -> Solution:
         return Solution(design, failed)
     values = share_values(design, state)
     of_runout: list[Notice] = []
+    missed: tuple[Notice, ...] = ()
     if any(one.amplitude > 0.0 for one in design.runouts):
         try:
             of_turning, least_load = _turned(design, state)
@@ -77,15 +78,16 @@ def _checked(design: ThrustDesign) -> Solution:
             if least_load < LEAST_SHARE <= values["smallest_pad_load"] / state.share.mean_load:
                 of_runout.append(Notice("W201", "turning", {"share": least_load}))
         except (NoPadFilmError, WorkBoundError) as error:
+            missed = (Notice("C202", "turning", {"reason": error.failure}),)
             of_runout.append(Notice("W209", values={"reason": error.failure}))
     values["wall_time"] = perf_counter() - start
     least, thinnest = "minimum_film_thickness", values["minimum_film_thickness"]
-    if any(one.amplitude > 0.0 for one in design.runouts):
-        turning = values.get(TURNING_FILM, 0.0)  # where none was found, none can be counted on
-        least, thinnest = (TURNING_FILM, turning) if turning < thinnest else (least, thinnest)
+    if values.get(TURNING_FILM, math.inf) < thinnest:
+        least, thinnest = TURNING_FILM, values[TURNING_FILM]
     limit = Check("C202", least, thinnest, design.film_limit, Bound.AT_LEAST, design.film_limit_source)
+    held = () if missed and limit.ok else (limit,)  # the film at rest alone may miss the limit, but not keep it
     metal = design.temperatures.given_metal
-    checks = (limit, *design.temperatures.checks(values), *pressure_checks(metal, values))
+    checks = (*held, *design.temperatures.checks(values), *pressure_checks(metal, values))
     result = Result(
         design.name,
         design.kind,
@@ -94,7 +96,11 @@ def _checked(design: ThrustDesign) -> Solution:
         values,
         checks,
         (*design.warnings, *shared, *of_runout, *warnings_about_margins(design.oil, checks, values)),
-        (*design.temperatures.not_checked(values), *pressures_not_checked(metal)),
+        (
+            *(() if held else missed),
+            *design.temperatures.not_checked(values),
+            *pressures_not_checked(metal),
+        ),
         (
             *design.lubricant.assumptions,
             *design.assumptions,

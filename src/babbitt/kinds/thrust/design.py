@@ -39,8 +39,9 @@ __all__ = [
     "films_in_oil",
 ]
 
-NEARLY = 3e-7
-"""Change of heights and inlets that ends the search at a place of a turning collar."""
+NEARLY = 1e-5
+"""Change of heights and inlets (0.01 K) that ends the search at a place of a turning collar. Pads whose
+temperatures vary across them settle to about 1e-6, and a closer search would take twice the rounds."""
 
 
 @dataclass(frozen=True)

@@ -123,7 +123,7 @@ def share_with_neighbours(
     standing : PadAttitude, optional
         How the pads stand to the collar; as the bearing has it at rest when omitted.
     tolerance : float
-        Change of the heights, over them, and of the inlet temperatures, over 1000 K, that ends the search.
+        As of `Rounds`.
 
     Raises
     ------
@@ -151,8 +151,7 @@ def share_with_neighbours(
     def inlets_of(states: tuple[PadState, ...]) -> Array:
         return _inlets(oil, list(states), bearing.sense)
 
-    begin = replace(share, states=tuple(pad.state for pad in pads))
-    found = Rounds(begin, stands, mean_film, films_at, inlets_of, tolerance).run(COMBINED)
+    found = Rounds(share, stands, mean_film, films_at, inlets_of, tolerance).run(COMBINED)
     if found is None:
         raise UnsettledPadError
     return replace(found, states=_closed(oil, pads, bearing.sense))

@@ -205,5 +205,12 @@ class FilmPositions:
 
 def require_finite(places: Array) -> None:
     """Refuse positions and velocities that are not numbers, with E101."""
-    if not np.isfinite(places).all():
-        raise InputError("E101", "a position or velocity is not a finite number.")
+    if (found := np.isfinite(places).all(axis=1)).all():
+        return
+    row = int(np.flatnonzero(~found)[0])
+    x, y, vx, vy = places[row]
+    raise InputError(
+        "E101",
+        f"place {row + 1} of {len(places)} is not a finite number: x = {x:g} m, y = {y:g} m, vx = {vx:g} m/s, "
+        f"vy = {vy:g} m/s; an integration comes to such a place where its last force was none.",
+    )

@@ -218,6 +218,14 @@ def film_coefficients(bearing, grid, k, x, y, x_rate, y_rate, film):
     for i in range(n + 1):
         film.squeeze[i] = -(x_rate * grid.weight_x[k, i] + y_rate * grid.weight_y[k, i])
     inlet_flux(bearing, grid, k, x, y, film)
+    # In a gap that converges while it opens, h/2 at the groove is more than a full first line gets, which would
+    # be full if dry and dry if full: no film at all. A journal at rest never has that.
+    pressure = bearing.lands[k, START_PRESSURE]
+    full = film.couette[0] + film.conductance[0] * pressure
+    if film.inlet[0] > full:
+        film.inlet[0] = full
+        film.inlet[1] = film.couette_x[0] + film.conductance_x[0] * pressure
+        film.inlet[2] = film.couette_y[0] + film.conductance_y[0] * pressure
 
 
 @inlined

@@ -255,7 +255,14 @@ def surface_coefficients(surface, at, rate, film):
             film.couette[i, j] += share * mean
             film.cubed[i, q] += near
             film.cubed[after, q] += far
-            film.inlet[i, j] += share * inlet
+            entering, bounded = inlet, False
+            if inlet > mean and not fed:  # while it opens no more than a full line gets (``film_coefficients``)
+                opens = half * (NEAR * surface.opening_a[i, q] + FAR * surface.opening_b[i, q])
+                for d in range(motions):
+                    opens -= rate[d] * of_motion[d, 5]
+                bounded = inlet - 2.0 * opens < mean
+                entering = mean if bounded else inlet - 2.0 * max(opens, 0.0)
+            film.inlet[i, j] += share * entering
             opens_a, opens_b = half * share * surface.opening_a[i, q], half * share * surface.opening_b[i, q]
             film.squeeze[i, j] += NEAR * opens_a + FAR * opens_b
             film.squeeze[after, j] += FAR * opens_a + NEAR * opens_b
@@ -264,7 +271,7 @@ def surface_coefficients(surface, at, rate, film):
                 film.couette_d[d, i, j] += share * of_motion[d, 1]
                 film.cubed_d[d, i, q] += of_motion[d, 2]
                 film.cubed_d[d, after, q] += of_motion[d, 3]
-                film.inlet_d[d, i, j] += share * of_motion[d, 4]
+                film.inlet_d[d, i, j] += share * (of_motion[d, 1] if bounded else of_motion[d, 4])
                 here, there = share * of_motion[d, 5], share * of_motion[d, 6]
                 film.load[d, i, j] += here
                 film.load[d, after, j] += there

@@ -78,7 +78,10 @@ class MovingJournal:
         self.films += 1
         if self.films > 3 * MOST_FILMS:
             raise NoMotionError
-        return np.concatenate(self.in_metres(place, velocity))[None, :]
+        row = np.concatenate(self.in_metres(place, velocity))[None, :]
+        if not np.isfinite(row).all():  # a step has led nowhere
+            raise NoMotionError
+        return row
 
     def in_metres(self, place: Array, velocity: Array) -> tuple[Array, Array]:
         """Place (m) and velocity (m/s)."""

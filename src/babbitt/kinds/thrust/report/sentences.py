@@ -61,7 +61,8 @@ def _turning(result: Result) -> str:
     v = result.values
     if "quasi_static_load_ratio" not in v:
         without = any(notice.code == "W209" for notice in result.warnings)
-        return " While the collar turns slowly with its runout, the pads find no film." if without else ""
+        said = " While the collar turns slowly with its runout, no films of the pads were found."
+        return said if without else ""
     ratio, film = v["quasi_static_load_ratio"], v["quasi_static_minimum_film_thickness"]
     limit = governing(result, "quasi_static_minimum_film_thickness")
     held = "" if limit is None else f", {'within' if limit.ok else 'beyond'} the limit of {_micro(limit.limit)}"
