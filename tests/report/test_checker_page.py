@@ -12,6 +12,8 @@ from babbitt.core.kind import kinds
 from babbitt.core.result import Outcome
 from babbitt.report.chapters import Chapter, chapters
 from babbitt.report.checker_page import checker_content
+from babbitt.report.document import report
+from babbitt.solving import solve
 
 
 @pytest.fixture(scope="module")
@@ -46,3 +48,12 @@ def test_the_governing_check_has_the_least_margin_and_names_its_clearance(part):
     worst = min(part.results, key=lambda one: one.governing_check.margin)
     assert governing["bearing"] == worst.name
     assert governing["code"] == worst.governing_check.code
+
+
+def test_the_page_on_screen_has_it_as_the_paper_has(part):
+    pytest.importorskip("typst")
+    page = report(solve(parse_case(kinds()["journal"].read_template())), "html").decode()
+    _, _, last = page.partition("Checker&#39;s page" if "Checker&#39;s page" in page else "Checker's page")
+    assert "Closest approach to each limit" in last
+    assert "☐" in last
+    assert "Approved:" in last

@@ -271,9 +271,11 @@ class Result:
     def lacking(self) -> tuple[Subject, ...]:
         """Of the subjects those that should have been checked and were not.
 
-        A kind lists its checks that could not be made under `not_checked`; one check of a subject is enough.
+        A kind lists its checks that could not be made under `not_checked`; one check of a subject is enough, but a
+        recommendation is none.
         """
-        missing = {explanations()[notice.code].subject for notice in self.not_checked}
+        recommended = (check for check in self.checks if check.advisory)
+        missing = {explanations()[one.code].subject for one in (*self.not_checked, *recommended)}
         made = {explanations()[check.code].subject for check in self.limits}
         return tuple(one for one in Subject if one in missing - made)
 

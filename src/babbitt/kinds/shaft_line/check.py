@@ -83,7 +83,7 @@ def line_solution(design: LineDesign) -> Solution:
             *design.lubricant.assumptions,
             *thrust.assumptions,
             *_assumptions(design),
-            *thrust.temperatures.assumptions(values),
+            *thrust.temperatures.assumptions(),
         ),
         settings={
             "lubricant": design.lubricant.name,

@@ -99,7 +99,7 @@ def _checked(design: ThrustDesign) -> Solution:
             *design.lubricant.assumptions,
             *design.assumptions,
             *_assumptions(design),
-            *design.temperatures.assumptions(values),
+            *design.temperatures.assumptions(),
         ),
         settings={"lubricant": design.lubricant.name, "pivot": design.bearing.pad.pivot.value},
         arrays=pad_arrays(state.share, design.speed),
