@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 from babbitt.core.language import language, phrases, translated
@@ -84,6 +84,7 @@ def content(machine: MachineResult, level: Level = Level.FULL) -> Data:
             "legend": _legend(results),
             "ranks": [column.rank for column in columns_of(results)],
             "references": [] if level is Level.SUMMARY else _references(machine),
+            "left_to_standard": list(_left_to_standard(results)) if level is Level.SUMMARY else [],
         },
         "totals": _totals(summed) if summed else None,
         "worst": worst,
@@ -117,15 +118,22 @@ def _governing(results: Sequence[Result]) -> Data | None:
 
 
 def _legend(results: Sequence[Result]) -> list[Data]:
-    """What the symbols of the machine's table mean; of a limit its quantity says it."""
+    """What the symbols of the machine's table mean, and in which columns; of a limit its quantity says it."""
     if not any(in_machine_table(result) for result in results):
         return []
     solved = [result for result in results if result.outcome.solved]
     known = {
         QUANTITIES[name].symbol: (name, one.kind) for one in solved for name in one.values if name in QUANTITIES
     }
-    wanted = dict.fromkeys(symbol for column in columns_of(results) for symbol in column.symbols)
-    return [{"symbol": symbol_node(symbol), "said": label(*known[symbol])} for symbol in wanted if symbol in known]
+    wanted: dict[str, list[int]] = {}
+    for place, column in enumerate(columns_of(results)):
+        for symbol in column.symbols:
+            wanted.setdefault(symbol, []).append(place)
+    return [
+        {"symbol": symbol_node(symbol), "said": label(*known[symbol]), "columns": places}
+        for symbol, places in wanted.items()
+        if symbol in known
+    ]
 
 
 def _references(machine: MachineResult) -> list[str]:
@@ -274,6 +282,27 @@ def _findings(results: Sequence[Result], level: Level) -> list[Data]:
         for heading, groups in sections
         if groups and not (level is Level.SUMMARY and heading in NOT_IN_SUMMARY)
     ]
+
+
+def _left_to_standard(results: Sequence[Result]) -> Iterator[str]:
+    """What a summary counts, and the next level lists: recommendations that are missed, and assumptions."""
+    missed = Counter(
+        code
+        for result in results
+        if result.outcome.solved
+        for code in {check.code for check in result.checks if check.advisory and not check.ok}
+    )
+    if missed:
+        several = len(results) > 1
+        codes = [f"{code} ({missed[code]})" if several else code for code in sorted(missed)]
+        yield translated(
+            "Recommendations and screening indicators missed, with the number of results: {codes}."
+            if several
+            else "Recommendations and screening indicators missed: {codes}.",
+            codes=", ".join(codes),
+        )
+    if any(result.assumptions for result in results):
+        yield translated("The calculation rests on assumptions: the report of the level `standard` lists them.")
 
 
 def _group(group: Group) -> Data:
