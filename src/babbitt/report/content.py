@@ -65,6 +65,16 @@ def content(machine: MachineResult, level: Level = Level.FULL) -> Data:
     shared = _shared_assumptions(results, own_words) if level is Level.STANDARD else ()
     summed, marks = totals(results), footnote(columns_of(results), results)
     worst = [_worst_case(results, code) for code in _codes(results, level)]
+    bearings = [
+        _bearing(
+            bearing_content(part, machine.given.get(part.shown.problem.name, ()), own_words),
+            part,
+            level,
+            len(parts),
+            shared,
+        )
+        for part in parts
+    ]
     said = {
         "language": language(),
         "words": dict(phrases(language())),
@@ -92,17 +102,10 @@ def content(machine: MachineResult, level: Level = Level.FULL) -> Data:
         "findings": _findings(results, level),
         "level": level.value,
         "shared_assumptions": list(shared),
-        "bearings": [
-            _bearing(
-                bearing_content(part, machine.given.get(part.shown.problem.name, ()), own_words),
-                part,
-                level,
-                len(parts),
-                shared,
-            )
-            for part in parts
-        ],
-        "checker": checker_content(parts, worst) if level is not Level.SUMMARY else None,
+        "bearings": bearings,
+        "checker": None
+        if level is Level.SUMMARY
+        else checker_content(parts, worst, [one["inputs"] for one in bearings]),
         "case_text": plain_lines(machine.case_text).strip("\n") if level is Level.FULL else "",
     }
     return dict(in_us_units(said, own_words=own_words))
