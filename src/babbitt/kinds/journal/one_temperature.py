@@ -66,6 +66,9 @@ and grooves around the bore or half of it (set ``hot``): the hottest bush of non
 ``HOTTER`` or ``RISE_OF_METAL``; of those beyond the last two it is at most 7.9, and 11.7 in the set ``hot`` (6.5
 where Q_p is less than half of Q₃)."""
 
+MEGA_ROOT = 1e3
+"""Root of Pa in MPa, in which the rise over the root of p̄ U is told."""
+
 THINS = 1.1
 """Viscosity over that at a temperature ``HOTTER`` of an oil that thins: those of the catalogue have 1.24 to
 2.55 from 40 to 120 °C, water 1.14 at the least."""
@@ -182,13 +185,15 @@ def _near(
     if check.code in of_metal:
         yield _Near(
             check.limit < hottest_metal(check.value, values),
-            lambda: Notice("W191", "temperature", {"margin": check.limit - check.value, "check": check.code}),
+            lambda: _about_metal(check, values),
         )
     if check.code == "C110":
         sooner = larger(thinner_oil(check, values, viscosity), TURBULENT_SOONER)
         yield _Near(
             check.value * sooner > check.limit,
-            lambda: Notice("W191", "reynolds_number", {"factor": check.limit / check.value, "check": check.code}),
+            lambda: Notice("W191", "reynolds_number", {
+                "factor": check.limit / check.value, "check": check.code, "asked": sooner,
+            }),
         )
     if check.code == "C115":
         yield _Near(
@@ -233,10 +238,25 @@ def warnings_about_unknown_metal(
 
 def hottest_metal(leaving: float, values: Mapping[str, float]) -> float:
     """Temperature in K that a bush may have whose oil leaves at one temperature."""
+    return reduce(larger, (hottest for hottest, _, _ in _estimates(leaving, values)))
+
+
+def _estimates(leaving: float, values: Mapping[str, float]) -> Iterator[tuple[float, str, Mapping[str, float]]]:
+    """Temperatures in K that a bush may have: each with the message that tells it, and what it is computed from."""
+    yield leaving + HOTTER, "above_outlet", {"hotter": HOTTER}
     by_shear = HOTTER_BY_SHEAR + (HOTTER_BESIDE_PRESSED - HOTTER_BY_SHEAR) * may_be_pressed(values)
-    sheared = leaving + by_shear * heat_of_shear(values)
+    heat = heat_of_shear(values)
+    yield leaving + by_shear * heat, "by_shear", {"factor": by_shear, "heat": heat}
     rise = RISE_OF_METAL + (RISE_OF_METAL_BESIDE_PRESSED - RISE_OF_METAL) * may_be_pressed(values)
-    return larger(larger(leaving + HOTTER, sheared), above_inlet(values, rise))
+    above = above_inlet(values, rise)
+    root = (above - values["supply_temperature"]) / rise if "supply_temperature" in values else 0.0
+    yield above, "above_inlet", {"factor": rise * MEGA_ROOT, "root": root / MEGA_ROOT}
+
+
+def _about_metal(check: Check, values: Mapping[str, float]) -> Notice:
+    hottest, variant, terms = max(_estimates(check.value, values), key=lambda one: one[0])
+    known = {"margin": check.limit - check.value, "check": check.code, "hottest": hottest}
+    return Notice("W191", variant, known | terms)
 
 
 def least_margin(values: Mapping[str, float]) -> float:
@@ -246,7 +266,9 @@ def least_margin(values: Mapping[str, float]) -> float:
 
 def _about_film(check: Check, values: Mapping[str, float], thinner: float) -> Notice:
     if not holds_anywhere(thinner - 1.0 > least_margin(values)):
-        return Notice("W191", "film", {"margin": check.margin, "check": check.code})
+        return Notice("W191", "film", {
+            "margin": check.margin, "check": check.code, "asked": least_margin(values),
+        })  # fmt: skip
     return Notice("W191", "loaded_film", {
         "margin": check.margin, "check": check.code, "loaded": loaded_temperature(check, values),
         "asked": thinner - 1.0,
