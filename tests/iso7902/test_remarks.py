@@ -419,3 +419,15 @@ def test_a_thickness_of_transition_is_kept_by_a_margin_like_other_films():
     margin = found.values.get("starved_minimum_film_thickness", found.minimum_film_thickness) / 20e-6 - 1.0
     assert f"h_min by {100.0 * margin:.1f} % (C111)" in message
     assert not said(solved(FAN + "limits: {transition_film_thickness: 10 um}\n"), "W191")
+
+
+def test_assumptions_are_those_that_the_method_uses():
+    """ISO 7902 lets no heat flow through the film; films with temperatures of their own do."""
+    plain = " ".join(solved(FAN).assumptions)
+    assert "onductivity of a typical" not in plain
+    assert "Heat capacity" in plain
+    own = " ".join(solved(FAN.replace("360 deg", "360 deg\nmethod: {kind: film, thermal: full}")).assumptions)
+    assert "onductivity of a typical" in own
+    fixed = " ".join(solved(FAN.replace("ISO VG 46", "TP-46 STO upper")).assumptions)
+    assert "Heat capacity rises" not in fixed
+    assert "Density times heat capacity is the constant" in fixed

@@ -92,3 +92,12 @@ def test_the_scope_names_points_and_clearances():
     assert "smallest and largest value of each bearing" in two
     mixed = " ".join(scope_of([*both, *named("Pump")]))
     assert "smallest and largest value of Fan; one value of the others" in mixed
+
+
+def test_notes_on_references_are_in_the_language_of_the_report():
+    """Titles of publications stay; what Babbitt says of them, and of its oils, does not stay English."""
+    machine = solve(parse_case(babbitt.template("journal")))
+    for tongue, says in (("de", ("Entwickler", "Verfahren", "Viskositätsklasse")), ("ru", ("Разработчики", "методика", "класса вязкости"))):
+        with written_in(tongue):
+            found = " ".join(content(machine)["conclusion"]["references"])
+        assert all(word in found for word in says)

@@ -10,7 +10,7 @@ from collections import Counter
 from collections.abc import Collection, Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
-from babbitt.core.language import language, phrases, translated
+from babbitt.core.language import language, phrases, translated, translated_if_known
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.report_level import Level
 from babbitt.core.result import Result, Verdict
@@ -141,7 +141,7 @@ def _legend(results: Sequence[Result]) -> list[Data]:
 
 def _references(machine: MachineResult) -> list[str]:
     computed = [(one.problem, view_of(one.result)) for one in machine.solutions]
-    return [plain_text(said) for said in references(computed)]
+    return [translated_if_known(plain_text(said)) for said in references(computed)]
 
 
 MOST_WITH_FIGURES = 3

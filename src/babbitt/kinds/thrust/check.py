@@ -65,7 +65,7 @@ def _checked(design: ThrustDesign) -> Solution:
             {},
             failure=error.failure,
             warnings=design.warnings,
-            assumptions=(*design.lubricant.assumptions, *design.assumptions, *_assumptions(design)),
+            assumptions=(*design.oil.assumed_of_lubricant, *design.assumptions, *_assumptions(design)),
         )
         return Solution(design, failed)
     values = share_values(design, state)
@@ -96,7 +96,7 @@ def _checked(design: ThrustDesign) -> Solution:
         (*design.warnings, *shared, *of_runout, *warnings_about_margins(design.oil, checks, values)),
         (*design.temperatures.not_checked(values), *pressures_not_checked(metal)),
         (
-            *design.lubricant.assumptions,
+            *design.oil.assumed_of_lubricant,
             *design.assumptions,
             *_assumptions(design),
             *design.temperatures.assumptions(),
