@@ -95,7 +95,11 @@ def test_the_metal_is_held_to_its_limit_by_more_than_the_outlet():
 def test_the_temperature_of_a_bush_can_be_computed_anew_from_what_is_said_of_it():
     """Each estimate says its factor, what that multiplies, and their units, which stay those of the SI."""
     values = {"supply_temperature": 323.15, "specific_load": 2e6, "surface_speed": 45.0, **CALM}
-    for viscosity, outlet, above in ((0.0169, 373.15, "outlet"), (0.001, 333.15, "inlet"), (0.001, 383.15, "outlet")):
+    for viscosity, outlet, above in (
+        (0.0169, 373.15, "outlet"),
+        (0.001, 333.15, "inlet"),
+        (0.001, 383.15, "outlet"),
+    ):
         found = values | {"effective_viscosity": viscosity}
         check = Check("C108", "outlet_temperature", outlet, outlet + 1.0, Bound.AT_MOST, "")
         (notice,) = warnings_about_margins((check,), found, ("C108",), lambda kelvin: 1.0)

@@ -47,7 +47,9 @@ def test_a_summary_is_one_page(kind):
 def test_a_summary_counts_missed_recommendations_and_names_where_assumptions_stand():
     machine = solve(parse_case(babbitt.template("machine")))
     said = " ".join(content(machine, Level.SUMMARY)["conclusion"]["left_to_standard"])
-    missed = {check.code for result in machine.results for check in result.checks if check.advisory and not check.ok}
+    missed = {
+        check.code for result in machine.results for check in result.checks if check.advisory and not check.ok
+    }
     assert missed
     assert all(code in said for code in missed)
     assert "`standard`" in said

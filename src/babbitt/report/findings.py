@@ -15,7 +15,6 @@ from babbitt.report.names import listed, shortened
 from babbitt.report.text import plain_text
 from babbitt.report.us_words import OF_RESULTS, in_us_units
 
-
 ASSUMED_METAL = "the bearing metal is assumed, and its limits decide nothing (materials: bearing_metal)"
 """Why a check that was made leaves its subject without a verdict."""
 
@@ -119,7 +118,9 @@ def lacking(results: Sequence[Result]) -> Iterator[Group]:
         if found:
             missing = [one for one in found[0].not_checked if explanations()[one.code].subject is subject]
             reasons = dict.fromkeys(plain_text(one.message) for one in missing)
-            advice = [one for one in found[0].checks if one.advisory and explanations()[one.code].subject is subject]
+            advice = [
+                one for one in found[0].checks if one.advisory and explanations()[one.code].subject is subject
+            ]
             title = f"No check of the {subject.value} could be made"
             if advice:
                 title = f"Only a recommendation for the {subject.value}"

@@ -191,9 +191,15 @@ def _near(
         sooner = larger(thinner_oil(check, values, viscosity), TURBULENT_SOONER)
         yield _Near(
             check.value * sooner > check.limit,
-            lambda: Notice("W191", "reynolds_number", {
-                "factor": check.limit / check.value, "check": check.code, "asked": sooner,
-            }),
+            lambda: Notice(
+                "W191",
+                "reynolds_number",
+                {
+                    "factor": check.limit / check.value,
+                    "check": check.code,
+                    "asked": sooner,
+                },
+            ),  # fmt: skip
         )
     if check.code == "C115":
         yield _Near(
@@ -241,22 +247,39 @@ def hottest_metal(leaving: float, values: Mapping[str, float]) -> float:
     return reduce(larger, (hottest for hottest, _, _ in _estimates(leaving, values)))
 
 
-def _estimates(leaving: float, values: Mapping[str, float]) -> Iterator[tuple[float, str, Mapping[str, float]]]:
-    """Temperatures in K that a bush may have: each with the message that tells it, and what it is computed from."""
-    yield leaving + HOTTER, "above_outlet", {"hotter": HOTTER}
+def _estimates(leaving: float, values: Mapping[str, float]) -> tuple[tuple[float, float, float], ...]:
+    """Temperatures in K that a bush may have, above the outlet, by shear and above the inlet.
+
+    Each with its factor and what that multiplies: 1; U sqrt(η) in m/s times the root of Pa s; the root of p̄ U in
+    MPa m/s.
+    """
     by_shear = HOTTER_BY_SHEAR + (HOTTER_BESIDE_PRESSED - HOTTER_BY_SHEAR) * may_be_pressed(values)
     heat = heat_of_shear(values)
-    yield leaving + by_shear * heat, "by_shear", {"factor": by_shear, "heat": heat}
     rise = RISE_OF_METAL + (RISE_OF_METAL_BESIDE_PRESSED - RISE_OF_METAL) * may_be_pressed(values)
     above = above_inlet(values, rise)
     root = (above - values["supply_temperature"]) / rise if "supply_temperature" in values else 0.0
-    yield above, "above_inlet", {"factor": rise * MEGA_ROOT, "root": root / MEGA_ROOT}
+    return (
+        (leaving + HOTTER, HOTTER, 1.0),
+        (leaving + by_shear * heat, by_shear, heat),
+        (above, rise * MEGA_ROOT, root / MEGA_ROOT),
+    )
 
 
 def _about_metal(check: Check, values: Mapping[str, float]) -> Notice:
-    hottest, variant, terms = max(_estimates(check.value, values), key=lambda one: one[0])
-    known = {"margin": check.limit - check.value, "check": check.code, "hottest": hottest}
-    return Notice("W191", variant, known | terms)
+    margin, code = check.limit - check.value, check.code
+    above_outlet, by_shear, of_inlet = _estimates(check.value, values)
+    hottest, factor, times = max(above_outlet, by_shear, of_inlet, key=lambda one: one[0])
+    if hottest == above_outlet[0]:
+        return Notice("W191", "above_outlet", {
+            "margin": margin, "check": code, "hottest": hottest, "hotter": factor,
+        })  # fmt: skip
+    if hottest == by_shear[0]:
+        return Notice("W191", "by_shear", {
+            "margin": margin, "check": code, "hottest": hottest, "factor": factor, "heat": times,
+        })  # fmt: skip
+    return Notice("W191", "above_inlet", {
+        "margin": margin, "check": code, "hottest": hottest, "factor": factor, "root": times,
+    })  # fmt: skip
 
 
 def least_margin(values: Mapping[str, float]) -> float:

@@ -55,7 +55,11 @@ def line_solution(design: LineDesign) -> Solution:
             {},
             failure=error.failure,
             warnings=design.thrust.warnings,
-            assumptions=(*design.thrust.oil.assumed_of_lubricant, *design.thrust.assumptions, *_assumptions(design)),
+            assumptions=(
+                *design.thrust.oil.assumed_of_lubricant,
+                *design.thrust.assumptions,
+                *_assumptions(design),
+            ),
         )
         return Solution(design, failed)
     values = line_values(design, answer)
