@@ -274,8 +274,8 @@ class Result:
         A kind lists its checks that could not be made under `not_checked`; one check of a subject is enough, but a
         recommendation is none.
         """
-        recommended = (check for check in self.checks if check.advisory)
-        missing = {explanations()[one.code].subject for one in (*self.not_checked, *recommended)}
+        codes = [one.code for one in self.not_checked] + [one.code for one in self.checks if one.advisory]
+        missing = {explanations()[code].subject for code in codes}
         made = {explanations()[check.code].subject for check in self.limits}
         return tuple(one for one in Subject if one in missing - made)
 

@@ -126,7 +126,7 @@ def lacking(results: Sequence[Result]) -> Iterator[Group]:
                 title = f"Only a recommendation for the {subject.value}"
                 reasons[translated(ASSUMED_METAL)] = None
             yield Group(
-                ", ".join(dict.fromkeys(one.code for one in (*missing, *advice))),
+                ", ".join(dict.fromkeys([one.code for one in missing] + [one.code for one in advice])),
                 translated(title),
                 tuple(result.name for result in found),
                 _names(results),
