@@ -89,6 +89,7 @@ def test_each_subject_needs_one_check(subject: Subject, codes: tuple[str, str]) 
     assert replace(GOOD, not_checked=missing[1:]).verdict is Verdict.PASS  # the other one was made
     recommended = tuple(replace(check, advisory=True) for check in GOOD.checks if check.code in codes)
     assert replace(lacking, checks=(*made, *recommended)).verdict is Verdict.NO_VERDICT  # that is no check
+    assert replace(GOOD, checks=(*made, *recommended)).lacking == (subject,)
 
 
 def test_the_governing_check_has_the_least_margin_and_temperatures_count_in_celsius() -> None:

@@ -6,8 +6,17 @@ import pytest
 
 from babbitt import parse_case
 from babbitt.core.notices import Effect, explanations
+from babbitt.core.quantities import displayed_in
 from babbitt.core.result import Bound, Check, Verdict
-from babbitt.kinds.journal.one_temperature import HOTTER, LIGHTER, THINNER, thinner_oil, warnings_about_margins
+from babbitt.kinds.journal.one_temperature import (
+    HOTTER,
+    LIGHTER,
+    THINNER,
+    hottest_metal,
+    thinner_oil,
+    warnings_about_margins,
+)
+from babbitt.report.us_words import in_us_units
 from babbitt.solving import solve
 
 FAN = """
@@ -81,6 +90,27 @@ def test_the_metal_is_held_to_its_limit_by_more_than_the_outlet():
     (message,) = said(near, "W191")
     assert "(C104)" in message
     assert near.verdict is Verdict.REMARKS
+
+
+def test_the_temperature_of_a_bush_can_be_computed_anew_from_what_is_said_of_it():
+    """Each estimate says its factor, what that multiplies, and their units, which stay those of the SI."""
+    values = {"supply_temperature": 323.15, "specific_load": 2e6, "surface_speed": 45.0, **CALM}
+    for viscosity, outlet, above in (
+        (0.0169, 373.15, "outlet"),
+        (0.001, 333.15, "inlet"),
+        (0.001, 383.15, "outlet"),
+    ):
+        found = values | {"effective_viscosity": viscosity}
+        check = Check("C108", "outlet_temperature", outlet, outlet + 1.0, Bound.AT_MOST, "")
+        (notice,) = warnings_about_margins((check,), found, ("C108",), lambda kelvin: 1.0)
+        (kept,) = notice.values["kept"]
+        by = float(kept.message.split(f"{above} and ")[1].split(" K")[0])
+        times = float(kept.message.split(" = ")[1].split(" ")[0]) if " = " in kept.message else 1.0
+        start = {"outlet": outlet, "inlet": 323.15}[above]
+        assert start + by * times == pytest.approx(hottest_metal(outlet, found), abs=0.05)
+        with displayed_in("us"):
+            told = in_us_units(kept.message)
+        assert "√" not in told or kept.message.split(": ")[1].split(" K/")[1] in told
 
 
 CALM = {"supply_flow": 0.0, "side_flow": 1.0}
@@ -393,3 +423,15 @@ def test_a_thickness_of_transition_is_kept_by_a_margin_like_other_films():
     margin = found.values.get("starved_minimum_film_thickness", found.minimum_film_thickness) / 20e-6 - 1.0
     assert f"h_min by {100.0 * margin:.1f} % (C111)" in message
     assert not said(solved(FAN + "limits: {transition_film_thickness: 10 um}\n"), "W191")
+
+
+def test_assumptions_are_those_that_the_method_uses():
+    """ISO 7902 lets no heat flow through the film; films with temperatures of their own do."""
+    plain = " ".join(solved(FAN).assumptions)
+    assert "onductivity of a typical" not in plain
+    assert "Heat capacity" in plain
+    own = " ".join(solved(FAN.replace("360 deg", "360 deg\nmethod: {kind: film, thermal: full}")).assumptions)
+    assert "onductivity of a typical" in own
+    fixed = " ".join(solved(FAN.replace("ISO VG 46", "TP-46 STO upper")).assumptions)
+    assert "Heat capacity rises" not in fixed
+    assert "Density times heat capacity is the constant" in fixed

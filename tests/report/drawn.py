@@ -52,7 +52,9 @@ class Drawn:
 
     def factor(self, what):
         """Of enlargement, as the words have it."""
-        return float(next(re.search(rf"{what} × (\S+)", one) for one in self.words() if f"{what} ×" in one)[1])
+        return float(
+            next(filter(None, (re.search(rf"{what} enlarged (\S+) times", one) for one in self.words())))[1]
+        )
 
 
 def _shapes(element, moved, scale):

@@ -8,10 +8,14 @@ from types import SimpleNamespace
 import pytest
 
 from babbitt import parse_case
+from babbitt.case import template
 from babbitt.core.kind import kinds
 from babbitt.core.result import Outcome
 from babbitt.report.chapters import Chapter, chapters
 from babbitt.report.checker_page import checker_content
+from babbitt.report.content import content
+from babbitt.report.document import report
+from babbitt.solving import solve
 
 
 @pytest.fixture(scope="module")
@@ -28,7 +32,7 @@ def cell(made, symbol):
 
 
 def test_all_clearances_of_a_bearing_are_shown_and_what_does_not_vary_once(part):
-    made = checker_content([part], [])
+    made = checker_content([part], [], [[]])
     assert cell(made, "ψ").count(" / ") == 2
     assert cell(made, "D") == "120.00"
 
@@ -38,11 +42,30 @@ def test_a_clearance_without_a_solution_is_not_hidden_by_one_that_passes(part):
     unsolved = replace(first.result, outcome=Outcome.NOT_CONVERGED)
     lacking = Chapter(part.name, (replace(first, solution=SimpleNamespace(result=unsolved)), *others))
     assert lacking.shown.result.outcome.solved
-    assert checker_content([lacking], [])["rows"][0]["verdict"] == "no solution"
+    assert checker_content([lacking], [], [[]])["rows"][0]["verdict"] == "no solution"
 
 
 def test_the_governing_check_has_the_least_margin_and_names_its_clearance(part):
-    (governing,) = checker_content([part], [])["governing"]
+    (governing,) = checker_content([part], [], [[]])["governing"]
     worst = min(part.results, key=lambda one: one.governing_check.margin)
     assert governing["bearing"] == worst.name
     assert governing["code"] == worst.governing_check.code
+
+
+def test_the_page_on_screen_has_it_as_the_paper_has(part):
+    pytest.importorskip("typst")
+    page = report(solve(parse_case(kinds()["journal"].read_template())), "html").decode()
+    _, _, last = page.partition("Checker&#39;s page" if "Checker&#39;s page" in page else "Checker's page")
+    assert "Closest approach to each limit" in last
+    assert "☐" in last
+    assert "Approved:" in last
+
+
+@pytest.mark.parametrize("kind", ["thrust", "thrust_line"])
+def test_pads_are_known_again_by_their_inputs_row_by_row(kind):
+    """No diameter, width or clearance is theirs: pads, radii, pivot, tilt, runout and oil stand in rows."""
+    page = content(solve(parse_case(template(kind))))["checker"]
+    (given,) = page["given"]
+    labels = {row["label"] for row in given["rows"]}
+    assert {"Pads", "Pivot", "Tilt of the housing", "Runout of the collar", "Thrust", "Name"} <= labels
+    assert content(solve(parse_case(template("journal"))))["checker"]["given"] == []

@@ -7,12 +7,15 @@ import gear_cases
 import pytest
 
 import babbitt
+from babbitt.case import parse_case
+from babbitt.core.language import written_in
 from babbitt.core.limited_flow import is_short_of_oil
 from babbitt.core.report_level import Level
 from babbitt.core.result_name import ResultName
 from babbitt.kinds.journal.iso7902.procedure import check
 from babbitt.report.content import content
 from babbitt.report.scope import scope_of
+from babbitt.solving import solve
 
 GEAR = Path(babbitt.__file__).parents[2] / "examples" / "marine_reverse_gear.yaml"
 
@@ -92,3 +95,16 @@ def test_the_scope_names_points_and_clearances():
     assert "smallest and largest value of each bearing" in two
     mixed = " ".join(scope_of([*both, *named("Pump")]))
     assert "smallest and largest value of Fan; one value of the others" in mixed
+
+
+def test_notes_on_references_are_in_the_language_of_the_report():
+    """Titles of publications stay; what Babbitt says of them, and of its oils, does not stay English."""
+    machine = solve(parse_case(babbitt.template("journal")))
+    german, russian = (
+        ("Entwickler", "Verfahren", "Viskositätsklasse"),
+        ("Разработчики", "методика", "класса вязкости"),
+    )
+    for tongue, says in (("de", german), ("ru", russian)):
+        with written_in(tongue):
+            found = " ".join(content(machine)["conclusion"]["references"])
+        assert all(word in found for word in says)

@@ -122,7 +122,7 @@ def test_common_letters_are_not_escaped(reverse_gear, good):
 
 
 def test_the_verdict_is_that_of_the_table(reverse_gear, good, violated, unsolved):
-    advice = Check("C104", "outlet_temperature", 350.0, 343.15, Bound.AT_MOST, "advice", advisory=True)
+    advice = Check("C109", "outlet_temperature", 350.0, 343.15, Bound.AT_MOST, "advice", advisory=True)
     advised = replace(good, checks=(*good.checks, advice))
     record = to_json(replace(reverse_gear, results=(good, advised, violated, unsolved)))
     assert [bearing["verdict"] for bearing in record["bearings"]] == ["pass", "pass", "fail", "no_solution"]

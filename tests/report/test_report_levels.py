@@ -44,6 +44,26 @@ def test_a_summary_is_one_page(kind):
     assert typeset(data, "report.typ", "png")[:4] == b"\x89PNG"
 
 
+def test_a_summary_counts_missed_recommendations_and_names_where_assumptions_stand():
+    machine = solve(parse_case(babbitt.template("machine")))
+    said = " ".join(content(machine, Level.SUMMARY)["conclusion"]["left_to_standard"])
+    missed = {
+        check.code for result in machine.results for check in result.checks if check.advisory and not check.ok
+    }
+    assert missed
+    assert all(code in said for code in missed)
+    assert "`standard`" in said
+    assert content(machine, Level.STANDARD)["conclusion"]["left_to_standard"] == []
+
+
+def test_the_legend_of_a_table_knows_the_columns_of_its_symbols():
+    """Of columns that the paper has no room for nothing is said below the table."""
+    said = content(solve(parse_case(babbitt.template("machine"))))
+    for one in said["conclusion"]["legend"]:
+        assert one["columns"]
+        assert all(one["symbol"] in said["columns"][place]["heading"] for place in one["columns"])
+
+
 def test_the_command_line_takes_a_level(tmp_path):
     pytest.importorskip("typst")
     (tmp_path / "case.yaml").write_text(babbitt.template("journal"))

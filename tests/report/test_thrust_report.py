@@ -1,6 +1,7 @@
 """Report, table and figures of thrust bearings and shaft lines hold what was computed."""
 
 import json
+import re
 from dataclasses import replace
 
 import pytest
@@ -201,3 +202,16 @@ def test_no_journal_is_spoken_of():
     labels = [row["label"] for row in chapter["results"]]
     assert "Rotational speed of the collar" in labels
     assert not [said for said in labels if "journal" in said]
+
+
+def test_what_is_held_against_an_assumed_metal_is_not_listed_as_unchecked():
+    """In the table of checks, as recommendations, and with the reason why they leave no verdict."""
+    machine = solve(parse_case(re.sub(r"(?m)^materials:.*$", "", GIVEN)))
+    bearing = content(machine)["bearings"][0]
+    made = {check["code"] for check in bearing["checks"]}
+    unchecked = {code for one in bearing["not_checked"] for code in one["code"].split(", ")}
+    assert "C103" in made
+    assert not made & unchecked
+    (load,) = (one for one in bearing["lacking"] if "C103" in one["code"])
+    assert "recommendation" in load["title"]
+    assert "assumed" in load["message"]

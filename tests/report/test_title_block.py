@@ -67,6 +67,18 @@ def test_wrong_fields_are_told_at_their_place():
     assert "document.revision" in refused(text)
 
 
+def test_a_history_with_one_index_twice_or_dates_that_fall_is_refused():
+    twice = "\ndocument: {revisions: [{revision: A, change: first}, {revision: A, change: again}]}\n"
+    assert "document.revisions[1].revision" in refused(twice)
+    assert "each index once" in refused(twice)
+    falling = (
+        "\ndocument: {revisions: [{revision: A, date: 2026-10-01, change: first}, {revision: B, change: no date}, "
+        "{revision: C, date: 2026-09-30, change: load}]}\n"
+    )
+    assert "document.revisions[2].date" in refused(falling)
+    assert "2026-10-01" in refused(falling)
+
+
 @pytest.mark.parametrize(
     ("name", "content", "said"),
     [

@@ -39,7 +39,7 @@ def solve(
     report_level: Annotated[
         Level,
         typer.Option(
-            help="summary: a page a machine; standard: inputs, results, checks and figures of every bearing; "
+            help="summary: the machine alone; standard: inputs, results, checks and figures of every bearing; "
             "full: calculation and case file, too.",
         ),
     ] = Level.STANDARD,

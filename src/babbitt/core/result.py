@@ -271,9 +271,11 @@ class Result:
     def lacking(self) -> tuple[Subject, ...]:
         """Of the subjects those that should have been checked and were not.
 
-        A kind lists its checks that could not be made under `not_checked`; one check of a subject is enough.
+        A kind lists its checks that could not be made under `not_checked`; one check of a subject is enough, but a
+        recommendation is none.
         """
-        missing = {explanations()[notice.code].subject for notice in self.not_checked}
+        codes = [one.code for one in self.not_checked] + [one.code for one in self.checks if one.advisory]
+        missing = {explanations()[code].subject for code in codes}
         made = {explanations()[check.code].subject for check in self.limits}
         return tuple(one for one in Subject if one in missing - made)
 

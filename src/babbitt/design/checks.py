@@ -236,6 +236,6 @@ def clearance_check(case: CheckedProblem, values: Mapping[str, float]) -> Check:
         case.bearing.mean_relative_clearance,
         values["recommended_relative_clearance"],
         AT_LEAST,
-        "0.8e-3 U^(1/4) (Vogelpohl)",
+        "0.8e-3 U^(1/4), U in m/s (Vogelpohl)",
         advisory=True,
     )

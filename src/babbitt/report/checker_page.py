@@ -6,6 +6,7 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
+from babbitt.core.language import translated
 from babbitt.core.quantities import QUANTITIES
 from babbitt.report.chapters import Chapter
 from babbitt.report.check_content import check_content
@@ -36,7 +37,7 @@ INPUTS = (
 """Numbers of the case by which a checker knows it again; those that a kind has among its results are shown."""
 
 
-def checker_content(parts: Sequence[Chapter], limits: Sequence[Data]) -> Data:
+def checker_content(parts: Sequence[Chapter], limits: Sequence[Data], inputs: Sequence[Sequence[Data]]) -> Data:
     """What the page of the checker repeats.
 
     Parameters
@@ -44,11 +45,15 @@ def checker_content(parts: Sequence[Chapter], limits: Sequence[Data]) -> Data:
     parts : sequence of Chapter
     limits : sequence of dict
         Of each limit the bearing that comes closest to it.
+    inputs : sequence of sequence of dict
+        Of each part its groups of inputs. What has no diameter among its results, such as pads or a shaft, has
+        them here row by row, for no numbers of a table know it again.
 
     Returns
     -------
     dict
-        ``columns`` and ``rows`` of inputs, ``governing`` checks of each bearing, ``limits``.
+        ``columns`` and ``rows`` of inputs, ``given`` inputs one by one, ``governing`` checks of each bearing,
+        ``limits``.
     """
     names = [name for name in INPUTS if any(_values(part, name) for part in parts)]
     quantities = [
@@ -67,9 +72,19 @@ def checker_content(parts: Sequence[Chapter], limits: Sequence[Data]) -> Data:
             }
             for part in parts
         ],
+        "given": [
+            {"name": shown_name(part.name), "rows": rows}
+            for part, groups in zip(parts, inputs, strict=True)
+            if not _values(part, "diameter") and (rows := _rows(groups))
+        ],
         "governing": [governing for part in parts if (governing := _governing(part)) is not None],
         "limits": [one for one in limits if not one["advice"]],
     }
+
+
+def _rows(groups: Sequence[Data]) -> list[Data]:
+    """The rows of all groups of inputs but the method, which is in the hash and on no drawing."""
+    return [row for group in groups if group["title"] != translated("Method") for row in group["rows"]]
 
 
 def _values(part: Chapter, name: str) -> list[float]:

@@ -7,6 +7,7 @@ from typing import Any
 
 from babbitt import __version__
 from babbitt.case import CaseFile
+from babbitt.core.language import translated_if_known
 from babbitt.properties.lubricants import AstmD341, Exponential, TabulatedViscosity, Vogel, Walther
 from babbitt.report.view import View, find_view
 
@@ -56,7 +57,7 @@ def references(computed: Iterable[tuple[Any, View]]) -> tuple[str, ...]:
     Returns
     -------
     tuple of str
-        Each once, those of the lubricants last.
+        Each once, those of the lubricants last; notes on lubricants in the language that is written now.
     """
     found, oils = [BABBITT], {}
     for problem, view in computed:
@@ -66,5 +67,5 @@ def references(computed: Iterable[tuple[Any, View]]) -> tuple[str, ...]:
             found += [VISCOSITY_LAWS[type(oil.viscosity_law)]] if type(oil.viscosity_law) in VISCOSITY_LAWS else []
             found += [ISO_2909] if oil.viscosity_index is not None else []
             oils[oil.name] = oil
-    found += [f"{oil.name}: {oil.source}" for oil in oils.values()]
+    found += [f"{oil.name}: {translated_if_known(oil.source)}" for oil in oils.values()]
     return tuple(dict.fromkeys(found))

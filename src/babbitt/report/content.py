@@ -7,10 +7,10 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
-from babbitt.core.language import keeping, language, phrases, translated
+from babbitt.core.language import keeping, language, phrases, translated, translated_if_known
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.report_level import Level
 from babbitt.core.result import Result, Verdict
@@ -70,6 +70,16 @@ def _said(machine: MachineResult, level: Level, own_words: Collection[str]) -> D
     shared = _shared_assumptions(results, own_words) if level is Level.STANDARD else ()
     summed, marks = totals(results), footnote(columns_of(results), results)
     worst = [_worst_case(results, code) for code in _codes(results, level)]
+    bearings = [
+        _bearing(
+            bearing_content(part, machine.given.get(part.shown.problem.name, ()), own_words),
+            part,
+            level,
+            len(parts),
+            shared,
+        )
+        for part in parts
+    ]
     return {
         "language": language(),
         "words": dict(phrases(language())),
@@ -89,6 +99,7 @@ def _said(machine: MachineResult, level: Level, own_words: Collection[str]) -> D
             "legend": _legend(results),
             "ranks": [column.rank for column in columns_of(results)],
             "references": [] if level is Level.SUMMARY else _references(machine),
+            "left_to_standard": list(_left_to_standard(results)) if level is Level.SUMMARY else [],
         },
         "totals": _totals(summed) if summed else None,
         "worst": worst,
@@ -96,17 +107,10 @@ def _said(machine: MachineResult, level: Level, own_words: Collection[str]) -> D
         "findings": _findings(results, level),
         "level": level.value,
         "shared_assumptions": list(shared),
-        "bearings": [
-            _bearing(
-                bearing_content(part, machine.given.get(part.shown.problem.name, ()), own_words),
-                part,
-                level,
-                len(parts),
-                shared,
-            )
-            for part in parts
-        ],
-        "checker": checker_content(parts, worst) if level is not Level.SUMMARY else None,
+        "bearings": bearings,
+        "checker": None
+        if level is Level.SUMMARY
+        else checker_content(parts, worst, [one["inputs"] for one in bearings]),
         "case_text": plain_lines(machine.case_text).strip("\n") if level is Level.FULL else "",
     }
 
@@ -121,20 +125,27 @@ def _governing(results: Sequence[Result]) -> Data | None:
 
 
 def _legend(results: Sequence[Result]) -> list[Data]:
-    """What the symbols of the machine's table mean; of a limit its quantity says it."""
+    """What the symbols of the machine's table mean, and in which columns; of a limit its quantity says it."""
     if not any(in_machine_table(result) for result in results):
         return []
     solved = [result for result in results if result.outcome.solved]
     known = {
         QUANTITIES[name].symbol: (name, one.kind) for one in solved for name in one.values if name in QUANTITIES
     }
-    wanted = dict.fromkeys(symbol for column in columns_of(results) for symbol in column.symbols)
-    return [{"symbol": symbol_node(symbol), "said": label(*known[symbol])} for symbol in wanted if symbol in known]
+    wanted: dict[str, list[int]] = {}
+    for place, column in enumerate(columns_of(results)):
+        for symbol in column.symbols:
+            wanted.setdefault(symbol, []).append(place)
+    return [
+        {"symbol": symbol_node(symbol), "said": label(*known[symbol]), "columns": places}
+        for symbol, places in wanted.items()
+        if symbol in known
+    ]
 
 
 def _references(machine: MachineResult) -> list[str]:
     computed = [(one.problem, view_of(one.result)) for one in machine.solutions]
-    return [plain_text(said) for said in references(computed)]
+    return [translated_if_known(plain_text(said)) for said in references(computed)]
 
 
 MOST_WITH_FIGURES = 3
@@ -278,6 +289,27 @@ def _findings(results: Sequence[Result], level: Level) -> list[Data]:
         for heading, groups in sections
         if groups and not (level is Level.SUMMARY and heading in NOT_IN_SUMMARY)
     ]
+
+
+def _left_to_standard(results: Sequence[Result]) -> Iterator[str]:
+    """What a summary counts, and the next level lists: recommendations that are missed, and assumptions."""
+    missed = Counter(
+        code
+        for result in results
+        if result.outcome.solved
+        for code in {check.code for check in result.checks if check.advisory and not check.ok}
+    )
+    if missed:
+        several = len(results) > 1
+        codes = [f"{code} ({missed[code]})" if several else code for code in sorted(missed)]
+        yield translated(
+            "Recommendations and screening indicators missed, with the number of results: {codes}."
+            if several
+            else "Recommendations and screening indicators missed: {codes}.",
+            codes=", ".join(codes),
+        )
+    if any(result.assumptions for result in results):
+        yield translated("The calculation rests on assumptions: the report of the level `standard` lists them.")
 
 
 def _group(group: Group) -> Data:

@@ -60,7 +60,7 @@ def write_report(
     path : Path
         The suffix says what is written: ``.pdf``, or ``.html`` as one file that needs nothing else.
     level : Level or {"standard", "summary", "full"}
-        Inputs, results, checks and figures of every bearing; a page a machine; calculation and case file, too.
+        Inputs, results, checks and figures of every bearing; the machine alone; calculation and case file, too.
     units : {"si", "us"}
         Of texts, tables and figures; lines of the calculation stay in SI, and so does the case file.
     language : {"en", "de", "ru"}, optional

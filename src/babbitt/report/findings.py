@@ -15,6 +15,9 @@ from babbitt.report.names import listed, shortened
 from babbitt.report.text import plain_text
 from babbitt.report.us_words import OF_RESULTS, in_us_units
 
+ASSUMED_METAL = "the bearing metal is assumed, and its limits decide nothing (materials: bearing_metal)"
+"""Why a check that was made leaves its subject without a verdict."""
+
 
 @dataclass(frozen=True)
 class Group:
@@ -115,9 +118,16 @@ def lacking(results: Sequence[Result]) -> Iterator[Group]:
         if found:
             missing = [one for one in found[0].not_checked if explanations()[one.code].subject is subject]
             reasons = dict.fromkeys(plain_text(one.message) for one in missing)
+            advice = [
+                one for one in found[0].checks if one.advisory and explanations()[one.code].subject is subject
+            ]
+            title = f"No check of the {subject.value} could be made"
+            if advice:
+                title = f"Only a recommendation for the {subject.value}"
+                reasons[translated(ASSUMED_METAL)] = None
             yield Group(
-                ", ".join(dict.fromkeys(one.code for one in missing)),
-                translated(f"No check of the {subject.value} could be made"),
+                ", ".join(dict.fromkeys([one.code for one in missing] + [one.code for one in advice])),
+                translated(title),
                 tuple(result.name for result in found),
                 _names(results),
                 "; ".join(reasons),

@@ -41,9 +41,10 @@ def enlarged(what: str, factor: float) -> str:
     """By how much something is drawn larger than the other lengths.
 
     >>> enlarged("film", 146.7)
-    'film × 147'
+    'film enlarged 147 times'
     """
-    return decimal(f"{translated(what)} × {float(f'{factor:.3g}'):g}")
+    number = decimal(f"{float(f'{factor:.3g}'):g}")
+    return translated("{what} enlarged {number} times", what=translated(what), number=number)
 
 
 def round_below(value: float) -> float:

@@ -72,6 +72,20 @@ class TitleBlock(Part):
             says = f"is {self.revision}, and the last of revisions is {self.revisions[-1].revision}"
             yield Issue(("revision",), says, "the index of the last revision", "leave it out", code="E004")
 
+    @rule
+    def _order_of_revisions(self) -> Iterator[Issue]:
+        first: dict[str, int] = {}
+        latest = ""
+        for place, one in enumerate(self.revisions):
+            if (before := first.setdefault(one.revision, place)) != place:
+                says = f"is {one.revision}, as is that of entry {before + 1}"
+                yield Issue(("revisions", place, "revision"), says, "each index once", code="E004")
+            if one.date is not None and one.date < latest:
+                says = f"is {one.date}, and an entry before it has {latest}"
+                hint = "put the oldest entry first, or correct the date"
+                yield Issue(("revisions", place, "date"), says, "dates that do not fall", hint, code="E004")
+            latest = max(latest, one.date or "")
+
     @property
     def index(self) -> str | None:
         """The index of the revision."""

@@ -66,6 +66,9 @@ and grooves around the bore or half of it (set ``hot``): the hottest bush of non
 ``HOTTER`` or ``RISE_OF_METAL``; of those beyond the last two it is at most 7.9, and 11.7 in the set ``hot`` (6.5
 where Q_p is less than half of Q₃)."""
 
+MEGA_ROOT = 1e3
+"""Root of Pa in MPa, in which the rise over the root of p̄ U is told."""
+
 THINS = 1.1
 """Viscosity over that at a temperature ``HOTTER`` of an oil that thins: those of the catalogue have 1.24 to
 2.55 from 40 to 120 °C, water 1.14 at the least."""
@@ -191,13 +194,21 @@ def _near(
     if check.code in of_metal:
         yield _Near(
             check.limit < hottest_metal(check.value, values),
-            lambda: Notice("W191", "temperature", {"margin": check.limit - check.value, "check": check.code}),
+            lambda: _about_metal(check, values),
         )
     if check.code == "C110":
         sooner = larger(thinner_oil(check, values, viscosity), TURBULENT_SOONER)
         yield _Near(
             check.value * sooner > check.limit,
-            lambda: Notice("W191", "reynolds_number", {"factor": check.limit / check.value, "check": check.code}),
+            lambda: Notice(
+                "W191",
+                "reynolds_number",
+                {
+                    "factor": check.limit / check.value,
+                    "check": check.code,
+                    "asked": sooner,
+                },
+            ),  # fmt: skip
         )
     if check.code == "C115":
         yield _Near(
@@ -246,10 +257,42 @@ def warnings_about_unknown_metal(
 
 def hottest_metal(leaving: float, values: Mapping[str, float]) -> float:
     """Temperature in K that a bush may have whose oil leaves at one temperature."""
+    return reduce(larger, (hottest for hottest, _, _ in _estimates(leaving, values)))
+
+
+def _estimates(leaving: float, values: Mapping[str, float]) -> tuple[tuple[float, float, float], ...]:
+    """Temperatures in K that a bush may have, above the outlet, by shear and above the inlet.
+
+    Each with its factor and what that multiplies: 1; U sqrt(η) in m/s times the root of Pa s; the root of p̄ U in
+    MPa m/s.
+    """
     by_shear = HOTTER_BY_SHEAR + (HOTTER_BESIDE_PRESSED - HOTTER_BY_SHEAR) * may_be_pressed(values)
-    sheared = leaving + by_shear * heat_of_shear(values)
+    heat = heat_of_shear(values)
     rise = RISE_OF_METAL + (RISE_OF_METAL_BESIDE_PRESSED - RISE_OF_METAL) * may_be_pressed(values)
-    return larger(larger(leaving + HOTTER, sheared), above_inlet(values, rise))
+    above = above_inlet(values, rise)
+    root = (above - values["supply_temperature"]) / rise if "supply_temperature" in values else 0.0
+    return (
+        (leaving + HOTTER, HOTTER, 1.0),
+        (leaving + by_shear * heat, by_shear, heat),
+        (above, rise * MEGA_ROOT, root / MEGA_ROOT),
+    )
+
+
+def _about_metal(check: Check, values: Mapping[str, float]) -> Notice:
+    margin, code = check.limit - check.value, check.code
+    above_outlet, by_shear, of_inlet = _estimates(check.value, values)
+    hottest, factor, times = max(above_outlet, by_shear, of_inlet, key=lambda one: one[0])
+    if hottest == above_outlet[0]:
+        return Notice("W191", "above_outlet", {
+            "margin": margin, "check": code, "hottest": hottest, "hotter": factor,
+        })  # fmt: skip
+    if hottest == by_shear[0]:
+        return Notice("W191", "by_shear", {
+            "margin": margin, "check": code, "hottest": hottest, "factor": factor, "heat": times,
+        })  # fmt: skip
+    return Notice("W191", "above_inlet", {
+        "margin": margin, "check": code, "hottest": hottest, "factor": factor, "root": times,
+    })  # fmt: skip
 
 
 def least_margin(values: Mapping[str, float]) -> float:
@@ -259,7 +302,9 @@ def least_margin(values: Mapping[str, float]) -> float:
 
 def _about_film(check: Check, values: Mapping[str, float], thinner: float) -> Notice:
     if not holds_anywhere(thinner - 1.0 > least_margin(values)):
-        return Notice("W191", "film", {"margin": check.margin, "check": check.code})
+        return Notice("W191", "film", {
+            "margin": check.margin, "check": check.code, "asked": least_margin(values),
+        })  # fmt: skip
     return Notice("W191", "loaded_film", {
         "margin": check.margin, "check": check.code, "loaded": loaded_temperature(check, values),
         "asked": thinner - 1.0,

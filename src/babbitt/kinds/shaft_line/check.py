@@ -55,7 +55,11 @@ def line_solution(design: LineDesign) -> Solution:
             {},
             failure=error.failure,
             warnings=design.thrust.warnings,
-            assumptions=(*design.lubricant.assumptions, *design.thrust.assumptions, *_assumptions(design)),
+            assumptions=(
+                *design.thrust.oil.assumed_of_lubricant,
+                *design.thrust.assumptions,
+                *_assumptions(design),
+            ),
         )
         return Solution(design, failed)
     values = line_values(design, answer)
@@ -80,10 +84,10 @@ def line_solution(design: LineDesign) -> Solution:
             *pressures_not_checked(thrust.temperatures.given_metal),
         ),
         (
-            *design.lubricant.assumptions,
+            *design.thrust.oil.assumed_of_lubricant,
             *thrust.assumptions,
             *_assumptions(design),
-            *thrust.temperatures.assumptions(values),
+            *thrust.temperatures.assumptions(),
         ),
         settings={
             "lubricant": design.lubricant.name,

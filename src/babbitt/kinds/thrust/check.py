@@ -65,7 +65,7 @@ def _checked(design: ThrustDesign) -> Solution:
             {},
             failure=error.failure,
             warnings=design.warnings,
-            assumptions=(*design.lubricant.assumptions, *design.assumptions, *_assumptions(design)),
+            assumptions=(*design.oil.assumed_of_lubricant, *design.assumptions, *_assumptions(design)),
         )
         return Solution(design, failed)
     values = share_values(design, state)
@@ -102,10 +102,10 @@ def _checked(design: ThrustDesign) -> Solution:
             *pressures_not_checked(metal),
         ),
         (
-            *design.lubricant.assumptions,
+            *design.oil.assumed_of_lubricant,
             *design.assumptions,
             *_assumptions(design),
-            *design.temperatures.assumptions(values),
+            *design.temperatures.assumptions(),
         ),
         settings={"lubricant": design.lubricant.name, "pivot": design.bearing.pad.pivot.value},
         arrays=pad_arrays(state.share, design.speed),

@@ -86,6 +86,13 @@ class Oil:
     resolved: bool = False
 
     @property
+    def assumed_of_lubricant(self) -> tuple[str, ...]:
+        """What is assumed of the oil, so far as these films use it."""
+        if self.own_temperatures:
+            return self.lubricant.assumptions
+        return self.lubricant.assumptions_but_of_conduction
+
+    @property
     def thermal(self) -> PadOil | None:
         """The oil of films with their own temperatures; None for films of one viscosity."""
         if self.supply_temperature is None or not self.own_temperatures:

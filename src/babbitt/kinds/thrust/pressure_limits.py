@@ -51,13 +51,11 @@ def pressure_checks(given_metal: BearingMetal | None, values: Mapping[str, float
 
 
 def pressures_not_checked(given_metal: BearingMetal | None) -> Iterator[Notice]:
-    """Which of these checks lack data: without a metal they are recommendations only."""
-    if given_metal is None:
-        yield from (Notice(code, "no_metal") for code in ("C103", *(code for code, _, _ in OF_METAL)))
-        return
-    if specific_load_limit(given_metal.family) is None:
-        yield Notice("C103", "no_public_limit", {"metal": given_metal.name})
-    limits = given_metal.limits(LoadCharacter.CALM)
+    """Which of these checks lack data; with an assumed metal they are made, as recommendations."""
+    metal = bearing_metal(ASSUMED_METAL) if given_metal is None else given_metal
+    if specific_load_limit(metal.family) is None:
+        yield Notice("C103", "no_public_limit", {"metal": metal.name})
+    limits = metal.limits(LoadCharacter.CALM)
     for code, _, limit_in in OF_METAL:
         if limit_in(limits) is None:
-            yield Notice(code, "no_public_limit", {"metal": given_metal.name})
+            yield Notice(code, "no_public_limit", {"metal": metal.name})

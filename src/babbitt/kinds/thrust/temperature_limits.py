@@ -85,10 +85,10 @@ class TemperatureLimits:
         if self.metal is None:
             yield Notice("C108", "no_metal")
 
-    def assumptions(self, values: Mapping[str, float]) -> Iterator[str]:
-        """What is assumed of the metal where a temperature is held against it."""
-        if hottest_of_pads(values) is not None and self.given_metal is None and self.metal is not None:
-            yield f"The pads are lined with {self.metal.name}, a tin Babbitt: no bearing metal is given."
+    def assumptions(self) -> Iterator[str]:
+        """What is assumed of the metal, against which pressures are held, and temperatures that are known."""
+        if self.given_metal is None:
+            yield f"The pads are lined with {ASSUMED_METAL}, a tin Babbitt: no bearing metal is given."
 
     def _source(self, source: str) -> str:
         return source if self.given_metal is not None else f"assumption: {ASSUMED_METAL}; {source}"

@@ -165,7 +165,7 @@ def by_its_model(case: PadCase) -> tuple[Result, PadSolutionState | None]:
             *cross_coupling_not_checked(case, values),
             *undecided(heat, bounds),
         ),
-        assumptions=(*case.lubricant.assumptions, *case.assumptions, *assumptions_of(case)),
+        assumptions=(*case.assumed_of_lubricant, *case.assumptions, *assumptions_of(case)),
         settings=settings_of(case, dynamics),
         arrays=pad_rows(case, films.solution)
         | thermal_rows(case, films)
@@ -192,7 +192,7 @@ def unsolved(case: PadCase, found: Equilibrium[PadFilms], time: float) -> Result
             warnings = (*warnings, Notice("W406", values={"growth_share": share}))
     return Result(
         case.name, case.kind, METHOD, found.outcome, last, warnings=warnings,
-        assumptions=(*case.lubricant.assumptions, *case.assumptions, *assumptions_of(case)),
+        assumptions=(*case.assumed_of_lubricant, *case.assumptions, *assumptions_of(case)),
         settings=settings_of(case, None), failure=failure_of_pads(case, found),
     )  # fmt: skip
 

@@ -236,6 +236,13 @@ class PadCase:
         return self.fuller is not None and self.turbulence is None and self.oil_supply is not None
 
     @property
+    def assumed_of_lubricant(self) -> tuple[str, ...]:
+        """What is assumed of the oil, so far as these films use it."""
+        if self.thermal.is_resolved:
+            return self.lubricant.assumptions
+        return self.lubricant.assumptions_but_of_conduction
+
+    @property
     def sense(self) -> float:
         """Sense of rotation: 1 counter-clockwise, -1 clockwise."""
         return math.copysign(1.0, self.journal_speed)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import functools
-import itertools
 import tomllib
 from dataclasses import replace
 from functools import partial
@@ -153,7 +152,8 @@ def _lubricant(entry: Table, shared: Table) -> Lubricant:
     of_product = (
         [part_of_entry("fixed_volumetric_heat_capacity", lambda: str(fixed["assumption"]))] if fixed else []
     )
-    assumptions += [*itertools.chain(*assumed.values()), *of_product]
+    used = [one for field, said in assumed.items() if not (fixed and field == "heat_capacity") for one in said]
+    assumptions += [*used, *of_product]
     sources = {field: part_of_entry(field, partial(_source, entry[field], shared)) for field in _PROPERTIES}
     return Lubricant(
         name=entry["name"],
@@ -168,6 +168,7 @@ def _lubricant(entry: Table, shared: Table) -> Lubricant:
         ),
         assumptions=tuple(assumptions),
         heat_capacity_assumptions=(*assumed["heat_capacity"], *of_product),
+        conductivity_assumptions=tuple(assumed["conductivity"]),
         viscosity_index=entry["viscosity"].get("viscosity_index"),
         sources=PropertySources(viscosity=entry["viscosity"].get("source", ""), **sources),
         aliases=part_of_entry("aliases", lambda: texts(entry.get("aliases", ()))),

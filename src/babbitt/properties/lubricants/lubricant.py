@@ -48,6 +48,8 @@ class Lubricant:
         What is not published and was assumed, one sentence each.
     heat_capacity_assumptions : tuple of str
         Those of `assumptions` that tell of c or ρc and fall away where ρc is given.
+    conductivity_assumptions : tuple of str
+        Those of `assumptions` that tell of the conductivity.
     viscosity_index : float, optional
         By ISO 2909, where one of the two viscosities of the law follows from it.
     sources : PropertySources
@@ -68,6 +70,7 @@ class Lubricant:
     fixed_volumetric_heat_capacity: float | None = None
     assumptions: tuple[str, ...] = ()
     heat_capacity_assumptions: tuple[str, ...] = ()
+    conductivity_assumptions: tuple[str, ...] = ()
     viscosity_index: float | None = None
     sources: PropertySources = PropertySources()
     aliases: tuple[str, ...] = ()
@@ -84,6 +87,11 @@ class Lubricant:
         return replace(
             self, fixed_volumetric_heat_capacity=given, assumptions=others, heat_capacity_assumptions=()
         )
+
+    @property
+    def assumptions_but_of_conduction(self) -> tuple[str, ...]:
+        """The assumptions of a method that lets no heat flow through its film, and uses no conductivity."""
+        return tuple(one for one in self.assumptions if one not in self.conductivity_assumptions)
 
     def density(self, temperature: Value) -> Value:
         """Density in kg/m³."""

@@ -123,6 +123,8 @@ def lubricant_from_law(
         source=source,
         fixed_volumetric_heat_capacity=known.volumetric_heat_capacity,
         assumptions=(*density_notes, *heat_capacity_notes, *conductivity_notes),
+        heat_capacity_assumptions=heat_capacity_notes,
+        conductivity_assumptions=conductivity_notes,
     )
 
 

@@ -210,7 +210,7 @@ def film_solution(case: FilmCase, watch: ProgressCallback = no_progress) -> Solu
         checks,
         warnings,
         not_made,
-        (*case.lubricant.assumptions, *case.assumptions, *film_assumptions(case)),
+        (*case.assumed_of_lubricant, *case.assumptions, *film_assumptions(case)),
         settings,
         arrays,
         {name: NO_CALM_FILM for name in ("side_flow", "supply_flow") if math.isnan(values.get(name, 0.0))}

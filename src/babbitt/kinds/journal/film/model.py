@@ -228,6 +228,13 @@ class FilmCase:
     asperities: AsperityContact | None = None
 
     @property
+    def assumed_of_lubricant(self) -> tuple[str, ...]:
+        """What is assumed of the oil, so far as these films use it."""
+        if self.heat is not None:
+            return self.lubricant.assumptions
+        return self.lubricant.assumptions_but_of_conduction
+
+    @property
     def rotation(self) -> Rotation:
         """Sense in which the film is sheared."""
         turns = self.journal_speed + self.bearing_speed

@@ -70,7 +70,7 @@ def segments_check(case: SegmentCase) -> Result:
         checks,
         warnings,
         not_made,
-        (*case.lubricant.assumptions, *case.assumptions, *_assumptions(case)),
+        (*case.lubricant.assumptions_but_of_conduction, *case.assumptions, *_assumptions(case)),
         settings=_settings(case),
         arrays=arrays,
         failure=None if outcome.solved else _failure(case, outcome, capacity, state),

@@ -78,7 +78,7 @@ def long_film_check(case: LongFilmCase) -> Result:
         checks,
         warnings,
         not_made,
-        (*case.lubricant.assumptions, *case.assumptions, *_assumptions(case)),
+        (*case.lubricant.assumptions_but_of_conduction, *case.assumptions, *_assumptions(case)),
         settings=_settings(case),
         arrays=arrays,
         failure=None if outcome.solved else _failure(case, outcome, capacity, state),

@@ -163,7 +163,7 @@ def _result(
             found.outcome,
             {"wall_time": perf_counter() - start},
             warnings=case.warnings,
-            assumptions=(*case.lubricant.assumptions, *case.assumptions),
+            assumptions=(*case.lubricant.assumptions_but_of_conduction, *case.assumptions),
             settings=_settings(case),
             failure=failure_of(case, found),
         )
@@ -208,7 +208,11 @@ def result_of(
         checks if found.outcome.solved else (),
         warnings,
         not_checked if found.outcome.solved else (),
-        (*case.lubricant.assumptions, *case.assumptions, *assumptions_about_capacity(case, found.film)),
+        (
+            *case.lubricant.assumptions_but_of_conduction,
+            *case.assumptions,
+            *assumptions_about_capacity(case, found.film),
+        ),
         settings=_settings(case),
         failure=None if found.outcome.solved else failure_of(case, found),
     )
