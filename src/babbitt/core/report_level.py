@@ -11,7 +11,7 @@ class Level(StrEnum):
     """How much a report says of a machine and its bearings."""
 
     SUMMARY = "summary"
-    """The machine alone: a line a bearing, what comes closest to the limits, remarks, counts of missed recommendations."""
+    """The machine alone: a line a bearing, what comes closest to the limits, remarks, counts of missed advice."""
     STANDARD = "standard"
     """Inputs, results, checks and figures of every bearing, too."""
     FULL = "full"

@@ -208,7 +208,7 @@ def _near(
                     "check": check.code,
                     "asked": sooner,
                 },
-            ),  # fmt: skip
+            ),
         )
     if check.code == "C115":
         yield _Near(

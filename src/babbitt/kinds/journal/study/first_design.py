@@ -140,8 +140,8 @@ METHODS = ("iso7902", "film")
 
 REASONS = {
     "lubricant": "viscosity grades of the catalogue (ISO 3448)",
-    "clearance": "fits nearest to the recommended clearance, 0.8e-3 U^(1/4), U in m/s (Vogelpohl); where none is near, that "
-    f"±{TOLERANCE:.0%} (assumption)",
+    "clearance": "fits nearest to the recommended clearance, 0.8e-3 U^(1/4), U in m/s (Vogelpohl); where none is "
+    f"near, that ±{TOLERANCE:.0%} (assumption)",
     "width": f"B/D of {WIDTH_RATIOS[0]:g} to {WIDTH_RATIOS[1]:g} in whole steps (assumption)",
     "supply_element": f"pockets of at most {POCKET_SHARE:g} B (end of ISO 7902) at both sides or opposite the "
     f"load, or a hole of {HOLE_SHARE:g} D, at most {1e3 * LARGEST_HOLE:g} mm, opposite the load (assumptions)",
