@@ -7,8 +7,10 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 
 from babbitt.core.notices import InputError, Notice
-from babbitt.core.result import Result
+from babbitt.core.result import Outcome, Result
+from babbitt.design.oil import highest_usable
 from babbitt.kinds.tilting_pad_journal.model import HeatChoices, PadCase, Thermal
+from babbitt.kinds.tilting_pad_journal.one_temperature import asks_own_temperatures
 from babbitt.kinds.tilting_pad_journal.sensitivity import worse
 from babbitt.kinds.tilting_pad_journal.state import PadFilms
 from babbitt.kinds.tilting_pad_journal.thermal_film import LEAST_CLEARANCE, pad_heat
@@ -16,18 +18,21 @@ from babbitt.reynolds.tilting_pads.bending_mode import bending_stiffness
 from babbitt.reynolds.tilting_pads.model import TiltingPad
 from babbitt.reynolds.tilting_pads.pad_heat import PadBending
 
-__all__ = ["narrowed_pads", "warnings_of_fuller_model"]
+__all__ = ["ROUNDS", "narrowed_pads", "warnings_of_fuller_model", "with_growth"]
 
 KEPT_BY_LITTLE = "W415"
 """Of limits of bores that are kept by less than what is uncertain of films with temperatures of their own."""
 
-ROUNDS, SAME_TEMPERATURE = 10, 0.5
-"""Growth of pads of one temperature is found anew so often, or until the films are as warm as before (K)."""
+ROUNDS, SAME_TEMPERATURE = 15, 0.5
+"""Growth of pads of one temperature is found anew so often, or until the films would change by less (K)."""
+
+FARTHEST = 5.0
+"""Times the rise of the films above the temperature of their growth: the most that this follows it at once."""
+
+Solve = Callable[[PadCase], tuple[Result, PadFilms | None]]
 
 
-def warnings_of_fuller_model(
-    case: PadCase, films: PadFilms, result: Result, solve: Callable[[PadCase], tuple[Result, PadFilms | None]]
-) -> Iterator[Notice]:
+def warnings_of_fuller_model(case: PadCase, films: PadFilms, result: Result, solve: Solve) -> Iterator[Notice]:
     """What a bearing that misses no limit misses once temperatures, conduction, growth and bending count.
 
     Films with temperatures of their own where the fresh oil is known and films are laminar; else pads of one
@@ -46,20 +51,27 @@ def warnings_of_fuller_model(
     """
     if case.fuller is None or not all(one.ok for one in result.limits):
         return
-    if case.asks_own_temperatures:
-        full = with_temperatures(case, case.fuller)
-        if full.thermal is case.thermal and full.heat == case.heat:
-            return
-        said = Notice("W422", "model", {"model": "thermal: full, deformation: [growth, bending]"})
-        try:
-            found, refusal = solve(full)[0], ""
-        except InputError as error:  # its films may need more oil than is supplied
-            found, refusal = None, error.message
+    if asks_own_temperatures(case, result.values):
+        told = tuple(with_own_temperatures(case, case.fuller, result, solve))
     else:
-        said, found = grown(case, case.fuller, films, solve)
-        refusal = ""
-    if told := (*worse(result, said, found, refusal), *kept_by_little(result, said, found)):
+        told = tuple(with_growth(case, case.fuller, films, result, solve))
+    if told:
         yield Notice("W422", "fuller", {"told": told})
+
+
+def with_own_temperatures(case: PadCase, fuller: HeatChoices, result: Result, solve: Solve) -> Iterator[Notice]:
+    """What is worse with temperatures of the films' own; nothing of films that count all."""
+    full = with_temperatures(case, fuller)
+    if full.thermal is case.thermal and full.heat == case.heat:
+        return
+    said = Notice("W422", "model", {"model": "thermal: full, deformation: [growth, bending]"})
+    try:
+        found = solve(full)[0]
+    except InputError as error:  # its films may need more oil than is supplied
+        yield from worse(result, said, None, error.message)
+        return
+    yield from worse(result, said, found, "")
+    yield from kept_by_little(result, said, found)
 
 
 def with_temperatures(case: PadCase, fuller: HeatChoices) -> PadCase:
@@ -67,51 +79,58 @@ def with_temperatures(case: PadCase, fuller: HeatChoices) -> PadCase:
     pads = tuple(replace(pad, bending_stiffness=math.inf) for pad in case.bearing.pads)  # they bend by that heat
     return replace(
         case, bearing=replace(case.bearing, pads=pads), thermal=Thermal.FULL, heat=fuller, fuller=None,
-        effective_temperature=None,
+        effective_temperature=None, turbulence=None,
     )  # fmt: skip
 
 
-def grown(
-    case: PadCase,
-    fuller: HeatChoices,
-    films: PadFilms,
-    solve: Callable[[PadCase], tuple[Result, PadFilms | None]],
-) -> tuple[Notice, Result]:
-    """Pads of one temperature, grown at the temperature of their own films, and bent by pressure."""
-    state: PadFilms | None = films
+def with_growth(
+    case: PadCase, fuller: HeatChoices, films: PadFilms, result: Result, solve: Solve
+) -> Iterator[Notice]:
+    """What is worse with pads of one temperature that grow at the temperature of their own films and bend."""
+    warm, before, rise_before = films.temperature, math.nan, math.nan
     for _ in range(ROUNDS):
-        assert state is not None
-        warm = state.temperature
-        pads = narrowed_pads(case, fuller, warm)
-        share = 1.0 - min(new.assembled_clearance / pad.assembled_clearance
-                          for new, pad in zip(pads, case.bearing.pads, strict=True))  # fmt: skip
-        said = Notice("W422", "narrowed", {"share": share, "temperature": warm})
-        found, state = solve(replace(case, bearing=replace(case.bearing, pads=pads), fuller=None))
-        if state is None or abs(state.temperature - warm) <= SAME_TEMPERATURE:
+        if warm >= highest_usable(case.lubricant):
             break
-    return said, found
+        pads, share = narrowed_pads(case, fuller, warm)
+        said = Notice("W422", "narrowed", {"share": share, "temperature": warm})
+        if share >= 1.0:
+            yield Notice("W419", "unsolved", {"end": said, "outcome": Outcome.NO_CLEARANCE.value})
+            return
+        found, state = solve(replace(case, bearing=replace(case.bearing, pads=pads), fuller=None))
+        if state is None:
+            yield from worse(result, said, found, "")
+            return
+        rise = state.temperature - warm
+        falls = (rise_before - rise) / (warm - before)  # of the rise over the temperature: nan at first
+        step = rise if math.isnan(falls) else rise / max(falls, 1.0 / FARTHEST)
+        if abs(step) <= SAME_TEMPERATURE or rise == 0.0:
+            yield from worse(result, said, found, "")
+            return
+        before, rise_before, warm = warm, rise, warm + step
+    yield Notice("W419", "unsolved", {"end": said, "outcome": Outcome.NOT_CONVERGED.value})
 
 
-def narrowed_pads(case: PadCase, fuller: HeatChoices, warm: float) -> tuple[TiltingPad, ...]:
+def narrowed_pads(case: PadCase, fuller: HeatChoices, warm: float) -> tuple[tuple[TiltingPad, ...], float]:
     """Pads with the clearances that growth leaves at a temperature of the films in K, and that bend by pressure.
 
     The journal is as warm as the films where its temperature is not given. Clearances that growth uses up become
-    `LEAST_CLEARANCE`, in which there is no film.
+    `LEAST_CLEARANCE`; besides, the largest share of an assembled clearance that growth takes.
     """
     assert fuller.journal is not None
     heat, bearing = pad_heat(case, fuller, warm), case.bearing.film(1.0, case.journal_speed)
     journal = warm if fuller.journal.temperature is None else fuller.journal.temperature
-    pads = []
+    pads, shares = [], []
     for number, pad in enumerate(case.bearing.pads):
         narrower, bending = heat.narrowing(bearing, number, journal, warm), heat.bending_of(number)
         assert bending is not None
+        shares.append(narrower / pad.assembled_clearance)
         pads.append(replace(
             pad,
             clearance=max(pad.clearance - narrower, LEAST_CLEARANCE),
             assembled_clearance=max(pad.assembled_clearance - narrower, LEAST_CLEARANCE),
             bending_stiffness=pad.bending_stiffness if pad.bends else stiffness_of(case, pad, bending),
         ))  # fmt: skip
-    return tuple(pads)
+    return tuple(pads), max(shares)
 
 
 def stiffness_of(case: PadCase, pad: TiltingPad, bending: PadBending) -> float:
@@ -121,8 +140,8 @@ def stiffness_of(case: PadCase, pad: TiltingPad, bending: PadBending) -> float:
     return bending_stiffness(pad, 0.5 * case.bearing.diameter + pad.clearance, width, modulus)
 
 
-def kept_by_little(base: Result, said: Notice, found: Result | None) -> Iterator[Notice]:
+def kept_by_little(base: Result, said: Notice, found: Result) -> Iterator[Notice]:
     """Limits of bores that the fuller model keeps by less than what is uncertain, and the simpler one by more."""
     codes = (KEPT_BY_LITTLE,)
-    if found is not None and {*codes} & {*found.questioning_codes} - {*base.questioning_codes}:
+    if {*codes} & {*found.questioning_codes} - {*base.questioning_codes}:
         yield Notice("W422", "little", {"model": said, "codes": codes})

@@ -231,11 +231,6 @@ class PadCase:
     bearing_speed: float = 0.0
 
     @property
-    def asks_own_temperatures(self) -> bool:
-        """Whether the `fuller` films have temperatures of their own: laminar ones of known fresh oil."""
-        return self.fuller is not None and self.turbulence is None and self.oil_supply is not None
-
-    @property
     def assumed_of_lubricant(self) -> tuple[str, ...]:
         """What is assumed of the oil, so far as these films use it."""
         if self.thermal.is_resolved:

@@ -12,7 +12,7 @@ from babbitt.design.uncertainty import shear_heat, uncertain_temperature
 from babbitt.kinds.tilting_pad_journal.level_one import STABILITY_CHECKS
 from babbitt.kinds.tilting_pad_journal.model import PadCase
 
-__all__ = ["HOTTER", "LESS_STABLE", "THINNER", "kept_stability", "warnings_about_one_temperature"]
+__all__ = ["HOTTER", "LESS_STABLE", "THINNER", "asks_own_temperatures", "warnings_about_one_temperature"]
 
 HOTTER = 4.7e-3
 """K over the root of Pa m/s: by how much the hottest place of films with temperatures of their own lies above the
@@ -54,7 +54,7 @@ def warnings_about_one_temperature(
     values : Mapping of str to float
         Named results of films of one temperature.
     """
-    if case.thermal.is_resolved or case.asks_own_temperatures:
+    if case.thermal.is_resolved or asks_own_temperatures(case, values):
         return
     near_stable = kept_stability("W416", checks, LESS_STABLE)
     if near_stable:
@@ -79,6 +79,12 @@ def warnings_about_one_temperature(
         yield Notice("W416", "kept", {
             "kept": tuple(near), "hotter": hotter, "uncertain": uncertain, "thinner": THINNER,
         })  # fmt: skip
+
+
+def asks_own_temperatures(case: PadCase, values: Mapping[str, float]) -> bool:
+    """Whether the fuller films have temperatures of their own: of known fresh oil, laminar whatever their law."""
+    laminar = case.turbulence is None or values.get("turbulent_share", 0.0) == 0.0
+    return case.fuller is not None and case.oil_supply is not None and laminar
 
 
 def kept_stability(code: str, checks: Iterable[Check], left: float) -> tuple[Notice, ...]:

@@ -200,7 +200,7 @@ def about_assumptions(result: Result, ends: Sequence[End]) -> Iterator[Notice]:
 
 
 def worse(base: Result, said: Notice, found: Result | None, refusal: str) -> Iterator[Notice]:
-    """What of a bearing is worse otherwise than as calculated.
+    """What of a bearing is worse otherwise than as calculated: limits missed that were kept, or not checked.
 
     Parameters
     ----------
@@ -220,7 +220,8 @@ def worse(base: Result, said: Notice, found: Result | None, refusal: str) -> Ite
         yield Notice("W419", "unsolved", {"end": said, "outcome": found.outcome.value})
         return
     missed = [one for one in found.limits if not one.ok]
-    kept = {one.code for one in base.limits if one.ok} - {one.code for one in base.limits if not one.ok}
+    there = {one.code for one in (*base.limits, *base.not_checked)}
+    kept = there - {one.code for one in base.limits if not one.ok}
     lost = tuple(limit_missed(one) for one in missed if one.code in kept)
     if lost:
         yield Notice("W419", "missed", {"end": said, "limits": lost})
