@@ -126,6 +126,23 @@ def test_flow_by_supply_pressure_that_is_not_known_asks_for_the_larger_rise():
     assert calm == pytest.approx(HOTTER_BY_SHEAR * heat_of_shear(known))
 
 
+HOT_OIL = {
+    "kind": "journal", "name": "Hot thick oil", "diameter": "334.6 mm", "width": "66.9 mm", "span": "360 deg",
+    "clearance": {"kind": "relative", "mean": "1.133 permille"}, "lubricant": "ISO VG 150",
+    "supply_element": {"kind": "slot", "length": "34 mm", "width": "33.5 mm", "place": "opposite"},
+    "supply": {"temperature": "76 degC", "pressure": "0.05 MPa"},
+    "materials": {"bearing_metal": "SnSb8Cu4", "bearing": "C10", "journal": "C10"},
+    "specific_load": "1.798 MPa", "surface_speed": "22 m/s",
+}  # fmt: skip
+
+
+def test_a_narrow_bush_of_hot_thick_oil_is_no_clean_pass():
+    """Its slot just delivers Q₃ and presses a third of it: 8.7 K times U sqrt(η) above the outlet."""
+    quick, film = solved(HOT_OIL), solved(HOT_OIL, **OWN)
+    assert film.values["maximum_bush_temperature"] > 115.0 + 273.15
+    assert any("(C108)" in one.message for one in quick.warnings if one.code == "W191")
+
+
 SEIZING = {
     "kind": "journal", "name": "Stainless in cast iron", "diameter": "293 mm", "width": "170.4 mm",
     "clearance": {"kind": "relative", "mean": "0.65 permille"}, "lubricant": "ISO VG 22", "span": "360 deg",

@@ -220,7 +220,7 @@ def worse(base: Result, said: Notice, found: Result | None, refusal: str) -> Ite
         yield Notice("W419", "unsolved", {"end": said, "outcome": found.outcome.value})
         return
     missed = [one for one in found.limits if not one.ok]
-    there = {one.code for one in (*base.limits, *base.not_checked)}
+    there = {one.code for one in base.limits} | {one.code for one in base.not_checked}
     kept = there - {one.code for one in base.limits if not one.ok}
     lost = tuple(limit_missed(one) for one in missed if one.code in kept)
     if lost:
