@@ -270,7 +270,7 @@ OF_RIGID_PADS = {
     "pads.each.0.material": {"elastic_modulus": "100 GPa", "thermal_expansion": "13e-6 1/K"},
     "pads.each.2.material": {"poisson_ratio": 0.45},
 }
-"""Of pads whose films leave deformation out: what it would take is told beside a limit that is kept by little."""
+"""Of pads whose films leave deformation out: what the fuller model misses is told."""
 NAMED_METALS = {
     "materials.pads.name": "42CrMo4",
     "materials.journal.name": "X5CrNi18-10",
@@ -531,7 +531,7 @@ TESTED = {
 
 
 def told(fields):
-    """What a reader sees: of each result values and checks, and words; or the refusal."""
+    """What a reader of the table or of JSON sees: of each result values, checks and words; or the refusal."""
     try:
         results = solve(case_from_dict(fields)).results
     except (CaseError, InputError) as refusal:
@@ -548,7 +548,7 @@ def told(fields):
         for result in results
     ]
     notices = [one for result in results for one in (*result.warnings, *result.not_checked)]
-    return numbers, [f"{one.code} {one.message}" for one in notices] + [
+    return numbers, [f"{one.code} {one.message} {one.values!r}" for one in notices] + [
         one for result in results for one in result.assumptions
     ]
 

@@ -47,7 +47,7 @@ class Solved:
     case_text: str = ""
     source: str = ""
     notes: str = ""
-    assumptions: tuple[str, ...] = ()
+    own_words: tuple[str, ...] = ()
     title_block: None = None
     given: Mapping[str, frozenset[str]] = field(default_factory=dict)
 

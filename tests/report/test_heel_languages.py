@@ -84,7 +84,7 @@ def test_footsteps_lack_no_word_and_have_the_same_numbers(heel, english, languag
 
 
 def own_texts(heel) -> Iterator[str]:
-    yield from (heel.name, heel.source, heel.notes, *heel.assumptions)
+    yield from (heel.name, heel.source, heel.notes, *heel.own_words)
 
 
 @pytest.mark.parametrize("language", OTHERS)

@@ -147,8 +147,8 @@ def test_a_collar_that_leans_loads_pads_as_a_housing_that_leans(own):
     leaning, straight = bearing_state(tilted).share, bearing_state(level)
     standing = attitude_on_runout(level.bearing, (RunoutHarmonic(1.0, runout),), 0.0)
     turned = share_on(straight.films, straight.share, standing)
-    assert turned.largest_over_mean == pytest.approx(leaning.largest_over_mean, rel=1e-5 if own else 1e-6)
-    assert turned.heights == pytest.approx(leaning.heights, rel=1e-5 if own else 1e-6)
+    assert turned.largest_over_mean == pytest.approx(leaning.largest_over_mean, rel=3e-5 if own else 1e-6)
+    assert turned.heights == pytest.approx(leaning.heights, rel=3e-5 if own else 1e-6)
 
 
 def test_a_runout_that_vanishes_leaves_the_answer_at_rest():
@@ -162,10 +162,10 @@ def test_the_share_at_rest_is_found_again_from_near_and_far(own):
     tilted = design(30e-6, oil=replace(OIL, own_temperatures=own), **HALF)
     at_rest, standing = bearing_state(tilted), attitude_at_rest(tilted.bearing)
     again = share_on(at_rest.films, at_rest.share, standing)
-    assert again.largest_over_mean == pytest.approx(at_rest.share.largest_over_mean, rel=1e-6)
+    assert again.largest_over_mean == pytest.approx(at_rest.share.largest_over_mean, rel=3e-5 if own else 1e-6)
     level = bearing_state(design(0.0, oil=tilted.oil, **HALF)).share
     share = share_on(at_rest.films, replace(level, bearing=tilted.bearing), standing)
-    assert share.heights == pytest.approx(at_rest.share.heights, rel=1e-5 if own else 1e-6)
+    assert share.heights == pytest.approx(at_rest.share.heights, rel=3e-5 if own else 1e-6)
 
 
 def test_positions_within_a_pitch_stand_for_all_where_the_bearing_is_even():

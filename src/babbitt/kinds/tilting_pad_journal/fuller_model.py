@@ -23,7 +23,7 @@ __all__ = ["ROUNDS", "narrowed_pads", "warnings_of_fuller_model", "with_growth"]
 KEPT_BY_LITTLE = "W415"
 """Of limits of bores that are kept by less than what is uncertain of films with temperatures of their own."""
 
-ROUNDS, SAME_TEMPERATURE = 15, 0.5
+ROUNDS, SAME_TEMPERATURE = 15, 0.05
 """Growth of pads of one temperature is found anew so often, or until the films would change by less (K)."""
 
 FARTHEST = 5.0
