@@ -5,6 +5,7 @@ import tomllib
 from importlib.resources import files
 
 import pytest
+from page_cases import FILM, JOURNAL, TEMPLATES, changed
 
 from babbitt.app.answer import answer, compared, report_of
 from babbitt.app.answer_markup import cards_markup
@@ -23,25 +24,8 @@ from babbitt.core.language import LANGUAGES, phrases, written_in
 from babbitt.export import FORMATS
 
 OTHERS = [one for one in LANGUAGES if one != "en"]
-TEMPLATES = {name: kind.read_template() for name, kind in kinds().items()}
-JOURNAL = TEMPLATES["journal"]
 ENGLISH = re.compile(r"\b(the|of|and|with|is|are|not|for|from|by|which|that|only|at|to|load|pass|fail|missed)\b")
 """Words that no German or Russian sentence has."""
-
-
-def changed(text, **fields):
-    document = CaseDocument(text)
-    for name, value in fields.items():
-        document.change((name,), value)
-    return document.text
-
-
-FILM = changed(
-    JOURNAL,
-    method={"kind": "film", "accuracy": "draft"},
-    supply_element=None,
-    grooves=[{"angle": f"{angle} deg", "extent": "20 deg"} for angle in (0, 180)],
-)
 
 
 def told(found):

@@ -6,6 +6,7 @@ import re
 
 import numpy as np
 import pytest
+from page_cases import FILM, JOURNAL, TEMPLATES, changed
 
 from babbitt import parse_case, solve
 from babbitt.app.answer import answer, json_of, read
@@ -17,26 +18,7 @@ from babbitt.app.maps import chart_of, maps_of
 from babbitt.app.published import published, scoreboard
 from babbitt.app.python_text import python_of
 from babbitt.app.units import shown_in, spoken
-from babbitt.core.kind import kinds
 from babbitt.solving import solve as solve_case
-
-TEMPLATES = {name: kind.read_template() for name, kind in kinds().items()}
-JOURNAL = TEMPLATES["journal"]
-
-
-def changed(text, **fields):
-    document = CaseDocument(text)
-    for name, value in fields.items():
-        document.change((name,), value)
-    return document.text
-
-
-FILM = changed(
-    JOURNAL,
-    method={"kind": "film", "accuracy": "draft"},
-    supply_element=None,
-    grooves=[{"angle": f"{angle} deg", "extent": "20 deg"} for angle in (0, 180)],
-)
 
 
 @pytest.fixture(scope="module")

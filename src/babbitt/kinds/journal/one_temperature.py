@@ -68,7 +68,7 @@ where Q_p is less than half of Q₃). A search among clean passes found two narr
 that just deliver Q₃ of 8.8, Q_p being less than half of it."""
 
 MEGA_ROOT = 1e3
-"""Root of Pa in MPa, in which the rise over the root of p̄ U is told."""
+"""Root of Pa in MPa, in which the rise over the root of p̄ U is given."""
 
 THINS = 1.1
 """Viscosity over that at a temperature ``HOTTER`` of an oil that thins: those of the catalogue have 1.24 to
@@ -261,11 +261,11 @@ def hottest_metal(leaving: float, values: Mapping[str, float]) -> float:
     return reduce(larger, (hottest for hottest, _, _ in _estimates(leaving, values)))
 
 
-def _estimates(leaving: float, values: Mapping[str, float]) -> tuple[tuple[float, float, float], ...]:
-    """Temperatures in K that a bush may have, above the outlet, by shear and above the inlet.
+def _estimates(leaving: float, values: Mapping[str, float]) -> tuple[tuple[float, str, dict[str, float]], ...]:
+    """Temperatures in K that a bush may have: above the outlet, by shear, and above the inlet.
 
-    Each with its factor and what that multiplies: 1; U sqrt(η) in m/s times the root of Pa s; the root of p̄ U in
-    MPa m/s.
+    Each with the variant of W191 that tells of it, and the numbers by which it is computed anew: K; K over m/s
+    times the root of Pa s; K over the root of MPa m/s.
     """
     by_shear = HOTTER_BY_SHEAR + (HOTTER_BESIDE_PRESSED - HOTTER_BY_SHEAR) * may_be_pressed(values)
     heat = heat_of_shear(values)
@@ -273,27 +273,16 @@ def _estimates(leaving: float, values: Mapping[str, float]) -> tuple[tuple[float
     above = above_inlet(values, rise)
     root = (above - values["supply_temperature"]) / rise if "supply_temperature" in values else 0.0
     return (
-        (leaving + HOTTER, HOTTER, 1.0),
-        (leaving + by_shear * heat, by_shear, heat),
-        (above, rise * MEGA_ROOT, root / MEGA_ROOT),
+        (leaving + HOTTER, "above_outlet", {"hotter": HOTTER}),
+        (leaving + by_shear * heat, "by_shear", {"factor": by_shear, "heat": heat}),
+        (above, "above_inlet", {"factor": rise * MEGA_ROOT, "root": root / MEGA_ROOT}),
     )
 
 
 def _about_metal(check: Check, values: Mapping[str, float]) -> Notice:
-    margin, code = check.limit - check.value, check.code
-    above_outlet, by_shear, of_inlet = _estimates(check.value, values)
-    hottest, factor, times = max(above_outlet, by_shear, of_inlet, key=lambda one: one[0])
-    if hottest == above_outlet[0]:
-        return Notice("W191", "above_outlet", {
-            "margin": margin, "check": code, "hottest": hottest, "hotter": factor,
-        })  # fmt: skip
-    if hottest == by_shear[0]:
-        return Notice("W191", "by_shear", {
-            "margin": margin, "check": code, "hottest": hottest, "factor": factor, "heat": times,
-        })  # fmt: skip
-    return Notice("W191", "above_inlet", {
-        "margin": margin, "check": code, "hottest": hottest, "factor": factor, "root": times,
-    })  # fmt: skip
+    hottest, variant, numbers = max(_estimates(check.value, values), key=lambda one: one[0])
+    margin = {"margin": check.limit - check.value, "check": check.code}
+    return Notice("W191", variant, {**margin, "hottest": hottest, **numbers})
 
 
 def least_margin(values: Mapping[str, float]) -> float:

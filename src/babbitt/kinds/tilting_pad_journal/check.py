@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from time import perf_counter
 
 from babbitt.core.notices import InputError, Notice
@@ -56,7 +56,7 @@ from babbitt.kinds.tilting_pad_journal.warnings import (
 )
 from babbitt.reynolds.tilting_pads.pivots import RockerContact
 
-__all__ = ["LEAST_DECREMENT", "PadSolutionState", "least_decrement", "pad_solution", "refuse_starvation"]
+__all__ = ["LEAST_DECREMENT", "PadSolutionState", "judged", "least_decrement", "pad_solution", "refuse_starvation"]
 
 METHOD = "film"
 
@@ -69,6 +69,7 @@ LAMINAR = "C110"
 """The check of other methods that the film is laminar; here W407 reports it."""
 
 
+@dataclass(frozen=True, eq=False)
 class PadSolutionState:
     """What stands behind a result: films, dynamics, margins.
 
@@ -81,12 +82,10 @@ class PadSolutionState:
         None where the case anticipates none.
     """
 
-    def __init__(
-        self, films: PadFilms, dynamics: PadDynamics, margins: tuple[PadMargin, ...],
-        cross_coupling: CrossCoupling | None = None,
-    ) -> None:  # fmt: skip
-        self.films, self.dynamics, self.margins = films, dynamics, margins
-        self.cross_coupling = cross_coupling
+    films: PadFilms
+    dynamics: PadDynamics
+    margins: tuple[PadMargin, ...]
+    cross_coupling: CrossCoupling | None = None
 
 
 def pad_solution(case: PadCase) -> Solution:
@@ -102,17 +101,32 @@ def pad_solution(case: PadCase) -> Solution:
     InputError
         E101 where the supply is less than what leaves by the sides of the pads.
     """
-    result, state = by_its_model(case)
+    found = judged(case)
+    result, state = found.result, found.state
     if state is None:
-        return Solution(case, result)
+        return found
     if state.cross_coupling is not None:
-        state.cross_coupling = with_decrements_over_speed(case, state.cross_coupling)
-        result = replace(result, arrays={**result.arrays, **cross_coupling_rows(state.cross_coupling)})
-    told = warnings_of_fuller_model(case, state.films, result, result_and_films)
-    result = replace(result, warnings=(*result.warnings, *told))
+        driven = with_decrements_over_speed(case, state.cross_coupling)
+        result = replace(result, arrays={**result.arrays, **cross_coupling_rows(driven)})
+        state = replace(state, cross_coupling=driven)
     if case.assumption_sensitivity:
         result = with_sensitivity(case, result, lambda other: by_its_model(other)[0])
     return Solution(case, result, state)
+
+
+def judged(case: PadCase) -> Solution:
+    """Solve one bearing, with what its fuller model says of the limits; nothing at other speeds or numbers.
+
+    Raises
+    ------
+    InputError
+        As of `pad_solution`.
+    """
+    result, state = by_its_model(case)
+    if state is None:
+        return Solution(case, result)
+    told = warnings_of_fuller_model(case, state.films, result, result_and_films)
+    return Solution(case, replace(result, warnings=(*result.warnings, *told)), state)
 
 
 def result_and_films(case: PadCase) -> tuple[Result, PadFilms | None]:

@@ -14,7 +14,7 @@ from babbitt.core.result import Outcome, Result
 from babbitt.core.solution import Solution
 from babbitt.export import CoefficientTable, Frame, OverFrequency, Rotation, SystemMatrices
 from babbitt.export.frame import load_direction
-from babbitt.kinds.tilting_pad_journal.check import pad_solution
+from babbitt.kinds.tilting_pad_journal.check import judged
 from babbitt.kinds.tilting_pad_journal.model import PadCase, Thermal
 from babbitt.reynolds.tilting_pads.dynamics import PadCoefficients, condensed_over
 
@@ -95,10 +95,7 @@ def run_over_speed(case: PadCase, speeds: Iterable[float]) -> PadSpeedRun:
     taken = tuple(sorted(set(speeds)))
     if not taken or not all(math.isfinite(speed) and speed > 0.0 for speed in taken):
         raise InputError("E003", f"{case.name}: give one speed or more, each positive, in rad/s")
-    plain = replace(case, assumption_sensitivity=False)  # no table tells of it
-    return PadSpeedRun(
-        case, tuple(pad_solution(replace(plain, journal_speed=case.sense * speed)) for speed in taken)
-    )
+    return PadSpeedRun(case, tuple(judged(replace(case, journal_speed=case.sense * speed)) for speed in taken))
 
 
 def table_of(results: Sequence[Result], cases: Sequence[PadCase]) -> CoefficientTable:

@@ -136,8 +136,7 @@ def narrowed_pads(case: PadCase, fuller: HeatChoices, warm: float) -> tuple[tupl
 def stiffness_of(case: PadCase, pad: TiltingPad, bending: PadBending) -> float:
     """Stiffness of a pad against bending by pressure, N/m."""
     width = case.bearing.width if pad.width is None else pad.width
-    modulus = bending.elastic_modulus / (1.0 - bending.poisson_ratio**2)
-    return bending_stiffness(pad, 0.5 * case.bearing.diameter + pad.clearance, width, modulus)
+    return bending_stiffness(pad, 0.5 * case.bearing.diameter + pad.clearance, width, bending.plate_modulus)
 
 
 def kept_by_little(base: Result, said: Notice, found: Result) -> Iterator[Notice]:

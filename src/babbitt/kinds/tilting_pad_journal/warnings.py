@@ -34,7 +34,6 @@ from babbitt.reynolds.tilting_pads.pivots import HertzContact, LineContact
 
 __all__ = [
     "about_stability_on_the_ramp",
-    "is_of_bore",
     "starved_bounds",
     "warnings_about_kept_limits",
     "warnings_of_solution",

@@ -74,7 +74,7 @@ def bending_matrices(
     """Deflection of a pad (m, outward) over the pressure on its bore (Pa, mean over the width), and over the
     temperature difference across it (K), at the lines of its film."""
     angles = np.linspace(-fraction * extent, (1.0 - fraction) * extent, intervals + 1)
-    modulus = bending.elastic_modulus / (1.0 - bending.poisson_ratio**2)
+    modulus = bending.plate_modulus
     neutral = radius + 0.5 * thickness
     shape = deflection_matrix(angles)
     per_moment = neutral**2 * 12.0 / (modulus * thickness**3)

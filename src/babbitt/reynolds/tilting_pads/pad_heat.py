@@ -83,6 +83,11 @@ class PadBending:
     thermal_expansion: float = STEEL_EXPANSION
     poisson_ratio: float = 0.0
 
+    @property
+    def plate_modulus(self) -> float:
+        """E/(1 - nu^2): of beams the elastic modulus, of plates more, Pa."""
+        return self.elastic_modulus / (1.0 - self.poisson_ratio**2)
+
     def __post_init__(self) -> None:
         if not self.elastic_modulus > 0.0:
             raise InputError("E101", f"elastic_modulus of the pads is {self.elastic_modulus} Pa; it must be "

@@ -264,7 +264,8 @@ def mode_stiffness(case: TiltingPadJournalCase, number: int, pad: TiltingPad) ->
     modulus = next(one for one in known if one is not None)
     ratio = poisson_ratio(case, common if own is None or own.known("poisson_ratio") is None else own)
     width = case.pads.width if pad.width is None else pad.width
-    return bending_stiffness(pad, 0.5 * case.diameter + pad.clearance, width, modulus / (1.0 - ratio**2))
+    bending = PadBending(modulus, poisson_ratio=ratio)
+    return bending_stiffness(pad, 0.5 * case.diameter + pad.clearance, width, bending.plate_modulus)
 
 
 def pad_growth(case: TiltingPadJournalCase) -> PadGrowth:
