@@ -150,7 +150,7 @@ SIDE_SLOT = HOT_OIL | {
     ids=["opposite", "side"],
 )
 def test_a_narrow_bush_of_hot_thick_oil_is_no_clean_pass(case, method):
-    """Slots that just deliver Q₃ and press a third or half of it: 8.7 and 9.2 K times U sqrt(η) above the outlet."""
+    """Slots that just deliver Q₃ and press a third or half of it: 8.7 and 9.2 K times U sqrt(η)."""
     quick, film = solved(case, **method), solved(case, **OWN)
     assert film.values["maximum_bush_temperature"] > 115.0 + 273.15
     assert any("(C108)" in one.message for one in quick.warnings if one.code == "W191")
