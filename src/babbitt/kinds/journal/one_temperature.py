@@ -267,11 +267,11 @@ def hottest_metal(leaving: float, values: Mapping[str, float]) -> float:
     return reduce(larger, (hottest for hottest, _, _ in _estimates(leaving, values)))
 
 
-def _estimates(leaving: float, values: Mapping[str, float]) -> tuple[tuple[float, str, dict[str, float]], ...]:
+def _estimates(leaving: float, values: Mapping[str, float]) -> tuple[tuple[float, float, float], ...]:
     """Temperatures in K that a bush may have: above the outlet, by shear, and above the inlet.
 
-    Each with the variant of W191 that tells of it, and the numbers by which it is computed anew: K; K over m/s
-    times the root of Pa s; K over the root of MPa m/s.
+    Each with its factor and what that multiplies: K and 1; K over m/s times the root of Pa s, and U sqrt(η); K over
+    the root of MPa m/s, and the root of p̄ U.
     """
     pressed = may_be_pressed(values, METAL_PRESSED)
     by_shear = HOTTER_BY_SHEAR + (HOTTER_BESIDE_PRESSED - HOTTER_BY_SHEAR) * pressed
@@ -280,16 +280,28 @@ def _estimates(leaving: float, values: Mapping[str, float]) -> tuple[tuple[float
     above = above_inlet(values, rise)
     root = (above - values["supply_temperature"]) / rise if "supply_temperature" in values else 0.0
     return (
-        (leaving + HOTTER, "above_outlet", {"hotter": HOTTER}),
-        (leaving + by_shear * heat, "by_shear", {"factor": by_shear, "heat": heat}),
-        (above, "above_inlet", {"factor": rise * MEGA_ROOT, "root": root / MEGA_ROOT}),
+        (leaving + HOTTER, HOTTER, 1.0),
+        (leaving + by_shear * heat, by_shear, heat),
+        (above, rise * MEGA_ROOT, root / MEGA_ROOT),
     )
 
 
 def _about_metal(check: Check, values: Mapping[str, float]) -> Notice:
-    hottest, variant, numbers = max(_estimates(check.value, values), key=lambda one: one[0])
-    margin = {"margin": check.limit - check.value, "check": check.code}
-    return Notice("W191", variant, {**margin, "hottest": hottest, **numbers})
+    """The largest estimate, with the numbers to compute it anew."""
+    margin, code = check.limit - check.value, check.code
+    (outlet, hotter, _), (sheared, by_shear, heat), (inlet, rise, root) = _estimates(check.value, values)
+    told = (
+        (outlet, Notice("W191", "above_outlet", {
+            "margin": margin, "check": code, "hottest": outlet, "hotter": hotter,
+        })),
+        (sheared, Notice("W191", "by_shear", {
+            "margin": margin, "check": code, "hottest": sheared, "factor": by_shear, "heat": heat,
+        })),
+        (inlet, Notice("W191", "above_inlet", {
+            "margin": margin, "check": code, "hottest": inlet, "factor": rise, "root": root,
+        })),
+    )  # fmt: skip
+    return max(told, key=lambda one: one[0])[1]
 
 
 def least_margin(values: Mapping[str, float]) -> float:
