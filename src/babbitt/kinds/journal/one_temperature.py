@@ -270,8 +270,8 @@ def hottest_metal(leaving: float, values: Mapping[str, float]) -> float:
 def _estimates(leaving: float, values: Mapping[str, float]) -> tuple[tuple[float, float, float], ...]:
     """Temperatures in K that a bush may have: above the outlet, by shear, and above the inlet.
 
-    Each with its factor and what that multiplies: K and 1; K over m/s times the root of Pa s, and U sqrt(η); K over
-    the root of MPa m/s, and the root of p̄ U.
+    Each with its factor and what that multiplies: K and 1; K over m/s times the root of Pa s, and U sqrt(η);
+    K over the root of MPa m/s, and the root of p̄ U.
     """
     pressed = may_be_pressed(values, METAL_PRESSED)
     by_shear = HOTTER_BY_SHEAR + (HOTTER_BESIDE_PRESSED - HOTTER_BY_SHEAR) * pressed
