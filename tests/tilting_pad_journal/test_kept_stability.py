@@ -295,6 +295,20 @@ def test_a_limit_that_only_the_fullest_model_knows_is_named():
     assert fuller(found)[1] == {"C404": pytest.approx(hot, rel=1e-9)}
 
 
+def test_a_limit_that_the_fullest_model_keeps_by_little_is_named_with_its_margin():
+    wide, walls = {"pads.clearance.mean": "80 um", "speed": "2500 rpm"}, {"walls": GROWN["walls"]}
+    hottest = result_of(wide, **NARROW | GROWN).values["maximum_temperature"]
+    limits = {"limits": NARROW["limits"] | {"temperature": f"{hottest + 2.5} K"}}
+    (notice,) = notices(result_of(wide, **NARROW | walls | limits), "W422")
+    (told,) = notice.values["told"]
+    grown = result_of(wide, **NARROW | GROWN | limits)
+    assert told.variant == "little"
+    assert told.values["kept"] == tuple(notices(grown, "W415"))
+    assert kept(grown, "W415") == {"C104"}
+    for language, said in (("en", "kept by 2.5 K (C104)"), ("de", "mit 2,5 K (C104)"), ("ru", "2,5 K (C104)")):
+        assert said in notice.sentence(language)
+
+
 def test_the_message_names_the_model_in_every_language():
     found = result_of(**NARROW)
     (notice,) = notices(found, "W422")

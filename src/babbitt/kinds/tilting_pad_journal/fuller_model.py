@@ -21,7 +21,7 @@ from babbitt.reynolds.tilting_pads.pad_heat import PadBending
 __all__ = ["ROUNDS", "narrowed_pads", "warnings_of_fuller_model", "with_growth"]
 
 KEPT_BY_LITTLE = "W415"
-"""Of limits of bores that are kept by less than what is uncertain of films with temperatures of their own."""
+"""Of limits that are kept by less than what is uncertain of films with temperatures of their own."""
 
 ROUNDS, SAME_TEMPERATURE = 15, 0.05
 """Growth of pads of one temperature is found anew so often, or until the films would change by less (K)."""
@@ -140,7 +140,8 @@ def stiffness_of(case: PadCase, pad: TiltingPad, bending: PadBending) -> float:
 
 
 def kept_by_little(base: Result, said: Notice, found: Result) -> Iterator[Notice]:
-    """Limits of bores that the fuller model keeps by less than what is uncertain, and the simpler one by more."""
-    codes = (KEPT_BY_LITTLE,)
-    if {*codes} & {*found.questioning_codes} - {*base.questioning_codes}:
-        yield Notice("W422", "little", {"model": said, "codes": codes})
+    """Limits that the fuller model keeps by less than what is uncertain, and the simpler one by more."""
+    if KEPT_BY_LITTLE in base.questioning_codes:
+        return
+    if kept := tuple(one for one in found.warnings if one.code == KEPT_BY_LITTLE):
+        yield Notice("W422", "little", {"model": said, "kept": kept})
