@@ -104,7 +104,7 @@ def test_notes_on_references_are_in_the_language_of_the_report():
         ("Entwickler", "Verfahren", "Viskositätsklasse"),
         ("Разработчики", "методика", "класса вязкости"),
     )
-    for tongue, says in (("de", german), ("ru", russian)):
-        with written_in(tongue):
+    for language_code, says in (("de", german), ("ru", russian)):
+        with written_in(language_code):
             found = " ".join(content(machine)["conclusion"]["references"])
         assert all(word in found for word in says)

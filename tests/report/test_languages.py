@@ -410,7 +410,7 @@ def test_a_text_without_words_stays_english_and_is_named(gear, tmp_path, monkeyp
     known = phrases("de")
     monkeypatch.setattr(
         "babbitt.core.language.phrases",
-        lambda tongue: {k: v for k, v in known.items() if k != SHORT["load_capacity"]},
+        lambda language_code: {k: v for k, v in known.items() if k != SHORT["load_capacity"]},
     )
     with written_in("de") as missing:
         assert label("load_capacity") == "Load at the least gap"

@@ -67,12 +67,12 @@ def test_the_column_of_quantities_keeps_its_width_beside_many_others(found):
     assert page.count('<table class="sheet compared">') == 1 + bool(found[0].choices)
 
 
-@pytest.mark.parametrize("tongue", ["de", "ru"])
-def test_the_page_in_another_language_lacks_no_word_and_has_the_same_numbers(found, tongue):
-    with written_in(tongue) as missing:
+@pytest.mark.parametrize("language_code", ["de", "ru"])
+def test_the_page_in_another_language_lacks_no_word_and_has_the_same_numbers(found, language_code):
+    with written_in(language_code) as missing:
         made = comparison_page(found)
     assert not list(missing)
-    assert f'<html lang="{tongue}">' in made
+    assert f'<html lang="{language_code}">' in made
     cells = re.compile(r'<td class="number">([^<\d]*[\d.,]+)[^<]*</td>')
     numbers = [re.findall(r"[\d.]+", one.replace(",", ".")) for one in cells.findall(made)]
     assert numbers == [re.findall(r"[\d.]+", one) for one in cells.findall(comparison_page(found))]
@@ -104,7 +104,7 @@ def test_the_command_writes_the_page_in_a_language(tmp_path, monkeypatch, capsys
 @pytest.mark.parametrize("kind", ["screw_heel", "hydrostatic_pad", "jacking_pocket", "tilting_pad_journal"])
 def test_pages_of_other_kinds_lack_no_word(kind):
     compared = compare_methods(parse_case(template(kind)))
-    for tongue in ("de", "ru"):
-        with written_in(tongue) as missing:
+    for language_code in ("de", "ru"):
+        with written_in(language_code) as missing:
             comparison_page(compared)
         assert not list(missing)

@@ -118,7 +118,7 @@ def _methods(
         from babbitt.report.comparison_page import require_page
 
         require_page(report)
-    tongue = _language_of_page([case], report, language)
+    language_code = _language_of_page([case], report, language)
     found = compare_methods(case)
     if plots is not None:
         from babbitt.report.comparison_plots import write_comparison_plots
@@ -135,7 +135,7 @@ def _methods(
         from babbitt.report.comparison_page import write_comparison_page
 
         with displayed_in(units):
-            missing = write_comparison_page(found, report, tongue)
+            missing = write_comparison_page(found, report, language_code)
         if missing:
             print(left_in_english(report, missing), file=sys.stderr)
     with displayed_in(units):

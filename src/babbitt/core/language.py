@@ -161,10 +161,10 @@ def translated(text: str, /, **values: Any) -> str:
 
 def translated_if_known(text: str) -> str:
     """A text that may be the user's own: translated where it is known, numbers with the sign of the language."""
-    tongue, own = language(), _WRITING.get().own
-    if tongue == ENGLISH or text in own:
+    language_code, own = language(), _WRITING.get().own
+    if language_code == ENGLISH or text in own:
         return text
-    found = phrases(tongue).get(text) or _recognised(text, tongue, own)
+    found = phrases(language_code).get(text) or _recognised(text, language_code, own)
     if found is not None:
         return found
     if NUMBERS.fullmatch(text):
@@ -216,13 +216,13 @@ def plural(noun: str, number: int) -> str:
     ...     plural("bearing", 1), plural("bearing", 3), plural("bearing", 11), plural("bearing", 22)
     ('подшипник', 'подшипника', 'подшипников', 'подшипника')
     """
-    tongue = language()
-    forms = _plurals(tongue).get(noun)
+    language_code = language()
+    forms = _plurals(language_code).get(noun)
     if forms is None:
-        if tongue != ENGLISH:
+        if language_code != ENGLISH:
             _WRITING.get().missing[noun] = None
         return noun if number == 1 else f"{noun}s"
-    if tongue == "ru":  # one, few, many (Unicode CLDR, plural rules)
+    if language_code == "ru":  # one, few, many (Unicode CLDR, plural rules)
         tens, units = number % 100, number % 10
         if units == 1 and tens != 11:
             return forms[0]
@@ -231,36 +231,36 @@ def plural(noun: str, number: int) -> str:
 
 
 @cache
-def phrases(tongue: str) -> Mapping[str, str]:
+def phrases(language_code: str) -> Mapping[str, str]:
     """English texts and their translations."""
-    return _table(tongue, PHRASES)
+    return _table(language_code, PHRASES)
 
 
 @cache
-def composed(tongue: str) -> Mapping[str, str]:
+def composed(language_code: str) -> Mapping[str, str]:
     """The same of texts that come composed."""
-    return _table(tongue, COMPOSED)
+    return _table(language_code, COMPOSED)
 
 
 @cache
-def _plurals(tongue: str) -> Mapping[str, Sequence[str]]:
-    return _table(tongue, PLURALS)
+def _plurals(language_code: str) -> Mapping[str, Sequence[str]]:
+    return _table(language_code, PLURALS)
 
 
-def _table(tongue: str, name: str) -> dict[str, Any]:
-    return {text: said for words in _words(tongue) for text, said in words.get(name, {}).items()}
-
-
-@cache
-def _words(tongue: str) -> tuple[dict[str, Any], ...]:
-    return tuple(read_words(folder, tongue) for folder in folders())
+def _table(language_code: str, name: str) -> dict[str, Any]:
+    return {text: said for words in _words(language_code) for text, said in words.get(name, {}).items()}
 
 
 @cache
-def _patterns(tongue: str) -> tuple[tuple[re.Pattern[str], str], ...]:
+def _words(language_code: str) -> tuple[dict[str, Any], ...]:
+    return tuple(read_words(folder, language_code) for folder in folders())
+
+
+@cache
+def _patterns(language_code: str) -> tuple[tuple[re.Pattern[str], str], ...]:
     """Phrases with placeholders as expressions that recognise a composed text, those with most words first."""
     found = []
-    for text, said in composed(tongue).items():
+    for text, said in composed(language_code).items():
         parts = re.split(r"\{(\w+(?::number)?)\}", text)
         made = "".join(_piece(part) if place % 2 else re.escape(part) for place, part in enumerate(parts))
         found.append((sum(map(len, parts[::2])), re.compile(made, re.DOTALL), said))
@@ -273,12 +273,12 @@ def _piece(placeholder: str) -> str:
 
 
 @lru_cache(MOST_TEXTS)
-def _recognised(text: str, tongue: str, own: frozenset[str]) -> str | None:
+def _recognised(text: str, language_code: str, own: frozenset[str]) -> str | None:
     """A composed text in a language, by the phrase it was composed from; None where there is none.
 
     Its parts are translated but for words of the case, `own`.
     """
-    for pattern, said in _patterns(tongue):
+    for pattern, said in _patterns(language_code):
         if (found := pattern.fullmatch(text)) is not None:
             return said.format(**{name: translated_if_known(part) for name, part in found.groupdict().items()})
     return None
@@ -309,7 +309,7 @@ def folders() -> Iterator[Traversable]:
     yield from map(files, _OTHERS)
 
 
-def read_words(folder: Traversable, tongue: str) -> dict[str, Any]:
+def read_words(folder: Traversable, language_code: str) -> dict[str, Any]:
     """The texts of a folder in a language; none where it has no such file."""
-    file = folder.joinpath(f"words.{tongue}.toml")
+    file = folder.joinpath(f"words.{language_code}.toml")
     return tomllib.loads(file.read_text(encoding="utf-8")) if file.is_file() else {}

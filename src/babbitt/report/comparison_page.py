@@ -31,7 +31,9 @@ __all__ = ["comparison_page", "require_page", "write_comparison_page"]
 CAPTION = "Least film thickness, friction power, oil flow and temperatures, as far as the methods tell them."
 
 
-def write_comparison_page(comparisons: Sequence[Comparison], path: Path, tongue: str = ENGLISH) -> tuple[str, ...]:
+def write_comparison_page(
+    comparisons: Sequence[Comparison], path: Path, language_code: str = ENGLISH
+) -> tuple[str, ...]:
     """Write the page of all bearings compared.
 
     Parameters
@@ -39,7 +41,7 @@ def write_comparison_page(comparisons: Sequence[Comparison], path: Path, tongue:
     comparisons : sequence of Comparison
     path : Path
         Ends in ``.html``.
-    tongue : {"en", "de", "ru"}
+    language_code : {"en", "de", "ru"}
 
     Returns
     -------
@@ -52,7 +54,7 @@ def write_comparison_page(comparisons: Sequence[Comparison], path: Path, tongue:
         E007 for another suffix, a path that cannot be written, or matplotlib that is not installed.
     """
     require_page(path)
-    with written_in(tongue) as missing:
+    with written_in(language_code) as missing:
         made = comparison_page(comparisons)
     write_file(path, made.encode())
     return tuple(missing)

@@ -49,7 +49,7 @@ def require_designs_outputs(
 
 
 def write_designs_outputs(
-    designs: Designs, record: Path | None, table: Path | None, page: Path | None, tongue: str | None = None
+    designs: Designs, record: Path | None, table: Path | None, page: Path | None, language_code: str | None = None
 ) -> tuple[str, ...]:
     """Write a comparison as JSON, as table and as HTML page, as far as asked for.
 
@@ -57,7 +57,7 @@ def write_designs_outputs(
     ----------
     designs : Designs
     record, table, page : Path or None
-    tongue : {"en", "de", "ru"}, optional
+    language_code : {"en", "de", "ru"}, optional
         Language of the page; that of the title block of the first case if not given, English if that has none.
 
     Returns
@@ -84,7 +84,7 @@ def write_designs_outputs(
             write_file(table, rows_text(rows).encode())
     if page is not None:
         kinds = (one.kind for machine in designs.machines for one in machine.results)
-        chosen = chosen_language(designs.machines[0].title_block, kinds, tongue)
+        chosen = chosen_language(designs.machines[0].title_block, kinds, language_code)
         with written_in(chosen) as missing:
             made = designs_page(designs)
         write_file(page, made.encode())

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 __all__ = ["chosen_language", "knows", "require_words"]
 
 
-def knows(tongue: str, kind: Kind) -> bool:
+def knows(language_code: str, kind: Kind) -> bool:
     """Whether a language has the words of a kind.
 
     >>> from babbitt.core.kind import kinds
@@ -25,7 +25,7 @@ def knows(tongue: str, kind: Kind) -> bool:
     (True, True)
     """
     package = kind.words or ".".join(kind.model.partition(":")[0].split(".")[:3])
-    return tongue == ENGLISH or bool(read_words(files(package), tongue))
+    return language_code == ENGLISH or bool(read_words(files(package), language_code))
 
 
 def chosen_language(block: TitleBlock | None, wanted: Iterable[str], asked: str | None = None) -> str:
@@ -43,28 +43,28 @@ def chosen_language(block: TitleBlock | None, wanted: Iterable[str], asked: str 
     return chosen
 
 
-def require_words(wanted: Iterable[str], tongue: str) -> None:
+def require_words(wanted: Iterable[str], language_code: str) -> None:
     """Refuse a language that is not known, or that lacks the words of some kinds.
 
     Parameters
     ----------
     wanted : iterable of str
         Names of kinds; what is no kind is passed over.
-    tongue : str
+    language_code : str
 
     Raises
     ------
     InputError
         E005, with the kinds for which the language has words.
     """
-    if tongue not in LANGUAGES:
-        raise InputError("E005", unknown_name(tongue, LANGUAGES, "a language of reports"))
+    if language_code not in LANGUAGES:
+        raise InputError("E005", unknown_name(language_code, LANGUAGES, "a language of reports"))
     for name in dict.fromkeys(wanted):
         kind = find_kind(name)
-        if kind is not None and not knows(tongue, kind):
-            there = ", ".join(one for one, known in kinds().items() if knows(tongue, known))
+        if kind is not None and not knows(language_code, kind):
+            there = ", ".join(one for one, known in kinds().items() if knows(language_code, known))
             raise InputError(
                 "E005",
-                f"reports of kind {name} have no words in {LANGUAGES[tongue]} yet; those of {there} have. "
+                f"reports of kind {name} have no words in {LANGUAGES[language_code]} yet; those of {there} have. "
                 f"Try: language {ENGLISH}",
             )

@@ -103,7 +103,7 @@ def write_study_csv(study: Study, csv: str) -> None:
         write_file(Path(csv), text.encode())
 
 
-def require_language(case: CaseFile, tongue: str | None, report: Path | None, plots: Path | None) -> None:
+def require_language(case: CaseFile, language_code: str | None, report: Path | None, plots: Path | None) -> None:
     """Find out before any work is done whether a language can be written.
 
     Raises
@@ -113,8 +113,8 @@ def require_language(case: CaseFile, tongue: str | None, report: Path | None, pl
         where neither report nor figures are.
     """
     if report is not None or plots is not None:
-        chosen_language(case.title_block, [case.kind], tongue)
-    elif tongue is not None:
+        chosen_language(case.title_block, [case.kind], language_code)
+    elif language_code is not None:
         raise InputError(
             "E007", "--language is of report and plots, and there are none; add --report OUT.pdf or --plots DIR"
         )
@@ -135,7 +135,7 @@ def language_of_study(study: Study, asked: str | None = None) -> str:
 
 
 def write_study(
-    study: Study, xlsx: Path | None, report: Path | None, plots: Path | None, tongue: str | None = None
+    study: Study, xlsx: Path | None, report: Path | None, plots: Path | None, language_code: str | None = None
 ) -> None:
     """Write a study as a workbook, a report and figures, as far as asked for.
 
@@ -143,7 +143,7 @@ def write_study(
     ----------
     study : Study
     xlsx, report, plots : Path or None
-    tongue : {"en", "de", "ru"}, optional
+    language_code : {"en", "de", "ru"}, optional
         Of report and figures, as `language_of_study` takes it; the workbook is in English.
 
     Raises
@@ -156,7 +156,7 @@ def write_study(
     written = report or plots
     if written is None:
         return
-    with written_in(language_of_study(study, tongue)) as missing:
+    with written_in(language_of_study(study, language_code)) as missing:
         if report is not None:
             from babbitt.report.study_document import write_study_report
 

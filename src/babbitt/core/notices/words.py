@@ -82,9 +82,9 @@ def words(language: str = ENGLISH) -> Words:
     """All texts; English where the language has none."""
     entries: dict[str, dict[str, str]] = {}
     messages: dict[tuple[str, str], str] = {}
-    for tongue in dict.fromkeys((ENGLISH, language)):
+    for language_code in dict.fromkeys((ENGLISH, language)):
         for folder in folders():
-            own_entries, own_messages = _read(folder, tongue)
+            own_entries, own_messages = _read(folder, language_code)
             for code, entry in own_entries.items():
                 entries.setdefault(code, {}).update(entry)
             messages |= own_messages
