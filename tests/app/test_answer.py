@@ -69,6 +69,13 @@ def test_faults_have_their_fields():
     assert any(fault.field == "diameter" and "is a mass" in fault.message for fault in found.faults)
 
 
+def test_fields_that_the_method_does_not_read_are_known():
+    """Of a part, too."""
+    (found,) = answer(film(span="180 deg"), quick=True).bearings
+    assert found.unread == ("span", "friction.model")
+    assert not answer(JOURNAL).bearings[0].unread
+
+
 @pytest.mark.parametrize("name", ["bore.csv", "/etc/passwd", "../../secret.csv"])
 def test_a_case_names_no_files(name):
     text = film(bore={"kind": "measured", "file": name})

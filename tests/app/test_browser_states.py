@@ -2,7 +2,8 @@
 
 import re
 
-from browsing import IN_BROWSER, section, tab, until
+from browsing import IN_BROWSER, opened, section, tab, until
+from page_cases import FILM, JOURNAL, changed
 
 pytestmark = IN_BROWSER
 
@@ -50,6 +51,14 @@ def test_numbers_of_a_case_that_was_wrong_are_faint_until_it_is_mended(page):
     until(page, lambda: page.locator(".results.stale").count() == 1)
     page.get_by_label("Diameter", exact=True).fill("120")
     until(page, lambda: not page.locator(".results.stale").count())
+
+
+def test_a_field_that_the_method_does_not_read_says_so(page):
+    opened(page, changed(FILM, span="180 deg"))
+    hint = page.get_by_text("Not used by this method")
+    until(page, lambda: page.locator("label", has_text="Span").filter(has=hint).count() == 1)
+    opened(page, JOURNAL)
+    until(page, lambda: not hint.count())
 
 
 def test_what_was_computed_of_another_case_says_so(page):

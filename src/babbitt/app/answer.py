@@ -58,6 +58,9 @@ QUICK: Mapping[str, Any] = {
 }  # fmt: skip
 """Choices of a method for an answer while a value is still moving."""
 
+NOT_READ = "W183"
+"""Of fields that a method does not read."""
+
 MOST_CHECKED, MOST_CARDS = 7, 10
 """Cards with a limit, and in all: more are a table."""
 
@@ -123,10 +126,12 @@ class Shown:
     findings : tuple of Finding
     picture : str
         SVG; empty where there is none.
-    moves : bool
-        Whether something in it moves.
     rows : tuple of tuple of str
         Meaning, symbol, value and unit of every result.
+    moves : bool
+        Whether something in the picture moves.
+    unread : tuple of str
+        Fields of the case that its method does not read, as messages write them.
     """
 
     name: str
@@ -140,6 +145,7 @@ class Shown:
     picture: str
     rows: tuple[tuple[str, str, str, str], ...]
     moves: bool = False
+    unread: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -262,6 +268,7 @@ def shown(solution: Solution) -> Shown:
         "" if picture is None else picture.svg(),
         tuple(rows_of(result)),
         picture is not None and picture.moves,
+        tuple(field for notice in result.warnings if notice.code == NOT_READ for field in notice.values["fields"]),
     )
 
 

@@ -91,6 +91,16 @@ class FormView:
             message = said.get(path, "")
             control.error = message or None
 
+    def tell_unread(self, fields: Iterable[str]) -> None:
+        """Say under the fields that a method does not read that they change nothing."""
+        unread = set(map(path_of, fields))
+        for path, control in self._inputs.items():
+            if path in unread:
+                control.props["hint"] = word("unread")
+            elif control.props.pop("hint", None) is None:
+                continue
+            control.update()
+
     def _keep(self, heading: str) -> Callable[[Any], None]:
         def kept(event: Any) -> None:
             (self._open.add if event.value else self._open.discard)(heading)

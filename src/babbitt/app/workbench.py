@@ -308,6 +308,7 @@ class Workbench:
             self._fade()
             return
         shown = self.found.bearings[self.place]
+        self._form.tell_unread(shown.unread)
         self._drawing.show(shown)
         if not self.found.quick:
             self._results.show(shown)
