@@ -184,6 +184,9 @@ def test_the_limited_film_closes_its_heat_balance():
     rise = result.starved_outlet_temperature - result.supply_temperature
     power = carried * result.starved_total_flow * rise
     assert power == pytest.approx(result.starved_friction_power, rel=1e-8)
+    parts = result.starved_side_flow + result.starved_supply_flow
+    assert parts == pytest.approx(result.starved_total_flow, rel=1e-12)
+    assert 0.0 < result.starved_side_flow < result.side_flow
     assert result.starved_total_flow < result.side_flow
     assert result.starved_outlet_temperature > result.outlet_temperature
     assert result.starved_minimum_film_thickness < result.minimum_film_thickness

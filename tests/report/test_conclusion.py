@@ -54,6 +54,20 @@ def test_a_row_of_the_first_table_is_of_one_film(gear):
         assert limit == pytest.approx(values["starved_critical_reynolds_number"], rel=1e-12)
 
 
+def test_the_outlet_follows_from_the_row_of_the_first_table(gear, said):
+    heads = [
+        "".join(part[1] if isinstance(part, list) else part for part in one["heading"]) for one in said["columns"]
+    ]
+    for result, solution, row in zip(gear.results, gear.solutions, said["rows"], strict=True):
+        marked = {cell.endswith("*") for cell in (row["cells"][heads.index(name)] for name in ("T → T", "P"))}
+        assert marked == {is_short_of_oil(result)}
+        power = float(row["cells"][heads.index("P")].rstrip("*"))
+        flow = sum(float(cell.rstrip("*")) for head, cell in zip(heads, row["cells"], strict=True) if head == "Q")
+        inlet, outlet = map(float, row["cells"][heads.index("T → T")].rstrip("*").split(" → "))
+        oil = solution.problem.lubricant.volumetric_heat_capacity(273.15 + 0.5 * (inlet + outlet))
+        assert inlet + 1e3 * power / (oil * flow / 6e4) == pytest.approx(outlet, rel=0.01)
+
+
 def test_the_page_of_a_bearing_short_of_oil_shows_both_films(gear, said):
     for result, bearing in zip(gear.results, said["bearings"], strict=True):
         rows = {row["label"]: row for row in bearing["results"]}
@@ -63,7 +77,8 @@ def test_the_page_of_a_bearing_short_of_oil_shows_both_films(gear, said):
             held = next(one for one in bearing["checks"] if one["code"] == "C101")
             assert held["value"] == f"{film['limited']} µm" != f"{film['values'][0]} µm"
             assert rows["Specific load"]["limited"] == rows["Specific load"]["values"][0]
-            assert rows["Side flow"]["limited"] == "–"
+            flows = [float(rows[f"{which} flow"]["limited"]) for which in ("Side", "Supply", "Total")]
+            assert flows[0] + flows[1] == pytest.approx(flows[2], abs=0.11)
 
 
 def test_every_symbol_of_the_first_table_is_explained(said):

@@ -80,6 +80,8 @@ JOURNAL: tuple[Quantity, ...] = (
         "supply_limit", "Q_max", "m3/s", "L/min", 3, "Oil flow of tubes and holes at the whole supply pressure"
     ),
     quantity("starved_total_flow", "Q_st", "m3/s", "L/min", 3, "Oil flow limited to what the supply delivers"),
+    quantity("starved_side_flow", "Q_3,st", "m3/s", "L/min", 3, "Side flow with the limited flow"),
+    quantity("starved_supply_flow", "Q_p,st", "m3/s", "L/min", 3, "Supply flow with the limited flow"),
     quantity("starved_outlet_temperature", "T_ex,st", "K", "degC", 3, "Outlet temperature with the limited flow"),
     quantity(
         "starved_effective_temperature", "T_eff,st", "K", "degC", 3, "Effective temperature with the limited flow"

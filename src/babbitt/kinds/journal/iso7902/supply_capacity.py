@@ -57,6 +57,8 @@ STARVED = {
         "maximum_pressure",
         "friction_coefficient",
         "friction_power",
+        "side_flow",
+        "supply_flow",
         "total_flow",
         "film_reynolds_number",
         "critical_reynolds_number",

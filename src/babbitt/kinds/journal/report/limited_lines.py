@@ -65,7 +65,11 @@ def limited_lines(
         yield sheet.line("starved_friction_power", "starved_friction_coefficient * load * surface_speed")
     else:
         yield sheet.given("starved_friction_power")
-    yield sheet.given("starved_total_flow", "by the supply capacity above, at this film")
+    yield sheet.given(
+        "starved_side_flow", "what the journal takes from the supply, at most Q₃, by the steps above"
+    )
+    yield sheet.given("starved_supply_flow", "by the steps above, at this film")
+    yield sheet.line("starved_total_flow", "starved_side_flow + starved_supply_flow")
     if "starved_heat_to_oil" in sheet and case.cooling is None:
         yield sheet.line(
             "starved_friction_power",
