@@ -75,7 +75,7 @@ def test_a_film_limit_kept_by_little_is_questioned():
     (message,) = said(found, "W191")
     margin = next(one.margin for one in found.checks if one.code == "C101")
     assert 0.0 < margin < THINNER
-    assert f"h_min by {100.0 * margin:.1f} % (C101)" in message
+    assert f"h_min keeps its limit by {100.0 * margin:.1f} % (C101)" in message
     assert found.verdict is Verdict.REMARKS
     assert not said(solved(THIN.replace("55 kN", "35 kN")), "W191")
 
@@ -104,7 +104,7 @@ def test_the_temperature_of_a_bush_can_be_computed_anew_from_what_is_said_of_it(
         check = Check("C108", "outlet_temperature", outlet, outlet + 1.0, Bound.AT_MOST, "")
         (notice,) = warnings_about_margins((check,), found, ("C108",), lambda kelvin: 1.0)
         (kept,) = notice.values["kept"]
-        by = float(kept.message.split(f"{above} and ")[1].split(" K")[0])
+        by = float(kept.message.split(f"{above} + ")[1].split(" K")[0])
         times = float(kept.message.split(" = ")[1].split(" ")[0]) if " = " in kept.message else 1.0
         start = {"outlet": outlet, "inlet": 323.15}[above]
         assert start + by * times == pytest.approx(hottest_metal(outlet, found), abs=0.05)
@@ -421,7 +421,7 @@ def test_a_thickness_of_transition_is_kept_by_a_margin_like_other_films():
     assert speed.quantity == "hydrodynamic_speed"
     (message,) = said(found, "W191")
     margin = found.values.get("starved_minimum_film_thickness", found.minimum_film_thickness) / 20e-6 - 1.0
-    assert f"h_min by {100.0 * margin:.1f} % (C111)" in message
+    assert f"h_min keeps its limit by {100.0 * margin:.1f} % (C111)" in message
     assert not said(solved(FAN + "limits: {transition_film_thickness: 10 um}\n"), "W191")
 
 

@@ -187,6 +187,12 @@ def test_the_limited_film_closes_its_heat_balance():
     parts = result.starved_side_flow + result.starved_supply_flow
     assert parts == pytest.approx(result.starved_total_flow, rel=1e-12)
     assert 0.0 < result.starved_side_flow < result.side_flow
+    assert "Heat balance of ISO 7902-1: T_eff = (T_en + T_ex)/2; all heat of friction leaves with the oil." in (
+        result.assumptions
+    )
+    assert any("counts as full of oil of its T_eff" in said for said in result.assumptions)
+    prescribed = check(replace(CASE_A, effective_temperature=330.0))
+    assert not any("T_ex" in said or "counts as full" in said for said in prescribed.assumptions)
     assert result.starved_total_flow < result.side_flow
     assert result.starved_outlet_temperature > result.outlet_temperature
     assert result.starved_minimum_film_thickness < result.minimum_film_thickness

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
 
-from babbitt import parse_case
+from babbitt import load_case, parse_case
 from babbitt.case import template
 from babbitt.core.kind import kinds
 from babbitt.core.result import Outcome
@@ -16,6 +17,8 @@ from babbitt.report.checker_page import checker_content
 from babbitt.report.content import content
 from babbitt.report.document import report
 from babbitt.solving import solve
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
 
 
 @pytest.fixture(scope="module")
@@ -69,3 +72,27 @@ def test_pads_are_known_again_by_their_inputs_row_by_row(kind):
     labels = {row["label"] for row in given["rows"]}
     assert {"Pads", "Pivot", "Tilt of the housing", "Runout of the collar", "Thrust", "Name"} <= labels
     assert content(solve(parse_case(template("journal"))))["checker"]["given"] == []
+
+
+def test_all_inputs_of_each_bearing_stand_there_and_what_they_share_once():
+    """Of a machine it had only diameter, width, clearance, load, speed and supply."""
+    made = content(solve(load_case(EXAMPLES / "marine_reverse_gear.yaml")))
+    first, *others = made["checker"]["others"]
+    assert first["name"] == "All bearings"
+    assert [one["name"] for one in others] == [row["name"] for row in made["checker"]["rows"]]
+
+    def rows(one):
+        return [(group["title"], row) for group in one["groups"] for row in group["rows"]]
+
+    common = {row["label"]: row["value"] for _, row in rows(first)}
+    assert {"Name", "Thermal expansion of the bearing", "Offset of the axis over the width by tilt"} <= set(common)
+    assert common["Oil volume over flow"] == "10"
+    assert common["Factor on the friction number"] == "1.1"
+    shown = [column["heading"][0] for column in made["checker"]["columns"]]
+    for one, bearing in zip(others, made["bearings"], strict=True):
+        assert {"Angular span", "Supply element"} <= {row["label"] for _, row in rows(one)}
+        groups = [group for group in bearing["inputs"] if group["title"] != "As given"]
+        wanted = [(it["title"], row) for it in groups for row in it["rows"] if row["symbol"] not in shown]
+        told = rows(first) + rows(one)
+        assert len(told) == len(wanted)
+        assert all(it in told for it in wanted)

@@ -70,6 +70,10 @@ def test_the_pump_delivers_what_returns_unused_too_and_not_what_the_sides_draw_i
     assert found.values["total_flow"] == pytest.approx(7e-5, rel=1e-12)
     assert found.values["pump_flow"] == pytest.approx(8e-5, rel=1e-12)
     assert "oil flow Q = 4.2 L/min, required pump flow Q_pump = 4.8 L/min" in found.sentence
+    meant = {one.symbol: one.meant for one in found.sums}
+    assert meant["Q"] == "what passes the films that the limits are held against"
+    assert meant["Q_pump"] == "what all films want, whatever the supply delivers"
+    assert meant["P_f"] == ""
     (surplus,) = (column for column in columns_of(results) if column.heading == "Q_over")
     assert surplus.cells(results) == ["1.2", "–"]
 

@@ -52,15 +52,24 @@ def checker_content(parts: Sequence[Chapter], limits: Sequence[Data], inputs: Se
     Returns
     -------
     dict
-        ``columns`` and ``rows`` of inputs, ``given`` inputs one by one, ``governing`` checks of each bearing,
-        ``limits``.
+        ``columns`` and ``rows`` of inputs, ``others`` of the bearings in that table, ``given`` inputs one by one,
+        ``governing`` checks of each bearing, ``limits``.
     """
     names = [name for name in INPUTS if any(_values(part, name) for part in parts)]
     quantities = [
         QUANTITIES[name].suited(*(one for part in parts for one in _values(part, name))) for name in names
     ]
+    symbols = [symbol_node(one.symbol) for one in quantities]
+    in_table = [
+        (shown_name(part.name), groups)
+        for part, groups in zip(parts, inputs, strict=True)
+        if _values(part, "diameter")
+    ]
     return {
-        "columns": [{"heading": [symbol_node(one.symbol)], "unit": one.display.label} for one in quantities],
+        "columns": [
+            {"heading": [head], "unit": one.display.label} for head, one in zip(symbols, quantities, strict=True)
+        ],
+        "others": _others(in_table, symbols),
         "rows": [
             {
                 "name": shown_name(part.name),
@@ -80,6 +89,41 @@ def checker_content(parts: Sequence[Chapter], limits: Sequence[Data], inputs: Se
         "governing": [governing for part in parts if (governing := _governing(part)) is not None],
         "limits": [one for one in limits if not one["advice"]],
     }
+
+
+def _others(bearings: Sequence[tuple[str, Sequence[Data]]], shown: Sequence[Any]) -> list[Data]:
+    """What each bearing was computed from besides its columns; first what all of several have in common.
+
+    What the case gave in other terms stands there in those of the calculation.
+    """
+    own = [
+        [
+            (group["title"], row)
+            for group in groups
+            for row in group["rows"]
+            if group["title"] != translated("As given") and row["symbol"] not in shown
+        ]
+        for _, groups in bearings
+    ]
+    common = [one for one in own[0] if all(one in rows for rows in own)] if len(own) > 1 else []
+    named = [
+        (translated("All bearings"), common),
+        *(
+            (name, [one for one in rows if one not in common])
+            for (name, _), rows in zip(bearings, own, strict=True)
+        ),
+    ]
+    return [
+        {
+            "name": name,
+            "groups": [
+                {"title": title, "rows": [row for of, row in rows if of == title]}
+                for title in dict.fromkeys(of for of, _ in rows)
+            ],
+        }
+        for name, rows in named
+        if rows
+    ]
 
 
 def _rows(groups: Sequence[Data]) -> list[Data]:

@@ -54,7 +54,7 @@ SHORT = {
     "volumetric_heat_capacity": "Heat capacity per volume",
     "heat_to_oil": "Heat to the oil",
     "heat_to_surroundings": "Heat to the surroundings",
-    "supply_pressure": "Supply pressure",
+    "supply_pressure": "Supply pressure (gauge)",
     "element_pressure": "Pressure at the supply element",
     "empirical_film_limit": "Least film by experience",
     "geometric_film_limit": "Least film by surface geometry",

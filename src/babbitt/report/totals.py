@@ -25,6 +25,13 @@ NAMES = {
 }
 """What is summed up, and how it is called."""
 
+MEANT = {
+    "total_flow": "what passes the films that the limits are held against",
+    "pump_flow": "what all films want, whatever the supply delivers",
+    "heat_to_oil": "what the oil takes away",
+}
+"""What a sum is of, where its name does not say it."""
+
 ONE_FLOW = 1e-3
 """Relative difference up to which the flow of the pump reads as that of the films."""
 
@@ -37,6 +44,7 @@ class Sum:
     symbol: str
     value: str
     unit: str
+    meant: str
 
 
 @dataclass(frozen=True)
@@ -59,7 +67,14 @@ class Totals:
         shown = {name: value for name, value in self.values.items() if not (alike and name == "pump_flow")}
         known = [(name, value, QUANTITIES[name].suited(value)) for name, value in shown.items()]
         return tuple(
-            Sum(translated(NAMES[name]), q.symbol, q.format(value), q.display.label) for name, value, q in known
+            Sum(
+                translated(NAMES[name]),
+                q.symbol,
+                q.format(value),
+                q.display.label,
+                translated(MEANT.get(name, "")),
+            )
+            for name, value, q in known
         )
 
     @property

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
 from time import perf_counter
@@ -211,11 +211,25 @@ def result_of(
         (
             *case.lubricant.assumptions_but_of_conduction,
             *case.assumptions,
+            *assumptions_about_heat(case),
             *assumptions_about_capacity(case, found.film),
         ),
         settings=_settings(case),
         failure=None if found.outcome.solved else failure_of(case, found),
     )
+
+
+def assumptions_about_heat(case: DesignCase) -> Iterator[str]:
+    """What the heat balance of the standard takes for granted, where it is made."""
+    if case.effective_temperature is not None:
+        return
+    mean = "Heat balance of ISO 7902-1: T_eff = (T_en + T_ex)/2"
+    if case.oil_supply is None:
+        yield "Heat balance of ISO 7902-1: T_eff is that of the bearing; the surroundings take all heat of it."
+    elif case.cooling is None:
+        yield f"{mean}; all heat of friction leaves with the oil."
+    else:
+        yield f"{mean}; all heat of friction leaves with the oil and to the surroundings."
 
 
 def _values(case: DesignCase, film: Film, change: Transition | None) -> dict[str, float]:

@@ -114,6 +114,8 @@ def assumptions_about_capacity(case: DesignCase, film: SuppliedFilm) -> Iterator
         yield "Q_p of elements at the ends of the arc goes with the mean cube of the gaps where they stand."
     if not lacks_oil(film):
         return
+    if case.effective_temperature is None:
+        yield "With the flow that the supply delivers the film counts as full of oil of its T_eff (assumption)."
     said = (
         "The supply delivers what its pressure presses through it and what the journal shears off before the load"
     )
