@@ -159,9 +159,6 @@ def test_derived_numbers_are_told_as_they_were_given():
     assert (told["Width"], told["Load"]) == ("0.5 of the diameter", "2 MPa on the projected area")
     assert told["Speed"] == "12 m/s at the surface"
     assert not {"Width", "Load", "Speed"} & words().keys()
-    assert words(load_angle="-90 deg")["Load angle"] == "-90°"
-    assert "Load angle" not in words()
-    assert words(load_angle="37.5 deg")["Load angle"] == "37.5°"
 
 
 def test_form_tolerances_of_the_drawing():

@@ -112,6 +112,8 @@ def test_every_field_that_gives_an_input_is_one_of_the_kind():
     wanted = {}
     for kind in (one for one in kinds().values() if one.name != "hand_made"):
         fields = set(fields_of(kind.load_model()))
+        if kind.name == "journal":  # stands on shafts, too
+            fields |= set(fields_of(kinds()["shaft"].load_model()))
         for path in kind.views.values():
             view = kind.load(path)
             wanted |= {(id(view.left_out), name): names for name, names in view.left_out.items()}
@@ -162,3 +164,28 @@ def test_the_bore_of_a_fit_is_not_the_form_of_the_bore():
         "supply_element: {kind: pocket, width: 40 mm, place: both_sides}\n", "effective_temperature: 60 degC\n"
     )
     assert "Form of the bore" in marked(parse_case(fit))
+
+
+def test_pads_mark_what_their_case_leaves_out():
+    """Tilt, deflection, waviness and a pivot in the middle of a pad stood there as if the case gave them."""
+    case = load_case(EXAMPLES / "turbine_tilting_pads.yaml")
+    found = marked(case)
+    assert {"tilt_offset", "mean_deflection", "waviness", "wave_factor", "Pivot, from the leading edge"} <= found
+    assert not {"roughness_bearing", "Pivot"} & found
+    text = (EXAMPLES / "turbine_tilting_pads.yaml").read_text()
+    written = text.replace("{kind: rocker}", "{kind: rocker, fraction: 0.5}")
+    assert marked(parse_case(written)) == found - {"Pivot, from the leading edge"}
+
+
+def test_the_direction_of_a_load_that_follows_from_a_shaft_is_neither_given_nor_a_default():
+    """It stood twice: as given, and as one that the case leaves out."""
+    machine = solve(load_case(EXAMPLES / "helical_gear_shaft.yaml"))
+    (bearing, *_) = (one for one in content(machine)["bearings"] if one["name"].startswith("Bearing at stage"))
+    told = [(group["title"], row) for group in bearing["inputs"] for row in group["rows"]]
+    of_load = [
+        (title, row) for title, row in told if "oad angle" in row["label"] or "of the load f" in row["label"]
+    ]
+    ((title, row),) = of_load
+    assert (title, row["label"]) == ("Operation", "Direction of the load from +x")
+    assert "left_out" not in row
+    assert "Direction of the load from +x" in marked(load_case(EXAMPLES / "pressure_dam.yaml"))

@@ -52,6 +52,14 @@ OIL = {
 }
 """Fields of what is known of an oil beyond its viscosity; a name of the catalogue does not give it."""
 
+SURFACES = {
+    "tilt_offset": ("surfaces.tilt_offset", "surfaces.profile_tolerance_bearing"),
+    "mean_deflection": ("surfaces.mean_deflection",),
+    "waviness": ("surfaces.waviness", "surfaces.roundness_tolerance_bearing"),
+    "wave_factor": ("surfaces.wave_factor",),
+}
+"""Fields of what keeps surfaces apart beyond their roughness."""
+
 UNITS = {"1e-6/K": "× 10⁻⁶/K"}
 """Units as they look on paper, where the vocabulary writes them for a plain terminal."""
 
@@ -72,11 +80,11 @@ class Row:
         Parameters
         ----------
         left_out : Mapping of str to tuple of str
-            As of `babbitt.report.view.View`, and those of every oil.
+            As of `babbitt.report.view.View`, and those of every oil and all surfaces.
         given : collection of str
             Paths of the fields that the case has written; empty where that is not known.
         """
-        fields = {**left_out, **OIL}.get(self.name or self.label.partition(", pad ")[0], ())
+        fields = {**left_out, **OIL, **SURFACES}.get(self.name or self.label.partition(", pad ")[0], ())
         return bool(fields and given) and not any(_is_field(path, one) for one in fields for path in given)
 
 

@@ -155,6 +155,7 @@ def _citations(problem: PadCase) -> Iterable[str]:
 
 LEFT_OUT = {
     "Pivot": ("pads.pivot", "each.pivot"),
+    "Pivot, from the leading edge": ("pivot.fraction",),
     "Mass of a pad": ("pads.mass", "each.mass"),
     "Inertia of a pad about its pivot": ("pads.inertia", "each.inertia"),
     "Probe, from the leading edge": ("pads.probe_fraction", "each.probe_fraction"),

@@ -189,8 +189,6 @@ def _of_operation(bearing: JournalBearing, point: OperatingPoint | None) -> Iter
     speed = stating(SPEEDS, bearing, point).surface_speed
     if speed is not None:
         yield "Speed", f"{written(speed, 'm/s')} at the surface"
-    if "load_angle" in bearing.model_fields_set:
-        yield "Load angle", _degrees(bearing.load_angle)
 
 
 def _of_cooling(cooling: Cooling | None) -> Iterator[Words]:

@@ -206,8 +206,9 @@ def _operation(case: JournalDesign) -> Iterator[Row]:
         yield Row("Rotational speed of the bearing", f"{case.bearing_speed * 30.0 / math.pi:.4g}", None, "rpm")
     if isinstance(case, FilmCase):
         yield Row("Sense of rotation (x right, y up)", case.rotation.value.replace("_", "-"))
-        if not isinstance(case.duty, PrescribedPosition):
-            yield Row("Direction of the load from +x", f"{math.degrees(case.load_angle):.4g}", None, "°")
+    if case.load_angle is not None and not isinstance(case.duty, PrescribedPosition):
+        yield Row("Direction of the load from +x", f"{math.degrees(case.load_angle):.4g}", None, "°")
+    if isinstance(case, FilmCase):
         if case.rotor_mass is not None:
             yield named_row("rotor_mass", case.rotor_mass)
         if case.shaft_stiffness is not None:

@@ -290,24 +290,23 @@ PivotInput = Annotated[
 
 
 def written_pivot(pad: TiltingPad) -> str:
-    """A pivot in words, for the report."""
-    at = f"at {pad.pivot_fraction:g} of the pad from its leading edge"
+    """What a pivot is, in words, for the report."""
     if pad.rotational_stiffness > 0.0:
-        return f"flexure of {pad.rotational_stiffness / 1e3:.4g} kN m/rad, {at}"
+        return f"flexure of {pad.rotational_stiffness / 1e3:.4g} kN m/rad"
     match pad.pivot:
         case SpringPivot(stiffness):
-            return f"spring of {stiffness / 1e6:.4g} MN/m, {at}"
+            return f"spring of {stiffness / 1e6:.4g} MN/m"
         case LineContact() as line:
             depths = f"{1e3 * line.depth:.4g} and {1e3 * line.housing_depth:.4g} mm"
-            return f"line, {written_contact(line)}, {1e3 * line.length:.4g} mm long, to depths of {depths}, {at}"
+            return f"line, {written_contact(line)}, {1e3 * line.length:.4g} mm long, to depths of {depths}"
         case PointContact() as point:
-            return f"point, {written_contact(point)}, {at}"
+            return f"point, {written_contact(point)}"
         case RockerContact() as rocker:
-            return f"rocker, {1e3 * rocker.length:.4g} mm long, empirical (Palmgren), {at}"
+            return f"rocker, {1e3 * rocker.length:.4g} mm long, empirical (Palmgren)"
         case TablePivot() as table:
-            return f"measured at {len(table.loads)} loads, {at}"
+            return f"measured at {len(table.loads)} loads"
         case _:
-            return f"rigid, {at}"
+            return "rigid"
 
 
 def written_contact(contact: HertzContact) -> str:

@@ -37,6 +37,7 @@ def _bearing(case: PadCase) -> Iterator[Row]:
         ("Assembled clearance", "µm", lambda pad: f"{1e6 * pad.assembled_clearance:.5g}"),
         ("Preload, 1 − assembled/machined clearance", "", lambda pad: f"{pad.preload:.4g}"),
         ("Pivot", "", written_pivot),
+        ("Pivot, from the leading edge", "%", lambda pad: f"{100.0 * pad.pivot_fraction:.4g}"),
         ("Mass of a pad", "kg", lambda pad: f"{pad.mass:.4g}"),
         ("Inertia of a pad about its pivot", "kg m²", lambda pad: f"{pad.inertia:.4g}"),
     ):
