@@ -7,6 +7,7 @@ from functools import cache
 from types import SimpleNamespace
 
 import pytest
+from drawn import Drawn
 from rich.console import Console
 
 from babbitt.case import parse_case
@@ -15,6 +16,7 @@ from babbitt.report.bearing_content import bearing_content
 from babbitt.report.chapters import chapters
 from babbitt.report.export import to_json
 from babbitt.report.table import print_machine
+from babbitt.report.view import view_of
 from babbitt.solving import MachineResult, solve
 
 pytestmark = pytest.mark.usefixtures("no_images")
@@ -104,3 +106,13 @@ def test_misalignment_is_among_the_results() -> None:
     rows = input_rows(machine)
     assert (float(rows[f"{label} x"]), rows[f"{label} y"]) == (0.1, "−0.2")
     assert "misalignment_x" not in to_json(plain())["bearings"][0]["results"]
+
+
+def test_a_film_of_an_inclined_journal_says_where_its_values_hold() -> None:
+    """The pressure of the drawing was less than that of the table, without a word."""
+    said = "The journal is inclined: ε and β are those of the middle of the width"
+    for text, inclined in ((CASE, False), (CASE + "misalignment: {x: 0.1 mm/m, y: -0.2 mm/m}\n", True)):
+        (solution,) = solve(parse_case(text)).solutions
+        assert any(one.startswith(said) for one in solution.result.assumptions) is inclined
+        words = Drawn(view_of(solution.result).picture(solution).svg()).words()
+        assert any(one.endswith("MPa (z = 0)") for one in words) is inclined

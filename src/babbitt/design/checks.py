@@ -216,7 +216,7 @@ def validity_checks(values: Mapping[str, float]) -> Iterator[Check]:
         values["film_reynolds_number"],
         values["critical_reynolds_number"],
         AT_MOST,
-        "41.3 sqrt(D/C), end of the laminar film (ISO 7902-1)",
+        "41.3/√ψ_eff, end of the laminar film (ISO 7902-1)",
     )
     if "transition_speed" in values:
         source = "speed at which the film thins to the film limit of the surfaces"
@@ -236,6 +236,6 @@ def clearance_check(case: CheckedProblem, values: Mapping[str, float]) -> Check:
         case.bearing.mean_relative_clearance,
         values["recommended_relative_clearance"],
         AT_LEAST,
-        "0.8e-3 U^(1/4), U in m/s (Vogelpohl)",
+        "0.8 ‰ U^(1/4), U in m/s (Vogelpohl)",
         advisory=True,
     )

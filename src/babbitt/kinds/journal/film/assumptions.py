@@ -24,6 +24,11 @@ def film_assumptions(case: FilmCase) -> Iterator[str]:
         yield f"One viscosity for the whole film, that at the effective temperature; {surfaces}; {flow}."
     else:
         yield from thermal_assumptions(case, surfaces, flow)
+    if case.bearing.misalignment != (0.0, 0.0):
+        yield (
+            "The journal is inclined: ε and β are those of the middle of the width, h_min and p_max the least and "
+            "the largest at any place of it."
+        )
     yield from displacement_assumptions(case)
     if case.turbulence is not None:
         yield (

@@ -69,7 +69,10 @@ STARVED = {
 }
 """Results with the flow limited to what the supply delivers, by those with all the oil that the film wants."""
 
-SOURCE = "ISO 7902: the supply delivers Q₃; Q_p + (U/2) h b is an estimate (assumption)"
+SOURCE = (
+    "ISO 7902: the supply delivers Q₃; "
+    "Q_p + (U/2) h b with gap h and width b at its edge is an estimate (assumption)"
+)
 
 OF_THE_CLEARANCE = ("W130", "W193")
 

@@ -38,6 +38,9 @@ PLAY, DEEP, HIGHEST, BACK = 0.22, 0.1, 0.55, 0.25
 NAMES = 0.12
 """Room for the highest pressure beyond its area, over the radius."""
 
+ALIKE = 0.995
+"""Pressure of the mid-plane over the largest anywhere, from which on both read as one."""
+
 NARROWEST = 0.02
 """Half the angle of a feed as drawn, rad, at least."""
 
@@ -111,7 +114,8 @@ def film_picture(solution: Solution) -> Picture | None:
     picture = _empty(solution)
     _sizes(picture, solution.result.values, 0.5 * PLAY * case.bearing.diameter / film.film.clearance)
     radius = _bore(film, field.theta)
-    _pressure(picture, field.theta, radius, field.mid_plane_pressure)
+    largest = solution.result.values.get("maximum_pressure", 0.0)
+    _pressure(picture, field.theta, field.mid_plane_pressure, largest)
     around = np.union1d(field.theta, np.linspace(field.theta[0], field.theta[-1], 181))
     _bush(picture, np.interp(around, field.theta, radius), around)
     for number, feed in enumerate(case.bearing.feeds):
@@ -169,8 +173,8 @@ def _bush(picture: Picture, radius: Array, theta: Array) -> None:
     picture.outline(bore, "bore")
 
 
-def _pressure(picture: Picture, theta: Array, radius: Array, pressure: Array) -> None:
-    """Outward from the bush, the highest as `HIGHEST`."""
+def _pressure(picture: Picture, theta: Array, pressure: Array, largest: float) -> None:
+    """That of the mid-plane outward from the bush, the highest as `HIGHEST`; elsewhere may be a larger one."""
     highest = float(pressure.max())
     if not highest > 0.0:
         return
@@ -184,7 +188,8 @@ def _pressure(picture: Picture, theta: Array, radius: Array, pressure: Array) ->
     top = int(outer.argmax())
     quantity = QUANTITIES["maximum_pressure"]
     beside = outer[top] + 0.12
-    picture.text(beside * x[top], beside * y[top], quantity.with_unit(highest))
+    where = " (z = 0)" if highest < ALIKE * largest else ""
+    picture.text(beside * x[top], beside * y[top], quantity.with_unit(highest) + where)
 
 
 def _feed(picture: Picture, theta: Array, radius: Array, feed: FeedSize, field: str) -> None:

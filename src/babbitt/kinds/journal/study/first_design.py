@@ -140,7 +140,7 @@ METHODS = ("iso7902", "film")
 
 REASONS = {
     "lubricant": "viscosity grades of the catalogue (ISO 3448)",
-    "clearance": "fits nearest to the recommended clearance, 0.8e-3 U^(1/4), U in m/s (Vogelpohl); where none is "
+    "clearance": "fits nearest to the recommended clearance, 0.8 ‰ U^(1/4), U in m/s (Vogelpohl); where none is "
     f"near, that ±{TOLERANCE:.0%} (assumption)",
     "width": f"B/D of {WIDTH_RATIOS[0]:g} to {WIDTH_RATIOS[1]:g} in whole steps (assumption)",
     "supply_element": f"pockets of at most {POCKET_SHARE:g} B (end of ISO 7902) at both sides or opposite the "
@@ -370,7 +370,7 @@ def reasons(lines: Sequence[Mapping[str, Any]], limits: Mapping[str, float]) -> 
         mean=decimal(f"{1e3 * mean:.2f}"),
         sign=sign,
         wanted=decimal(f"{1e3 * wanted:.2f}"),
-        rule=translated("0.8e-3 U^(1/4), U in m/s (Vogelpohl)"),
+        rule=translated("0.8 ‰ U^(1/4), U in m/s (Vogelpohl)"),
     )
     low, high = (decimal(f"{end:g}") for end in WIDTH_RATIOS)
     yield translated(
