@@ -78,6 +78,11 @@ def test_the_film_that_the_limits_are_held_against_can_be_followed():
     held = {check.quantity for check in result.limits if is_limited(check.quantity)}
     assert held == {"starved_film_reynolds_number", "starved_minimum_film_thickness", "starved_outlet_temperature"}
     assert held <= {line.name for line in lines_of(case)}
+    bounded = replace(case, limits=replace(case.limits, transition_film_thickness=8e-6))
+    steps = {line.name: line for line in lines_of(bounded)}
+    for name in ("friction_coefficient", "total_flow", "transition_speed"):
+        line = steps[f"starved_{name}"]
+        assert value(line.expression, line.numbers) == pytest.approx(line.value, rel=1e-9), name
 
 
 def test_a_line_reads_formula_numbers_result_unit():

@@ -49,7 +49,7 @@ SI = {
     "": DisplayUnit(""),
     "balance": DisplayUnit("", nothing=1e-12),
     "count": DisplayUnit("", decimals=0),
-    "percent": DisplayUnit("%", 1e2, decimals=2),
+    "percent": DisplayUnit("%", 1e2, decimals=2, nothing=1e-9),
     "permille": DisplayUnit("‰", 1e3),
     "mm": DisplayUnit("mm", 1e3, decimals=2, digits=6),
     "um": DisplayUnit("µm", 1e6, decimals=1),

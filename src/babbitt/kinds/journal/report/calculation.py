@@ -7,9 +7,10 @@ recomputed; a test holds every expression against them.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING
 
+from babbitt.core.limited_flow import limited
 from babbitt.core.result import Result
 from babbitt.kinds.journal.iso7902.film import curves_of
 from babbitt.kinds.journal.iso7902.model import Friction, PrescribedEccentricity
@@ -130,42 +131,86 @@ def _position(case: DesignCase, sheet: JournalSheet) -> Iterator[Line]:
 
 
 def _friction(case: DesignCase, sheet: JournalSheet) -> Iterator[Line]:
-    load_number, angle, remark = "sommerfeld_number", "attitude_angle", "film around the whole circumference"
-    sheared = "pi / ({so} * sqrt(1 - eccentricity_ratio**2))"
-    if case.friction is Friction.CURVE360:
-        from babbitt.kinds.journal.iso7902.characteristics import curves
-
-        full = curves(360, case.bearing.part_width_ratio)
-        eccentricity, ratio = sheet["eccentricity_ratio"], _arguments(sheet)[0]
-        load_number, angle = "full_sommerfeld_number", "full_attitude_angle"
-        remark = "friction number of the full bearing at the same eccentricity"
-        yield sheet.read(load_number, "eccentricity_ratio", ratio, value=full.sommerfeld_number(eccentricity))
-        yield sheet.read(angle, "eccentricity_ratio", ratio, value=full.attitude_angle(eccentricity))
-    elif case.friction is Friction.ARC:
-        remark = "film on the loaded arc only"
-        sheared = "sheared_arc / (2 * {so})"
-        yield sheet.read(
-            "sheared_arc", "eccentricity_ratio", "attitude_angle", "angular_span", value=_sheared_arc(case, sheet)
-        )
-    expression = f"{sheared.format(so=load_number)} + eccentricity_ratio / 2 * sin({angle})"
-    if case.friction_factor != 1.0:
-        expression = f"friction_factor * ({expression})"
-        remark += ", times a factor chosen in the case"
+    yield from _read_for_friction(case, sheet, str)
+    expression, remark = _friction_number(case, str)
     yield sheet.line("friction_number", expression, remark)
     yield sheet.line("friction_coefficient", "friction_number * operating_relative_clearance")
     yield sheet.line("friction_power", "friction_coefficient * load * surface_speed")
     yield sheet.line("friction_torque", "friction_coefficient * load * diameter / 2")
 
 
-def _sheared_arc(case: DesignCase, sheet: JournalSheet) -> float:
+def _limited_friction(case: DesignCase, sheet: JournalSheet) -> Iterator[Line]:
+    yield from _read_for_friction(case, sheet, limited)
+    expression, remark = _friction_number(case, limited)
+    if case.friction_factor == 1.0:
+        expression = f"({expression})"
+    yield sheet.line(
+        "starved_friction_coefficient", f"{expression} * starved_operating_relative_clearance", remark
+    )
+
+
+Named = Callable[[str], str]
+"""How a quantity is called of the film in question: with all the oil that it wants, or with the limited flow."""
+
+
+def _read_for_friction(case: DesignCase, sheet: JournalSheet, named: Named) -> Iterator[Line]:
+    """What the friction number needs besides the results of a film."""
+    if case.friction is Friction.CURVE360:
+        from babbitt.kinds.journal.iso7902.characteristics import curves
+
+        full = curves(360, case.bearing.part_width_ratio)
+        eccentricity, ratio = named("eccentricity_ratio"), _arguments(sheet)[0]
+        for name, value in (
+            ("full_sommerfeld_number", full.sommerfeld_number(sheet[eccentricity])),
+            ("full_attitude_angle", full.attitude_angle(sheet[eccentricity])),
+        ):
+            yield sheet.read(name, eccentricity, ratio, value=value)
+    elif case.friction is Friction.ARC:
+        yield sheet.read(
+            "sheared_arc",
+            named("eccentricity_ratio"),
+            named("attitude_angle"),
+            "angular_span",
+            value=_sheared_arc(case, sheet, named),
+        )
+
+
+def _friction_number(case: DesignCase, named: Named) -> tuple[str, str]:
+    """Expression of the friction number, and what it is of."""
+    so, eccentricity, angle = map(named, ("sommerfeld_number", "eccentricity_ratio", "attitude_angle"))
+    remark = "film around the whole circumference"
+    sheared = f"pi / ({{so}} * sqrt(1 - {eccentricity}**2))"
+    if case.friction is Friction.CURVE360:
+        so, angle = "full_sommerfeld_number", "full_attitude_angle"
+        remark = "friction number of the full bearing at the same eccentricity"
+    elif case.friction is Friction.ARC:
+        remark = "film on the loaded arc only"
+        sheared = "sheared_arc / (2 * {so})"
+    expression = f"{sheared.format(so=so)} + {eccentricity} / 2 * sin({angle})"
+    if case.friction_factor != 1.0:
+        expression = f"friction_factor * ({expression})"
+        remark += ", times a factor chosen in the case"
+    return expression, remark
+
+
+def _sheared_arc(case: DesignCase, sheet: JournalSheet, named: Named) -> float:
     """The integral I that the friction number of the result contains."""
-    so, eps, beta = (sheet[k] for k in ("sommerfeld_number", "eccentricity_ratio", "attitude_angle"))
-    return 2.0 * so * (sheet["friction_number"] / case.friction_factor - eps / 2.0 * math.sin(beta))
+    so, eps, beta, coefficient, clearance = (
+        sheet[named(name)]
+        for name in (
+            "sommerfeld_number",
+            "eccentricity_ratio",
+            "attitude_angle",
+            "friction_coefficient",
+            "operating_relative_clearance",
+        )
+    )
+    return 2.0 * so * (coefficient / clearance / case.friction_factor - eps / 2.0 * math.sin(beta))
 
 
 def _limited(case: DesignCase, sheet: JournalSheet) -> Iterator[Line]:
     scale = LOAD_SCALE.format(width=_loaded_width(sheet), viscosity="starved_effective_viscosity")
-    yield from limited_lines(case, sheet, scale, _arguments(sheet))
+    yield from limited_lines(case, sheet, scale, _arguments(sheet), _limited_friction(case, sheet))
 
 
 def _side_flow(sheet: JournalSheet) -> Iterator[Line]:
@@ -234,18 +279,26 @@ def _limits(case: DesignCase, sheet: JournalSheet) -> Iterator[Line]:
 def _transition(case: DesignCase, sheet: JournalSheet) -> Iterator[Line]:
     if "transition_speed" not in sheet:
         return
-    curves = curves_of(case)
-    eccentricity = 1.0 - 2.0 * sheet["transition_film_thickness"] / (
-        sheet["operating_relative_clearance"] * case.bearing.diameter
-    )
-    reachable = min(eccentricity, curves.largest_eccentricity_ratio)
     yield sheet.given(
         "transition_film_thickness", "as set in the case" if case.limits.transition_film_thickness else "h_lim,2"
     )
-    yield sheet.line(
-        "transition_eccentricity",
-        "1 - 2 * transition_film_thickness / (operating_relative_clearance * diameter)",
-    )
+    yield from _transition_of(case, sheet, str, "viscosity and clearance of the operating point")
+    if "starved_transition_speed" not in sheet:
+        return
+    remark = "viscosity and clearance of the film with the limited flow"
+    if isinstance(case.duty, PrescribedEccentricity):  # under a load of its own, which no result names
+        yield sheet.given("starved_transition_speed", remark)
+    else:
+        yield from _transition_of(case, sheet, limited, remark)
+
+
+def _transition_of(case: DesignCase, sheet: JournalSheet, named: Named, remark: str) -> Iterator[Line]:
+    """The speed at which a film thins to that of transition."""
+    curves, clearance = curves_of(case), named("operating_relative_clearance")
+    eccentricity = 1.0 - 2.0 * sheet["transition_film_thickness"] / (sheet[clearance] * case.bearing.diameter)
+    reachable = min(eccentricity, curves.largest_eccentricity_ratio)
+    sheet.note(transition_eccentricity=eccentricity)
+    yield sheet.line("transition_eccentricity", f"1 - 2 * transition_film_thickness / ({clearance} * diameter)")
     beyond = "beyond the tables: So at their end, the speed is an upper bound" if eccentricity > reachable else ""
     yield sheet.read(
         "transition_sommerfeld_number",
@@ -254,10 +307,11 @@ def _transition(case: DesignCase, sheet: JournalSheet) -> Iterator[Line]:
         value=curves.sommerfeld_number(reachable),
         remark=beyond,
     )
+    viscosity = named("effective_viscosity")
     yield sheet.line(
-        "transition_speed",
-        "specific_load * operating_relative_clearance**2 / (effective_viscosity * transition_sommerfeld_number)",
-        "viscosity and clearance of the operating point",
+        named("transition_speed"),
+        f"specific_load * {clearance}**2 / ({viscosity} * transition_sommerfeld_number)",
+        remark,
     )
 
 

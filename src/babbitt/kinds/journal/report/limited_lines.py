@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
 from babbitt.core.units import ZERO_CELSIUS
@@ -18,7 +18,7 @@ __all__ = ["limited_lines"]
 
 
 def limited_lines(
-    case: DesignCase, sheet: Worksheet, load_scale: str, arguments: tuple[str, str]
+    case: DesignCase, sheet: Worksheet, load_scale: str, arguments: tuple[str, str], friction: Iterable[Line]
 ) -> Iterator[Line]:
     """The steps of the standard once more, at the temperature that the limited flow leaves.
 
@@ -31,6 +31,8 @@ def limited_lines(
         What the Sommerfeld number divides by, as an expression.
     arguments : tuple of str
         What the characteristics are read for in addition to load or position.
+    friction : iterable of Line
+        Of its friction coefficient.
     """
     if "starved_total_flow" not in sheet:
         return
@@ -44,7 +46,9 @@ def limited_lines(
         "starved_operating_relative_clearance",
         "relative_clearance + (expansion_bearing - expansion_journal) * (starved_effective_temperature - 20)",
     )
-    yield sheet.given("starved_effective_viscosity", "by the viscosity law above, at T_eff,st")
+    yield sheet.read(
+        "starved_effective_viscosity", "starved_effective_temperature", remark="by the viscosity law above"
+    )
     yield from _laminar(sheet)
     found = not isinstance(case.duty, PrescribedEccentricity)
     if found:
@@ -60,7 +64,7 @@ def limited_lines(
         "starved_minimum_film_thickness",
         "starved_operating_relative_clearance * diameter / 2 * (1 - starved_eccentricity_ratio)",
     )
-    yield sheet.given("starved_friction_coefficient", "by the friction number above, at ε_st")
+    yield from friction
     if found:  # else the load is that of this film, which no result names
         yield sheet.line("starved_friction_power", "starved_friction_coefficient * load * surface_speed")
     else:
@@ -75,10 +79,6 @@ def limited_lines(
             "starved_friction_power",
             "starved_heat_capacity * starved_total_flow * (starved_outlet_temperature - supply_temperature)",
             "the balance closes",
-        )
-    if "starved_transition_speed" in sheet:
-        yield sheet.given(
-            "starved_transition_speed", "by the steps below, with viscosity and clearance of this film"
         )
 
 
