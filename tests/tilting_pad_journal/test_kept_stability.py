@@ -6,10 +6,11 @@ import pytest
 from pad_journals import OIL, pad_case, result_of, solution_of
 
 from babbitt.case import case_from_dict
+from babbitt.core.notices import Notice
 from babbitt.core.result import Verdict
 from babbitt.kinds.tilting_pad_journal import check
 from babbitt.kinds.tilting_pad_journal.coefficients_over_speed import run_over_speed
-from babbitt.kinds.tilting_pad_journal.fuller_model import ROUNDS, narrowed_pads, with_growth
+from babbitt.kinds.tilting_pad_journal.fuller_model import ROUNDS, kept_by_little, narrowed_pads, with_growth
 from babbitt.kinds.tilting_pad_journal.model import Thermal
 from babbitt.solving import solve
 
@@ -307,6 +308,45 @@ def test_a_limit_that_the_fullest_model_keeps_by_little_is_named_with_its_margin
     assert kept(grown, "W415") == {"C104"}
     for language, said in (("en", "kept by 2.5 K (C104)"), ("de", "mit 2,5 K (C104)"), ("ru", "2,5 K (C104)")):
         assert said in notice.sentence(language)
+
+
+def test_only_limits_that_the_simpler_model_keeps_by_more_are_named():
+    """Of a bearing that keeps one limit by little here, another there."""
+
+    def near(*checks):
+        kept_by = tuple(Notice("W415", "temperature", {"margin": 1.0, "check": check}) for check in checks)
+        return Notice("W415", "kept", {"uncertain": 6.0, "kept": kept_by})
+
+    solved, said = result_of(**NARROW | GROWN), Notice("W422", "model", {"model": "thermal: full"})
+    here, same, more = (
+        replace(solved, warnings=(near(*checks),)) for checks in (("C104", "C404"), ("C104",), ("C104", "C101"))
+    )
+    assert not [*kept_by_little(here, said, same)]
+    (told,) = kept_by_little(here, said, more)
+    assert told.values["kept"] == more.warnings
+
+
+def test_turbulent_films_that_grow_are_judged_as_pads_of_one_temperature_are():
+    """Beside a cold housing growth takes half of the clearance; the fullest model has 61.65 µm."""
+    cold, limit = {"housing": {"temperature": "32 degC"}}, {"minimum_film_thickness": "63 um"}
+    wide = {
+        "diameter": "300 mm", "load": "13 kN", "speed": "357 rad/s", "lubricant": "ISO VG 22",
+        "supply": {"temperature": "59 degC"}, "feed": "spray_bar", "materials": {"bearing_metal": "SnSb12Cu6Pb"},
+        "pads": {
+            "number": 5, "first_pivot": "-54 deg", "extent": "58 deg", "width": "150 mm", "thickness": "40 mm",
+            "clearance": {"kind": "radial", "mean": "340 um"}, "preload": 0.47, "pivot": {"kind": "rigid"},
+        },
+        "surfaces": {"kind": "direct", "roughness_bearing": "1 um", "roughness_journal": "0.5 um"},
+    }  # fmt: skip
+    turbulent = wide | {"walls": cold, "thermal": "global", "turbulence": "ng_pan", "limits": limit}
+    (notice,) = notices(result_of(**turbulent), "W422")
+    (told,) = notice.values["told"]
+    assert told.variant == "little"
+    assert [one.code for one in told.values["kept"]] == ["W416"]
+    steel = {"elastic_modulus": "210 GPa", "thermal_expansion": "12e-6 1/K"}
+    assumed = {"materials": wide["materials"] | {"pads": steel}, "walls": cold | {"pads": {}}}
+    full = result_of(**wide | GROWN | assumed | {"limits": limit, "accuracy": "engineering"})
+    assert [one.code for one in full.limits if not one.ok] == ["C101"]
 
 
 def test_the_message_names_the_model_in_every_language():

@@ -35,19 +35,13 @@ Assumptions by measurement (docs/theory/procedure.md, ``benchmarks/one_temperatu
 with temperatures of their own and walls that conduct differ by less with oils up to ISO VG 68, from ISO 7902 and
 from films of one temperature alike. Fast bearings and thick oils add ``HOTTER_BY_SHEAR``, ``LOADED_BY_SHEAR``."""
 
-THINNER_BESIDE_PRESSED, MUCH_PRESSED = 0.7, 5.0
+THINNER_BESIDE_PRESSED, MUCH_PRESSED = 0.7, 2.0
 """``THINNER`` where the supply presses several times Q₃ through the gap, and how many.
 
 Assumption by a search for the thinnest films among 2400 clean passes (docs/theory/procedure.md): wide slow
-bearings with a pocket opposite under 0.9 MPa, which presses 10 to 22 times Q₃, have 0.60 of the film. From
-which share on is not measured: five times is an assumption, on the safe side of these."""
-
-THINNER_OIL = 0.55
-"""Viscosity over that of one temperature with which the film of a tilted journal must keep its limit.
-
-Assumption: it makes the film of an aligned journal 0.69 times as thick (``THINNER``) at eccentricity ratios about
-0.7, where that goes with the viscosity to the power of 0.6. Four films of tilted journals with temperatures of
-their own are as thick as with 0.58 to 0.65 of it (docs/theory/procedure.md)."""
+bearings with a pocket opposite under 0.9 MPa, which presses 10 to 22 times Q₃, have 0.60 of the film. A narrow
+fast one with a groove around half of the bore under 0.6 MPa, which presses 2.2 times Q₃, has 0.675; none was found
+below twice."""
 
 RISE_OF_METAL, RISE_OF_METAL_BESIDE_PRESSED = 6.2e-3, 8.2e-3
 """K over the root of Pa m/s: rise of the hottest bush above the inlet over sqrt(p̄ U), fast and loaded bearings;
@@ -138,7 +132,7 @@ def warnings_about_margins(
     values: Mapping[str, float],
     of_metal: Collection[str],
     viscosity: Callable[[float], float],
-    over_viscosity: Callable[[float], float] | None = None,
+    narrowed: Callable[[Check, float], Notice | None] | None = None,
 ) -> Iterator[Notice]:
     """Whether a limit is kept by less than films with temperatures of their own usually differ.
 
@@ -151,14 +145,15 @@ def warnings_about_margins(
         Codes of the checks that hold the metal to its limit; see `checks_of_metal`.
     viscosity : callable
         Dynamic viscosity of the oil, Pa s, over the temperature in K.
-    over_viscosity : callable, optional
-        Least film thickness in m over a factor of the viscosity; None where it goes at most with that.
+    narrowed : callable, optional
+        What is said of a check of the film thickness in a gap that tilt or form narrows, with the viscosity over
+        that of the loaded film; None for other gaps, whose film goes at most with the viscosity.
     """
     near = [
         one
         for check in (*checks, *_transition(checks, values))
         if not check.advisory and check.ok
-        for one in _near(check, values, of_metal, viscosity, over_viscosity)
+        for one in _near(check, values, of_metal, viscosity, narrowed)
     ]
     if reduce(operator.or_, (one.holds for one in near), False):
         yield Notice("W191", "kept", {"kept": tuple(one.notice() for one in near if holds_anywhere(one.holds))})
@@ -185,7 +180,7 @@ def _near(
     values: Mapping[str, float],
     of_metal: Collection[str],
     viscosity: Callable[[float], float],
-    over_viscosity: Callable[[float], float] | None,
+    narrowed: Callable[[Check, float], Notice | None] | None,
 ) -> Iterator[_Near]:
     """What of one limit that is kept may be too near."""
     if check.code in FILM_CHECKS or check.quantity.endswith("minimum_film_thickness"):
@@ -194,10 +189,8 @@ def _near(
         # Any film keeps a limit of zero, and there is no share of it.
         by_little = (check.margin < asked) & (check.limit > 0.0)
         yield _Near(by_little, lambda: _about_film(check, values, thinner))
-        if over_viscosity is not None and not by_little:
-            gap = _about_narrowed_gap(check, min(THINNER_OIL, 1.0 / thinner), over_viscosity)
-            if gap is not None:
-                yield _Near(True, lambda: gap)
+        if narrowed is not None and not by_little and (gap := narrowed(check, thinner)) is not None:
+            yield _Near(True, lambda: gap)
     if check.code in of_metal:
         yield _Near(
             check.limit < hottest_metal(check.value, values),
@@ -318,16 +311,6 @@ def _about_film(check: Check, values: Mapping[str, float], thinner: float) -> No
         "margin": check.margin, "check": check.code, "loaded": loaded_temperature(check, values),
         "asked": thinner - 1.0,
     })  # fmt: skip
-
-
-def _about_narrowed_gap(check: Check, factor: float, over_viscosity: Callable[[float], float]) -> Notice | None:
-    thin = over_viscosity(factor)
-    margin, code = check.margin, check.code
-    if thin <= 0.0:
-        return Notice("W191", "no_film", {"margin": margin, "check": code, "factor": factor})
-    if thin < check.limit:
-        return Notice("W191", "narrowed_gap", {"margin": margin, "check": code, "factor": factor, "thin": thin})
-    return None
 
 
 def thinner_oil(check: Check, values: Mapping[str, float], viscosity: Callable[[float], float]) -> float:

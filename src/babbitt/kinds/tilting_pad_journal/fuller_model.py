@@ -18,10 +18,10 @@ from babbitt.reynolds.tilting_pads.bending_mode import bending_stiffness
 from babbitt.reynolds.tilting_pads.model import TiltingPad
 from babbitt.reynolds.tilting_pads.pad_heat import PadBending
 
-__all__ = ["ROUNDS", "narrowed_pads", "warnings_of_fuller_model", "with_growth"]
+__all__ = ["ROUNDS", "kept_by_little", "narrowed_pads", "warnings_of_fuller_model", "with_growth"]
 
-KEPT_BY_LITTLE = "W415"
-"""Of limits that are kept by less than what is uncertain of films with temperatures of their own."""
+KEPT_BY_LITTLE = {"W415", "W416"}
+"""Of limits that are kept by less than what is uncertain of films with temperatures of their own, or of one."""
 
 ROUNDS, SAME_TEMPERATURE = 15, 0.05
 """Growth of pads of one temperature is found anew so often, or until the films would change by less (K)."""
@@ -105,6 +105,7 @@ def with_growth(
         step = rise if math.isnan(falls) else rise / max(falls, 1.0 / FARTHEST)
         if abs(step) <= SAME_TEMPERATURE or rise == 0.0:
             yield from worse(result, said, found, "")
+            yield from kept_by_little(result, said, found)
             return
         before, rise_before, warm = warm, rise, warm + step
     yield Notice("W419", "unsolved", {"end": said, "outcome": Outcome.NOT_CONVERGED.value})
@@ -141,7 +142,13 @@ def stiffness_of(case: PadCase, pad: TiltingPad, bending: PadBending) -> float:
 
 def kept_by_little(base: Result, said: Notice, found: Result) -> Iterator[Notice]:
     """Limits that the fuller model keeps by less than what is uncertain, and the simpler one by more."""
-    if KEPT_BY_LITTLE in base.questioning_codes:
-        return
-    if kept := tuple(one for one in found.warnings if one.code == KEPT_BY_LITTLE):
+    told = {check for _, checks in hardly_kept(base) for check in checks}
+    if kept := tuple(one for one, checks in hardly_kept(found) if not told.issuperset(checks)):
         yield Notice("W422", "little", {"model": said, "kept": kept})
+
+
+def hardly_kept(result: Result) -> Iterator[tuple[Notice, tuple[str, ...]]]:
+    """Warnings of limits that are kept by less than what is uncertain, with the checks that they name."""
+    for warning in result.warnings:
+        if warning.code in KEPT_BY_LITTLE:
+            yield warning, tuple(one.values["check"] for one in warning.values["kept"])

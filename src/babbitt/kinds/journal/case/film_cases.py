@@ -5,7 +5,7 @@ from __future__ import annotations
 from babbitt.case.parts.turbulence import LAWS_OF_TURBULENCE
 from babbitt.kinds.journal.case.as_given import words_of
 from babbitt.kinds.journal.case.assumptions import common_assumptions_of
-from babbitt.kinds.journal.case.film_heat_cases import heat_assumptions, heat_model
+from babbitt.kinds.journal.case.film_heat_cases import fuller_heat_model, heat_assumptions, heat_model
 from babbitt.kinds.journal.case.film_layout import film_layout
 from babbitt.kinds.journal.case.joined_inputs import (
     Inputs,
@@ -42,9 +42,10 @@ def film_case(inputs: Inputs, at: Point, thermal: str | None = None) -> FilmCase
         else asperities_of(bearing.mixed_friction, bearing.surfaces, inputs.materials)
     )
     layout = film_layout(bearing, point, inputs.width, 1.0 if speed >= 0.0 else -1.0)
+    of_film = _film_bearing(inputs, at, layout.feeds)
     return FilmCase(
         name=at.name,
-        bearing=_film_bearing(inputs, at, layout.feeds),
+        bearing=of_film,
         duty=duty(inputs, point),
         journal_speed=speed,
         lubricant=inputs.lubricant,
@@ -84,6 +85,7 @@ def film_case(inputs: Inputs, at: Point, thermal: str | None = None) -> FilmCase
         turbulence=LAWS_OF_TURBULENCE[bearing.turbulence],
         pressure_viscosity=bearing.pressure_viscosity.law() if bearing.pressure_viscosity is not None else None,
         heat=heat_model(inputs, thermal),
+        fuller=fuller_heat_model(inputs, point, thermal) if of_film.is_narrowed else None,
         asperities=asperities.contact if asperities is not None else None,
     )
 

@@ -115,6 +115,9 @@ REFUSED = (
 )
 """Fields that a film with its own temperatures does not know, and why."""
 
+BESIDES = ("dynamic_load", "mixed_friction", "tilt_coefficients", "error_estimate")
+"""Those of them that leave the film itself as it is."""
+
 
 @rule
 def heat_goes_with_the_film(bearing: JournalBearing) -> Iterator[Issue]:
@@ -158,6 +161,11 @@ def unknown_to_own_temperatures(bearing: JournalBearing) -> str:
         ),
         "",
     )
+
+
+def may_have_own_temperatures(bearing: JournalBearing) -> bool:
+    """Whether the film of a bearing could have its own temperatures, but for what is computed besides it."""
+    return all(one.path[0] in BESIDES for one in _issues_of_own_temperatures(bearing))
 
 
 def _issues_of_own_temperatures(bearing: JournalBearing) -> Iterator[Issue]:

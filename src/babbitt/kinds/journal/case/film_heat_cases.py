@@ -14,14 +14,16 @@ from babbitt.kinds.journal.case.film_heat import (
     HOUSING_OVER_BUSH,
     OWN_TEMPERATURES,
     WallsInput,
+    may_have_own_temperatures,
 )
-from babbitt.kinds.journal.case.joined_inputs import Inputs, housing_cooling
+from babbitt.kinds.journal.case.joined_inputs import Inputs, housing_cooling, oil_supply
+from babbitt.kinds.journal.case.operating_point import OperatingPoint
 from babbitt.kinds.journal.film.heat_model import AxialTemperature, HeatModel, TemperatureCoefficients
 from babbitt.properties.materials import structural_material
 from babbitt.reynolds.heat.heat_model import BushRing, ConductingWalls, JournalHeat
 from babbitt.reynolds.heat.thermal_growth import RingGrowth
 
-__all__ = ["heat_assumptions", "heat_model"]
+__all__ = ["fuller_heat_model", "heat_assumptions", "heat_model"]
 
 STEEL_CONDUCTIVITY = 45.0
 """W/(m K), where the material of the bearing is given by its expansion only: an assumption."""
@@ -59,6 +61,26 @@ def heat_model(inputs: Inputs, thermal: str | None = None) -> HeatModel | None:
         bearing.carry_over,
         _growth(inputs, walls),
     )
+
+
+def fuller_heat_model(
+    inputs: Inputs, point: OperatingPoint | None, thermal: str | None = None
+) -> HeatModel | None:
+    """Walls that conduct, for a film of one temperature; None where that is given, or such a film not known.
+
+    Parameters
+    ----------
+    inputs : Inputs
+    point : OperatingPoint or None
+    thermal : str, optional
+        As of `heat_model`.
+    """
+    bearing, supply = inputs.bearing, oil_supply(inputs, point)
+    given = bearing.effective_temperature is not None and thermal is None
+    own = (thermal or bearing.thermal) in OWN_TEMPERATURES
+    if given or own or supply is None or supply.flow is not None or not may_have_own_temperatures(bearing):
+        return None
+    return heat_model(inputs, "full")
 
 
 def heat_assumptions(inputs: Inputs, thermal: str | None = None) -> tuple[str, ...]:

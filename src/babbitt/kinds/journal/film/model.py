@@ -171,6 +171,11 @@ class FilmBearing(Proportions):
     mean_clearance: float | None = None
 
     @property
+    def is_narrowed(self) -> bool:
+        """Whether tilt of the journal or the form of the bore narrows the gap by a length of its own."""
+        return self.misalignment != (0.0, 0.0) or bool(self.crowning) or bool(self.displacement)
+
+    @property
     def loaded_width(self) -> float:
         """Width in m over which the film carries: that of the lands beside grooves around the whole bore."""
         around = (one.width for one in self.feeds if one.extent > WHOLE_TURN and one.width is not None)
@@ -190,8 +195,9 @@ class FilmCase:
     limit knows, is not looked for either without `whirl_speed`.
     `changing_load` acts in addition to the load of the duty; `moving_mass` (kg) then moves with the journal.
     `warnings` arose while the case was made and ride along.
-    With a model of its `heat` the film has its own temperatures; without, one temperature. `asperities` ask for
-    the Stribeck curve with its mixed branch.
+    With a model of its `heat` the film has its own temperatures; without, one temperature, and `fuller` is the
+    model with which it would have its own, of a bearing whose gap is narrowed, where these can be computed.
+    `asperities` ask for the Stribeck curve with its mixed branch.
     """
 
     name: str
@@ -225,6 +231,7 @@ class FilmCase:
     turbulence: TurbulenceLaw | None = None
     pressure_viscosity: OilUnderPressure | None = None
     heat: HeatModel | None = None
+    fuller: HeatModel | None = None
     asperities: AsperityContact | None = None
 
     @property

@@ -18,8 +18,8 @@ from babbitt.kinds.journal.feed_pressure import pressed_area, warnings_about_pre
 from babbitt.kinds.journal.film.isothermal import FilmState
 from babbitt.kinds.journal.film.layout import closed_pockets, supply_numbers, without_pressure
 from babbitt.kinds.journal.film.model import FilmCase
+from babbitt.kinds.journal.film.narrowed_gap import narrowed_gap
 from babbitt.kinds.journal.film.thermal_results import is_notable
-from babbitt.kinds.journal.film.thinner_oil import film_over_viscosity
 from babbitt.kinds.journal.film.unloaded import is_unloaded
 from babbitt.kinds.journal.film.values import fills_of, supply_pressures
 from babbitt.kinds.journal.one_temperature import (
@@ -81,12 +81,12 @@ def film_warnings(
         yield from warnings_about_whirl(whirl)
     if case.heat is None:
         viscosity = usable_viscosity(case.lubricant)
-        over_viscosity = film_over_viscosity(case, state)
+        narrowed = narrowed_gap(case, state)
         metal = checks_of_metal(case.limits)
         yield from _warnings_about_feed_pressure(case, state, values)
         if case.effective_temperature is None:
             yield from _warnings_about_returned_oil(film)
-        yield from warnings_about_margins(checks, values, metal, viscosity, over_viscosity)
+        yield from warnings_about_margins(checks, values, metal, viscosity, narrowed)
         yield from warnings_about_unknown_metal(case, checks, values)
         yield from warnings_about_heat_left_out(case, values)
     elif case.oil_supply is not None:

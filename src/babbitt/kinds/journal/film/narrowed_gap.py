@@ -1,0 +1,116 @@
+"""The film of a journal whose gap is narrowed at places, with temperatures of its own, or with thinner oil."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import cache
+
+from babbitt.core.notices import Notice
+from babbitt.core.result import Check, Outcome
+from babbitt.design.conditions import PrescribedLoad
+from babbitt.kinds.journal.film.isothermal import FilmState, resolution_of
+from babbitt.kinds.journal.film.layout import load_vector
+from babbitt.kinds.journal.film.model import FilmCase
+from babbitt.kinds.journal.film.stable_equilibrium import converged_film, place_of
+from babbitt.kinds.journal.film.thermal_film import film_within_ducts
+
+__all__ = ["film_over_viscosity", "narrowed_gap"]
+
+THINNER_OIL = 0.35
+"""Viscosity over that of one temperature with which the film of a tilted journal must keep its limit where no film
+with temperatures of its own is known, or that of the loaded film if less.
+
+Assumption: of 170 films of tilted journals that a search sought for being the thinnest the one found has 0.39 of
+it (docs/theory/procedure.md)."""
+
+
+def narrowed_gap(case: FilmCase, state: FilmState) -> Callable[[Check, float], Notice | None] | None:
+    """What of the limits of its film a gap that tilt or form narrows does not keep beyond one temperature.
+
+    Tilt, a crowned bore and one that is out of round take the same length from the film however thick it is:
+    ``h_min = c (1 - ε) - |slope| B/2`` at the edge of a tilted journal. The same change of ε takes a larger share
+    of what is left, so that the film must be solved again: with temperatures of its own and walls that conduct
+    (``case.fuller``), or where these are not known with thinner oil.
+
+    Parameters
+    ----------
+    case : FilmCase
+    state : FilmState
+        Its film.
+
+    Returns
+    -------
+    callable or None
+        Of a check of the film thickness and the viscosity over that of the loaded film; None for other gaps, whose
+        film goes at most with the viscosity, and for a prescribed position.
+    """
+    if not case.bearing.is_narrowed or not isinstance(case.duty, PrescribedLoad):
+        return None
+    return _with_own_temperatures(case) if case.fuller is not None else _with_thinner_oil(case, state)
+
+
+def _with_own_temperatures(case: FilmCase) -> Callable[[Check, float], Notice | None]:
+    @cache
+    def warm() -> tuple[Outcome, float]:
+        found = film_within_ducts(of_own_temperatures(case))[1]
+        thickness = 0.0 if found.film is None else found.film.solution.minimum_film_thickness
+        return found.outcome, thickness
+
+    def about(check: Check, _: float) -> Notice | None:
+        outcome, thin = warm()
+        if not outcome.solved:
+            return Notice("W191", "no_warm_film", {
+                "margin": check.margin, "check": check.code, "outcome": outcome.value,
+            })  # fmt: skip
+        if thin < check.limit:
+            return Notice("W191", "warm_film", {"margin": check.margin, "check": check.code, "thin": thin})
+        return None
+
+    return about
+
+
+def of_own_temperatures(case: FilmCase) -> FilmCase:
+    """The case with films of their own temperatures, and nothing besides them."""
+    return replace(
+        case, heat=case.fuller, fuller=None, changing_load=None, asperities=None, tilt_coefficients=False,
+        error_estimate=False, limiting_speeds=False, friction_factor=1.0,
+    )  # fmt: skip
+
+
+def _with_thinner_oil(case: FilmCase, state: FilmState) -> Callable[[Check, float], Notice | None]:
+    over_viscosity = film_over_viscosity(case, state)
+
+    def about(check: Check, thinner: float) -> Notice | None:
+        factor = min(THINNER_OIL, 1.0 / thinner)
+        thin = over_viscosity(factor)
+        if thin <= 0.0:
+            return Notice("W191", "no_film", {"margin": check.margin, "check": check.code, "factor": factor})
+        if thin < check.limit:
+            return Notice("W191", "narrowed_gap", {
+                "margin": check.margin, "check": check.code, "factor": factor, "thin": thin,
+            })  # fmt: skip
+        return None
+
+    return about
+
+
+def film_over_viscosity(case: FilmCase, state: FilmState) -> Callable[[float], float]:
+    """Least film thickness in m over a factor of the viscosity; 0 where no film is found.
+
+    Parameters
+    ----------
+    case : FilmCase
+        Of a given load.
+    state : FilmState
+        Its film; clearance, supply pressures and the bore, as it has given way, are kept.
+    """
+    assert isinstance(case.duty, PrescribedLoad)
+    film, load, place = state.solution.film, load_vector(case, case.duty.load), place_of(state.solution)
+
+    def thickness(factor: float) -> float:
+        thin = replace(film, viscosity=factor * film.viscosity)
+        found = converged_film(thin, load, resolution_of(case), place)
+        return found.minimum_film_thickness if found.outcome.solved else 0.0
+
+    return thickness
