@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import PurePath
@@ -52,6 +53,9 @@ OIL = {
 }
 """Fields of what is known of an oil beyond its viscosity; a name of the catalogue does not give it."""
 
+NUMBERED = re.compile(r"(.+), (?:pieces?|harmonic|wave) (\d+)(?: to \d+)?")
+"""Label of an input of one of several without names, and its number; of alike pieces the first speaks for all."""
+
 UNITS = {"1e-6/K": "× 10⁻⁶/K"}
 """Units as they look on paper, where the vocabulary writes them for a plain terminal."""
 
@@ -76,7 +80,11 @@ class Row:
         given : collection of str
             Paths of the fields that the case has written; empty where that is not known.
         """
-        fields = {**left_out, **OIL}.get(self.name or self.label.partition(", pad ")[0], ())
+        numbered = NUMBERED.fullmatch(self.label)
+        what = numbered[1] if numbered else self.label.partition(", pad ")[0]
+        fields = {**left_out, **OIL}.get(self.name or what, ())
+        if numbered:
+            fields = tuple(field.replace(".", f".{numbered[2]}.", 1) for field in fields)
         return bool(fields and given) and not any(_is_field(path, one) for one in fields for path in given)
 
 
