@@ -224,7 +224,9 @@ class ThrustLineCase(ThrustBearingInputs, CaseFile):
             tuple(self._thrust_harmonic(one) for one in self.ripple),
             given.runouts,
             0.5 if self.loss_limit is None else self.loss_limit,
-            "usual limit in industry: 50 % of the static load" if self.loss_limit is None else "given in the case",
+            "assumption: 50 % of the static load, said to be usual in industry"
+            if self.loss_limit is None
+            else "given in the case",
             None if self.limits is None else self.limits.axial_amplitude,
             () if self.speeds is None else self.speeds.speeds(),
             self.nonlinear,
