@@ -10,7 +10,8 @@ from babbitt.solving import solve
 SHIPPED = files("babbitt.properties.materials").joinpath("limits.toml").read_text(encoding="utf-8")
 OWN = (
     SHIPPED.replace(
-        'source = "assumption: experience values as in textbooks, arranged as in ISO 7902-3, not the text of a standard"',
+        'source = "assumption: experience values as in textbooks, arranged as in ISO 7902-3, '
+        'not the text of a standard"',
         'source = "works standard 17"',
     )
     .replace("[4, 5, 7, 9, 12]", "[40, 50, 70, 90, 120]")
