@@ -62,7 +62,7 @@ POINTS = 45
 
 
 def pad_loads(solution: TiltingPadSolution) -> Figure:
-    """Load and thinnest film of every pad as bars; words stand upright, so that those of neighbours do not meet."""
+    """Load and thinnest film of every pad as bars; words stand upright, clear of those of neighbours."""
     figure, ((left, right),) = Sheet(166.0, 48.0, 1, 2, across=16.0).panels()
     numbers = np.arange(1, len(solution.pads) + 1)
     loads = np.array([state.load for state in solution.pads]) / 1e3
