@@ -7,8 +7,9 @@ from babbitt.case import case_from_dict, template
 from babbitt.core.notices import explanations
 from babbitt.solving import solve
 
-LISTED_ONLY = {"C122", "C408", "C409"}
-"""Named among the checks not made, and never made: what is found is told by warnings (W135, W136)."""
+LISTED_ONLY = {"C122", "C305", "C408", "C409", "C503"}
+"""Named among the checks not made, and never made: what is found is told by warnings (W135, W136), or there is no
+limit (C305) or no film (C503)."""
 
 CLOSES = {"C403"}
 """Heat balances that close in every case; with values of their own in

@@ -13,12 +13,12 @@ from babbitt.solving import solve
 
 JOURNAL = {"C101", "C102", "C103", "C104", "C105", "C106", "C107", "C108", "C111"}
 LIMITS = {
-    "hydrostatic_journal": {"C301", "C302", "C303"},
-    "hydrostatic_pad": {"C301", "C302", "C303"},
-    "hydrostatic_thrust_ring": {"C301", "C302", "C303"},
+    "hydrostatic_journal": {"C301", "C302", "C303", "C305"},
+    "hydrostatic_pad": {"C301", "C302", "C303", "C305"},
+    "hydrostatic_thrust_ring": {"C301", "C302", "C303", "C305"},
     "jacking_pocket": {"C304"},
     "overhung_coupling": set(),
-    "shaft": {"C501", "C502"},
+    "shaft": {"C501", "C502", "C503"},
     "screw_heel": {"C130", "C131"},
     "thrust": {"C103", "C104", "C105", "C106", "C107", "C108", "C202"},
     "tilting_pad_journal": JOURNAL | {"C401", "C402"},

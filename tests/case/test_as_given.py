@@ -157,7 +157,7 @@ def test_uneven_pockets_are_told_with_their_angles_at_each_point():
 def test_derived_numbers_are_told_as_they_were_given():
     told = words(width=None, width_ratio=0.5, load=None, specific_load="2 MPa", speed=None, surface_speed="12 m/s")
     assert (told["Width"], told["Load"]) == ("0.5 of the diameter", "2 MPa on the projected area")
-    assert told["Speed"] == "12 m/s at the surface"
+    assert told["Surface speed"] == "12 m/s"
     assert not {"Width", "Load", "Speed"} & words().keys()
 
 

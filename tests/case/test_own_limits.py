@@ -10,7 +10,8 @@ from babbitt.solving import solve
 SHIPPED = files("babbitt.properties.materials").joinpath("limits.toml").read_text(encoding="utf-8")
 OWN = (
     SHIPPED.replace(
-        'source = "experience values after textbooks (ISO 7902-3 style), not the text of a standard"',
+        'source = "assumption: experience values as in textbooks, arranged as in ISO 7902-3, '
+        'not the text of a standard"',
         'source = "works standard 17"',
     )
     .replace("[4, 5, 7, 9, 12]", "[40, 50, 70, 90, 120]")
@@ -81,3 +82,20 @@ def test_a_file_that_is_not_there(tmp_path):
     (tmp_path / "own.toml").unlink()
     with pytest.raises(CaseError, match="there is no such file"):
         load_case(path)
+
+
+@pytest.mark.parametrize(
+    ("time", "limit", "why"),
+    [
+        ("", 100, "oil volume over flow not given: taken as up to 5 min"),
+        (", circulation_time: 4 min", 100, "oil volume over flow 4 min ≤ 5 min"),
+        (", circulation_time: 6 min", 110, "oil volume over flow 6 min > 5 min"),
+    ],
+)
+def test_the_limit_of_the_outlet_says_why_it_is_the_lower_or_the_higher_one(tmp_path, time, limit, why):
+    file = written(tmp_path, SHIPPED)
+    file.write_text(file.read_text().replace("pressure: 0.2 MPa", f"pressure: 0.2 MPa{time}"))
+    checks = {check.code: check for check in solve(load_case(file)).results[0].checks}
+    assert checks["C104"].limit == pytest.approx(limit + 273.15)
+    assert checks["C104"].source.endswith(f"; {why}")
+    assert checks["C109"].source.endswith("C104 and C108 are the limits (an assumption of this program)")

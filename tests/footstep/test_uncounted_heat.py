@@ -76,7 +76,7 @@ def test_a_rise_that_oil_cannot_have_is_advice(clearance, advised):
     assert check.advisory
     assert check.ok is not advised
     assert ("W176" in {notice.code for notice in result.warnings}) is advised  # then there is no verdict
-    assert check.value == pytest.approx(result.heel_leakage, rel=1e-12)
+    assert check.value == pytest.approx(result.heel_leakage, rel=1e-12)  # all that leaves a smooth heel
     assert "warmed by" in told
 
 
@@ -111,3 +111,16 @@ def test_what_the_advice_about_hot_grooves_says_makes_them_cooler(cooler):
     assert changed.maximum_temperature < result.maximum_temperature
     wider = steady_states(footstep(**(hot | {"clearance": 24.0})))[0]
     assert wider.maximum_temperature > result.maximum_temperature
+
+
+@pytest.mark.parametrize("method", Method)
+def test_the_check_of_the_oil_holds_the_quantity_that_it_names(method):
+    """The cold state feeds the bore: what leaves is the leakage and what goes back, and has a name of its own."""
+    for result in heel_results(FootstepProblem("Heel", footstep(), method)):
+        (check,) = (check for check in result.checks if check.code == "C131")
+        assert check.value == result.values[check.quantity]
+        for notice in result.warnings:
+            if notice.code == "W176" and notice.variant == "left_out":
+                assert notice.values["leaving"] == check.value
+        if method is Method.SUPERPOSITION and result.face_flow < 0.0:
+            assert check.value == pytest.approx(result.heel_leakage - result.face_flow, rel=1e-12)

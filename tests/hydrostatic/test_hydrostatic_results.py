@@ -257,11 +257,11 @@ def unchecked(result):
 
 def test_limits_that_are_not_given_are_listed():
     """Every limit is a check or listed: without a least gap or lift that is wanted there is no verdict."""
-    assert unchecked(hydrostatic_check(pad_case())) == ["C301", "C302", "C303"]
+    assert unchecked(hydrostatic_check(pad_case())) == ["C301", "C302", "C303", "C305"]
     full = hydrostatic_check(pad_case(highest_supply_pressure=6e6, least_gap=20e-6))
-    assert (unchecked(full), {check.code for check in full.checks}) == ([], {"C301", "C302", "C303"})
+    assert (unchecked(full), {check.code for check in full.checks}) == (["C305"], {"C301", "C302", "C303"})
     placed = hydrostatic_check(replace(pad_case(), duty=OperatingConditions(None, gap=45e-6)))
-    assert unchecked(placed) == ["C301", "C303"]
+    assert unchecked(placed) == ["C301", "C303", "C305"]
     assert unchecked(jacking_check(jacking())) == ["C304"]
     lifted = jacking_check(jacking(lift_gap=None, pump_flow=0.1e-3 / 60.0, relief_pressure=20e6))
     assert unchecked(lifted) == ["C301"]

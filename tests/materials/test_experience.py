@@ -90,7 +90,7 @@ def test_round_off_stays_in_the_step(bound):
 def test_specific_loads(family, general, exceptional):
     limit = specific_load_limit(AlloyFamily(family))
     assert (limit.general, limit.exceptional) == (general * 1e6, exceptional * 1e6)
-    assert "experience values after textbooks" in limit.source
+    assert limit.source.startswith("assumption: experience values as in textbooks")
 
 
 def test_families_without_a_public_value_have_none():

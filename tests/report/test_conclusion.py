@@ -7,14 +7,16 @@ import gear_cases
 import pytest
 
 import babbitt
-from babbitt.case import parse_case
-from babbitt.core.language import written_in
+from babbitt.case import load_case, parse_case
+from babbitt.core.language import translated_if_known, written_in
 from babbitt.core.limited_flow import is_short_of_oil
 from babbitt.core.report_level import Level
 from babbitt.core.result_name import ResultName
 from babbitt.kinds.journal.iso7902.procedure import check
+from babbitt.report.citations import citations_of
 from babbitt.report.content import content
 from babbitt.report.scope import scope_of
+from babbitt.report.text import plain_text
 from babbitt.solving import solve
 
 GEAR = Path(babbitt.__file__).parents[2] / "examples" / "marine_reverse_gear.yaml"
@@ -123,3 +125,25 @@ def test_notes_on_references_are_in_the_language_of_the_report():
         with written_in(language_code):
             found = " ".join(content(machine)["conclusion"]["references"])
         assert all(word in found for word in says)
+
+
+SHEETS = [
+    (
+        "journal",
+        "ISO 7902-1:2020, mit ISO 7902-2 und ISO 7902-3: ",
+        " ISO 7902-2 и ISO 7902-3: ",
+    ),
+    ("trawler_thrust_line", "Öl von 45 mPa s: im Fall angegeben", "масло 45 mPa s: задано"),
+    ("screw_heel", "(Gleichungen, berichtigt; siehe ", "(уравнения, исправленные; см. "),
+    ("shaft", "(Kräfte an Stirnrädern", "(силы в прямозубых и косозубых передачах)"),
+]
+
+
+@pytest.mark.parametrize(("kind", "german", "russian"), SHEETS)
+def test_notes_on_references_of_every_kind_are_in_the_language(kind, german, russian):
+    example = Path(babbitt.__file__).parents[2] / "examples" / f"{kind}.yaml"
+    case = load_case(example) if example.exists() else parse_case(babbitt.template(kind))
+    for language_code, says in (("de", german), ("ru", russian)):
+        with written_in(language_code):
+            found = " ".join(translated_if_known(plain_text(said)) for said in citations_of(case))
+        assert says in found

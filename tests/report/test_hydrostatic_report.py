@@ -212,3 +212,12 @@ def test_the_oil_of_a_supply_has_one_name_on_screen_and_paper():
         names = {label("supply_temperature", kind), meaning("supply_temperature", kind)}
         assert names == {"Temperature before the restrictors"}
     assert label("load", "journal") == meaning("load", "journal") == "Load"
+
+
+def test_the_line_behind_a_restrictor_is_printed_and_no_limit_of_temperature_is_hidden():
+    text = PAD.replace("{depth: 1 mm}", "{depth: 1 mm, line_volume: 3 mL}")
+    chapter = content(solve(parse_case(text)))["bearings"][0]
+    rows = {row["label"]: row["value"] for group in chapter["inputs"] for row in group["rows"]}
+    assert rows["Of it in line and ports"] == "3"
+    assert float(rows["Oil behind one restrictor"]) > 3.0
+    assert "C305" in {one["code"] for one in chapter["not_checked"]}

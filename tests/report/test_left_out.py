@@ -143,7 +143,7 @@ def test_every_example_tells_them_apart(name):
     case = load_case(EXAMPLES / name)
     problem = case.calculations()[0].problem
     view = find_view(problem.kind, case.calculations()[0].method.name)
-    rows = [row for group in inputs(problem, view, ()) for row in group.rows]
+    rows = [row for group in inputs(problem, view, getattr(problem, "given", ())) for row in group.rows]
     assert not view.left_out or 0 < len(marked(case)) < len(rows)
 
 
@@ -189,3 +189,30 @@ def test_the_direction_of_a_load_that_follows_from_a_shaft_is_neither_given_nor_
     assert (title, row["label"]) == ("Operation", "Direction of the load from +x")
     assert "left_out" not in row
     assert "Direction of the load from +x" in marked(load_case(EXAMPLES / "pressure_dam.yaml"))
+
+
+SECOND_PIECE = {
+    "shaft": (", modulus: 206 GPa, density: 7850}", ", modulus: 70 GPa}"),
+    "thrust_line": ("- {length: 30 m, diameter: 360 mm}", "- {length: 30 m, diameter: 360 mm}\n"
+                    "  - {length: 1 m, diameter: 360 mm, modulus: 70 GPa}"),
+}  # fmt: skip
+"""What makes the second piece of the template of light metal, of which the density is not written."""
+
+
+@pytest.mark.parametrize("kind", SECOND_PIECE)
+def test_the_steel_of_a_shaft_stands_among_its_inputs_and_is_marked_where_it_is_a_default(kind):
+    case = parse_case(template(kind).replace(*SECOND_PIECE[kind]))
+    calculation = case.calculations()[0]
+    problem = calculation.problem
+    view = find_view(problem.kind, calculation.method.name)
+    steel = {
+        row.label: row.value
+        for group in inputs(problem, view, problem.given)
+        for row in group.rows
+        if row.label.startswith(("Young's modulus", "Density of the shaft"))
+    }
+    density = f"Density of the shaft, pieces 1 to {len(case.shaft)}"
+    assert steel["Young's modulus, piece 1"] == "206 GPa"
+    assert steel["Young's modulus, piece 2"] == "70 GPa"
+    assert steel[density] == "7850 kg/m³"
+    assert marked(case) & steel.keys() == steel.keys() - {"Young's modulus, piece 2"}

@@ -257,6 +257,15 @@ def test_a_shaft_bends_as_far_as_its_result_says():
     assert gears == pytest.approx([0.3, 0.11], rel=1e-3)
 
 
+def test_sizes_of_loads_on_a_shaft_stand_with_the_names_of_what_loads_it():
+    """From the side, where short arrows meet: each size once, with its name, and no number alone."""
+    (_, picture), *_ = drawn(changed("overhung_coupling"))
+    said = picture.words()
+    assert {"Gear and shaft: y 29.42 kN", "Mesh: y 187.9 kN"} <= set(said)
+    assert not {"29.42 kN", "187.9 kN"} & set(said)
+    assert "68.40 kN" in said  # of the mesh from above, where it stands alone
+
+
 def test_a_shaft_line_is_drawn_to_two_scales():
     """Lengths of the pieces, and diameters of solid rods of their area times the factor."""
     pieces = [
@@ -270,6 +279,7 @@ def test_a_shaft_line_is_drawn_to_two_scales():
     assert np.ptp(first[:, 1]) == pytest.approx(0.36 * across, rel=1e-3)
     assert np.ptp(second[:, 1]) == pytest.approx(0.32 * across, rel=1e-3)  # sqrt(0.4^2 - 0.24^2)
     assert "300 kg" in picture.words()
+    assert "L = 30 m" in picture.words()  # the factor stands below it, clear of the words of the ring
     amplitude = solution.result.values["axial_amplitude"]
     assert any(f"{1e6 * amplitude:.3g} µm" in one for one in picture.words())
 

@@ -11,7 +11,7 @@ from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result_name import ResultName
 from babbitt.kinds.journal.iso7902 import check
 from babbitt.kinds.journal.iso7902.model import PrescribedLoad
-from babbitt.report.machine_table import columns_of
+from babbitt.report.machine_table import columns_of, counted_parts
 from babbitt.report.totals import totals
 
 CASES = gear_cases.varied_cases()
@@ -88,3 +88,10 @@ def test_one_flow_is_shown_where_the_pump_delivers_what_leaves_the_films():
     found = totals((fed("a", total_flow=3e-5, side_inflow=0.0), fed("b", total_flow=4e-5, side_inflow=0.0)))
     assert found.values["pump_flow"] == found.values["total_flow"]
     assert "of the pump" not in found.sentence
+
+
+def test_the_shaft_is_counted_beside_its_bearings_and_not_as_one():
+    shaft = replace(TWO[0], kind="shaft", method="beam", name=ResultName("Pinion shaft"))
+    assert counted_parts([shaft, *TWO]) == "2 bearings and Pinion shaft"
+    assert counted_parts(TWO) == "2 bearings"
+    assert counted_parts([shaft]) == "1 bearing"

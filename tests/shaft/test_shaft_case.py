@@ -178,7 +178,7 @@ def test_teeth_and_module_give_the_pitch_diameter():
 
 def test_a_shaft_without_limits_has_no_verdict():
     assert shaft_result(OUTPUT_WHEEL).verdict is Verdict.NO_VERDICT
-    assert {one.code for one in shaft_result(OUTPUT_WHEEL).not_checked} == {"C501", "C502"}
+    assert {one.code for one in shaft_result(OUTPUT_WHEEL).not_checked} == {"C501", "C502", "C503"}
 
 
 REFUSED = {
@@ -253,3 +253,14 @@ def test_the_collar_turns_as_the_shaft():
     ((path, said),) = refusals(given)
     assert path == "bearings[2 'Thrust'].speed"
     assert "the shaft turns at 400 rpm" in said
+
+
+def test_a_bearing_of_which_the_load_alone_is_computed_is_listed_as_not_checked():
+    """The template has its thrust on a support without a film, beside two journal bearings with one."""
+    own = changed()
+    alone = [one["name"] for one in own["bearings"] if one["kind"] in ("radial", "axial", "radial_axial")]
+    result = shaft_result(own)
+    said = {one.code: one.message for one in result.not_checked}
+    assert 0 < len(alone) < len(own["bearings"])
+    assert said["C503"] == f"{', '.join(alone)}: the load alone is computed"
+    assert any("rest on the stiffness of the bearings in the case" in one for one in result.assumptions)

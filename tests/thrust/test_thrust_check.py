@@ -447,7 +447,7 @@ def test_the_pressure_on_the_pad_that_carries_most_is_held_against_the_metal():
     advised = {check.code: check for check in result(thrust="900 kN").checks}
     assert advised["C103"].advisory
     assert advised["C105"].advisory
-    assert advised["C103"].source.startswith("assumption: B83; experience values")
+    assert advised["C103"].source.startswith("assumption: B83; assumption: experience values")
     assert advised["C103"].source.endswith("of journal bearings")
     slow = result(materials=METAL, speed="20 rpm", film_limit="1 um")
     assert {check.code: check.limit for check in slow.checks}["C103"] == 15e6

@@ -204,6 +204,9 @@ def is_given(part: Part, name: str) -> bool:
 def given_paths(part: Part, of: str = "") -> Iterator[str]:
     """Paths of the fields that were written, such as ``surfaces.wave_factor``.
 
+    Those of a nameless piece of a list stand with its number, too, such as ``shaft.modulus`` and
+    ``shaft.2.modulus``.
+
     Parameters
     ----------
     part : Part
@@ -216,9 +219,12 @@ def given_paths(part: Part, of: str = "") -> Iterator[str]:
         if value is None:
             continue
         yield name
-        for piece in value if isinstance(value, tuple) else (value,):
-            if isinstance(piece, Part) and (piece is value or _is_of(getattr(piece, "name", None), of)):
+        for number, piece in enumerate(value if isinstance(value, tuple) else (value,), start=1):
+            own = getattr(piece, "name", None)
+            if isinstance(piece, Part) and (piece is value or _is_of(own, of)):
                 yield from (f"{name}.{path}" for path in given_paths(piece, of))
+                if piece is not value and not own:
+                    yield from (f"{name}.{number}.{path}" for path in given_paths(piece, of))
 
 
 def _is_of(name: str | None, problem: str) -> bool:

@@ -71,7 +71,15 @@ def value_and_limit(check: Check) -> tuple[str, str]:
 
 
 def margin(check: Check) -> str:
-    """The distance to the limit, as `distance` writes it."""
+    """The distance to the limit, as `distance` writes it; from a limit of zero in the unit of the value.
+
+    >>> margin(Check("C203", "unload_margin_bound", 0.269, 0.0, Bound.AT_LEAST, "a film cannot pull"))
+    '+26.9 points'
+    """
+    if check.limit == 0.0 and not check.is_in_kelvin and math.isfinite(check.gap):
+        sign = "−" if check.gap < 0.0 else "+"
+        said = written(check.quantity, abs(check.gap))
+        return sign + (translated("{number} points", number=said[:-1].strip()) if said.endswith("%") else said)
     return distance(check.margin, check.gap if check.is_in_kelvin else math.nan)
 
 

@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 
 from babbitt.core.notices import Notice
 from babbitt.core.result import Bound, Check
+from babbitt.core.units import written
 from babbitt.design.bounds import NO_BOUNDS, Bounds, bounds_of, certain, undecided
 from babbitt.design.conditions import CheckedProblem, surface_speed
 from babbitt.properties.materials import (
+    BearingMetal,
     ExperienceLimit,
+    ExperienceLimits,
     LoadLimits,
     SourcedValue,
+    experience_limits,
     metal_temperature_limit,
     pressure_fed_temperature_limit,
     published_metal_temperature,
@@ -25,6 +31,10 @@ AT_MOST, AT_LEAST = Bound.AT_MOST, Bound.AT_LEAST
 
 SLOW_UP_TO = 1.0
 """Surface speed in m/s up to which the exceptional specific load is granted (an assumption)."""
+
+FILM_BY_EXPERIENCE = (
+    "assumption: experience value for diameter and surface speed, as in textbooks, not the text of a standard"
+)
 
 METAL_CHECKS = ("C105", "C106", "C107")
 """Limits of the bearing metal itself: specific load, speed, their product."""
@@ -91,8 +101,23 @@ def _not_made(case: CheckedProblem, values: Mapping[str, float]) -> Iterator[Not
 def temperature_limit(case: CheckedProblem) -> ExperienceLimit:
     """Temperature limit in K by experience, by the way the bearing is cooled."""
     if case.oil_supply is None:
-        return self_cooled_temperature_limit(case.limits.tables)
-    return pressure_fed_temperature_limit(case.oil_supply.circulation_time, case.limits.tables)
+        limit, why = self_cooled_temperature_limit(case.limits.tables), "cooled by its surroundings"
+        return replace(limit, source=f"{limit.source}; {why}")
+    return fed_temperature_limit(case.oil_supply.circulation_time, case.limits.tables)
+
+
+def fed_temperature_limit(
+    circulation_time: float | None, tables: ExperienceLimits | None = None
+) -> ExperienceLimit:
+    """Temperature limit in K by experience of oil that is fed, with the reason why this one holds."""
+    limit = pressure_fed_temperature_limit(circulation_time, tables)
+    most = written((tables or experience_limits()).circulation_time, "min")
+    if circulation_time is None:
+        why = f"oil volume over flow not given: taken as up to {most}"
+    else:
+        sign = ">" if limit is pressure_fed_temperature_limit(math.inf, tables) else "≤"
+        why = f"oil volume over flow {written(circulation_time, 'min')} {sign} {most}"
+    return replace(limit, source=f"{limit.source}; {why}")
 
 
 def limited_temperature(values: Mapping[str, float]) -> str:
@@ -156,7 +181,7 @@ def film_checks(case: CheckedProblem, values: Mapping[str, float]) -> Iterator[C
     general = None
     if "empirical_film_limit" in values:
         own = case.limits.tables
-        source = "experience value for diameter and surface speed" if own is None else own.source
+        source = FILM_BY_EXPERIENCE if own is None else own.source
         general = values["empirical_film_limit"], source
     yield from _own_or_general("C101", name, film, case.limits.minimum_film_thickness, AT_LEAST, general)
     if "geometric_film_limit" in values:
@@ -205,7 +230,20 @@ def metal_checks(case: CheckedProblem, values: Mapping[str, float]) -> Iterator[
     yield from check("C107", "pressure_speed_product", limits.pv)
     yield from check("C108", hottest, limiting_temperature(case, values))
     if metal is not None:
-        yield from check("C109", hottest, metal.recommended_temperature, advisory=True)
+        yield from check("C109", hottest, recommended_temperature(metal), advisory=True)
+
+
+def recommended_temperature(metal: BearingMetal) -> SourcedValue | None:
+    """What the metal is recommended for, in K, and why that is no limit; None where it is not known.
+
+    The column of GOST 1320-74 stands beside those of load and speed, which are limits, and its standing is not
+    published: that C104 and C108 decide is an assumption.
+    """
+    given = metal.recommended_temperature
+    if given is None:
+        return None
+    why = "a recommendation: of temperatures C104 and C108 are the limits (an assumption of this program)"
+    return SourcedValue(given.value, f"{given.source}; {why}")
 
 
 def validity_checks(values: Mapping[str, float]) -> Iterator[Check]:

@@ -67,5 +67,5 @@ def references(computed: Iterable[tuple[Any, View]]) -> tuple[str, ...]:
             found += [VISCOSITY_LAWS[type(oil.viscosity_law)]] if type(oil.viscosity_law) in VISCOSITY_LAWS else []
             found += [ISO_2909] if oil.viscosity_index is not None else []
             oils[oil.name] = oil
-    found += [f"{oil.name}: {translated_if_known(oil.source)}" for oil in oils.values()]
+    found += [f"{translated_if_known(oil.name)}: {translated_if_known(oil.source)}" for oil in oils.values()]
     return tuple(dict.fromkeys(found))

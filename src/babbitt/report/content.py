@@ -30,8 +30,14 @@ from babbitt.report.citations import references
 from babbitt.report.columns import footnote
 from babbitt.report.findings import Group
 from babbitt.report.labels import label
-from babbitt.report.machine_table import columns_of, in_machine_table, overview_columns, overview_results
-from babbitt.report.names import counted_results, shown_name
+from babbitt.report.machine_table import (
+    columns_of,
+    counted_parts,
+    in_machine_table,
+    overview_columns,
+    overview_results,
+)
+from babbitt.report.names import shown_name
 from babbitt.report.scope import scope_of
 from babbitt.report.symbols import symbol_node
 from babbitt.report.text import plain_lines, plain_text
@@ -187,7 +193,7 @@ def _count(results: Sequence[Result]) -> str:
     parts = [f"{found[word]} {translated(words)}" for word, words in said.items() if found[word]]
     if not any(result.checks for result in results) and set(found) == {Verdict.PASS}:
         return ""
-    return f"{counted_results([result.name for result in results])}: {', '.join(parts)}."
+    return f"{counted_parts(results)}: {', '.join(parts)}."
 
 
 def _totals(summed: Totals) -> Data:

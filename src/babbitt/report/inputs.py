@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import PurePath
@@ -60,6 +61,9 @@ SURFACES = {
 }
 """Fields of what keeps surfaces apart beyond their roughness."""
 
+NUMBERED = re.compile(r"(.+), (?:pieces?|harmonic|wave) (\d+)(?: to \d+)?")
+"""Label of an input of one of several without names, and its number; of alike pieces the first speaks for all."""
+
 UNITS = {"1e-6/K": "× 10⁻⁶/K"}
 """Units as they look on paper, where the vocabulary writes them for a plain terminal."""
 
@@ -84,7 +88,11 @@ class Row:
         given : collection of str
             Paths of the fields that the case has written; empty where that is not known.
         """
-        fields = {**left_out, **OIL, **SURFACES}.get(self.name or self.label.partition(", pad ")[0], ())
+        numbered = NUMBERED.fullmatch(self.label)
+        what = numbered[1] if numbered else self.label.partition(", pad ")[0]
+        fields = {**left_out, **OIL, **SURFACES}.get(self.name or what, ())
+        if numbered:
+            fields = tuple(field.replace(".", f".{numbered[2]}.", 1) for field in fields)
         return bool(fields and given) and not any(_is_field(path, one) for one in fields for path in given)
 
 

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from babbitt.core.language import translated
 from babbitt.core.result import Result
 from babbitt.report.columns import Column, filled
+from babbitt.report.names import counted_results, shown_name
 from babbitt.report.view import view_of
 
-__all__ = ["columns_of", "in_machine_table", "overview_columns", "overview_results"]
+__all__ = ["columns_of", "counted_parts", "in_machine_table", "overview_columns", "overview_results"]
 
 
 def columns_of(results: Sequence[Result]) -> tuple[Column, ...]:
@@ -33,3 +35,19 @@ def in_machine_table(result: Result) -> bool:
     """Whether a result belongs in the table, as its view says."""
     view = view_of(result)
     return view.in_machine_table and bool(view.columns)
+
+
+def counted_parts(results: Sequence[Result]) -> str:
+    """How many bearings results are, and the names of what stands beside them: their shaft, or their oil system.
+
+    Parameters
+    ----------
+    results : sequence of Result
+    """
+    bearings = [one.name for one in results if in_machine_table(one)]
+    beside = [one.name for one in results if not in_machine_table(one)]
+    if not bearings or not beside:
+        return counted_results([one.name for one in results])
+    return translated(
+        "{bearings} and {others}", bearings=counted_results(bearings), others="; ".join(map(shown_name, beside))
+    )

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from babbitt.core.language import decimal, translated
+from babbitt.core.language import decimal, plural, translated
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.units import written
 from babbitt.report.us_words import in_us_units
@@ -43,8 +43,9 @@ def enlarged(what: str, factor: float) -> str:
     >>> enlarged("film", 146.7)
     'film enlarged 147 times'
     """
-    number = decimal(f"{float(f'{factor:.3g}'):g}")
-    return translated("{what} enlarged {number} times", what=translated(what), number=number)
+    size = float(f"{factor:.3g}")
+    number, times = decimal(f"{size:g}"), plural("time", int(size) if size.is_integer() else 2)
+    return translated("{what} enlarged {number} {times}", what=translated(what), number=number, times=times)
 
 
 def round_below(value: float) -> float:

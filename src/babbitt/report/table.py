@@ -20,8 +20,7 @@ from babbitt.core.result import Result
 from babbitt.report import findings
 from babbitt.report.bearing_table import STYLES, bearing_table, engineers_table
 from babbitt.report.columns import ABSENT, Column, footnote
-from babbitt.report.machine_table import columns_of, in_machine_table
-from babbitt.report.names import counted_results
+from babbitt.report.machine_table import columns_of, counted_parts, in_machine_table
 from babbitt.report.text import plain_text
 from babbitt.report.totals import totals
 from babbitt.report.us_words import OF_RESULTS, in_us_units
@@ -212,9 +211,7 @@ def _remarks(results: Sequence[Result]) -> list[RenderableType]:
             parts.append(Text(f"\n{heading}", style=style))
             parts += [Padding(_line(group, several), (0, 0, 0, 2)) for group in groups]
     if not parts and any(result.checks for result in results):
-        parts.append(
-            Text(f"\n{counted_results([r.name for r in results])}: all limits kept, no warnings.", style="green")
-        )
+        parts.append(Text(f"\n{counted_parts(results)}: all limits kept, no warnings.", style="green"))
     return parts
 
 

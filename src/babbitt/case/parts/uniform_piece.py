@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from itertools import groupby
 from typing import Annotated, ClassVar
 
 from pydantic import Field
@@ -11,7 +12,10 @@ from babbitt.case.aliases import FormerWords
 from babbitt.case.part import Issue, Part, rule
 from babbitt.core.units import si, written
 
-__all__ = ["UniformPiece"]
+__all__ = ["MATERIAL", "UniformPiece", "words_of_material"]
+
+MATERIAL = {"Young's modulus": ("shaft.modulus",), "Density of the shaft": ("shaft.density",)}
+"""Inputs that a piece may leave out, by the label of their row: the fields that give them."""
 
 
 class UniformPiece(Part):
@@ -33,3 +37,29 @@ class UniformPiece(Part):
                 f"the bore {written(self.inner_diameter, 'mm')} leaves nothing of the shaft",
                 f"less than {written(self.diameter, 'mm')}",
             )
+
+
+def words_of_material(pieces: Sequence[UniformPiece]) -> Iterator[tuple[str, str]]:
+    """Tell modulus and density of a shaft, pieces in a row that are alike together.
+
+    Parameters
+    ----------
+    pieces : sequence of UniformPiece
+        In the order of the case.
+
+    Yields
+    ------
+    (str, str)
+        What it is, and in which words the case gives it.
+    """
+    for label, (path,) in MATERIAL.items():
+        name = path.rpartition(".")[2]
+        unit = "GPa" if name == "modulus" else "kg/m3"
+        start = 1
+        for (value, _), alike in groupby(
+            pieces, key=lambda one: (getattr(one, name), name in one.model_fields_set)
+        ):
+            last = start + len(tuple(alike)) - 1
+            of = f"piece {start}" if last == start else f"pieces {start} to {last}"
+            yield f"{label}, {of}", written(value, unit).replace("kg/m3", "kg/m³")
+            start = last + 1

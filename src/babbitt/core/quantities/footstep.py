@@ -26,6 +26,14 @@ FOOTSTEP: tuple[Quantity, ...] = (
         4,
         "Net flow of clearance and groove to ambient; negative: oil is drawn in",
     ),
+    quantity(
+        "heel_leaving_flow",
+        "Q_out",
+        "m3/s",
+        "mm3/s",
+        4,
+        "All oil that leaves the footstep: to ambient, by the groove and back into the bore",
+    ),
     quantity("rim_excess_flow", "ΔQ", "m3/s", "mm3/s", 4, "Oil that the rim receives and cannot give away"),
     quantity(
         "groove_outlet_temperature", "θ₁′", "K", "degC", 4, "Temperature of the oil at the end of the groove"

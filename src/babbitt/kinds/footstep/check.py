@@ -147,7 +147,8 @@ def _result(
     checks = (
         Check(
             "C130", "thermal_loop_gain", state.loop_gain, 1.0, Bound.AT_MOST,
-            "less of a disturbance of temperature must come back than there was", advisory=True,
+            "less of a disturbance of temperature must come back than there was; a state that misses it has no "
+            "verdict (W160)", advisory=True,
         ),
         _heat_check(case, state),
     )  # fmt: skip
@@ -161,10 +162,11 @@ def _result(
 
 def _heat_check(case: FootstepProblem, state: SteadyState) -> Check:
     """Advice: the oil that leaves must be able to take the heat left out of it, else such a state cannot last."""
-    name = "heel_leakage" if case.method is Method.SUPERPOSITION else "heel_net_flow"
     needed = needed_flow(case.footstep, state, case.method, LARGEST_RISE)
-    return Check("C131", name, leaving_flow(state, case.method), needed, Bound.AT_LEAST,
-                 f"friction heat at a rise of {LARGEST_RISE:.0f} K", advisory=True)  # fmt: skip
+    return Check(
+        "C131", "heel_leaving_flow", leaving_flow(state, case.method), needed, Bound.AT_LEAST,
+        f"friction heat at a rise of {LARGEST_RISE:.0f} K", advisory=True,
+    )  # fmt: skip
 
 
 def _values(case: FootstepProblem, state: SteadyState) -> dict[str, float]:
@@ -180,6 +182,7 @@ def _values(case: FootstepProblem, state: SteadyState) -> dict[str, float]:
         "heel_groove_flow": state.groove_flow if grooved else nan,
         "heel_leakage": state.leakage if both or not case.is_grooved else nan,
         "heel_net_flow": state.leakage - state.groove_flow if grooved else state.leakage,
+        "heel_leaving_flow": leaving_flow(state, case.method),
         "groove_outlet_temperature": state.groove_temperature,
         "face_outlet_temperature": state.face_temperature if both else nan,
         "face_film_temperature": nan if both else state.face_temperature,
@@ -281,7 +284,8 @@ def _warnings(case: FootstepProblem, state: SteadyState, values: dict[str, float
     if rise > MINOR_RISE:
         yield Notice("W171", values={"heat": heat, "rise": rise})
         if rise > LARGEST_RISE and hotter <= LARGEST_RISE:
-            yield Notice("W176", "left_out", {"rise": rise, "limit": LARGEST_RISE})
+            leaving = leaving_flow(state, case.method)
+            yield Notice("W176", "left_out", {"leaving": leaving, "rise": rise, "limit": LARGEST_RISE})
     if case.is_grooved and "leak_factor" in values:
         yield Notice("W170", values={"eccentricities": case.footstep.end_eccentricities})
 

@@ -170,6 +170,7 @@ def not_checked(case: HydrostaticCase, found: Answer, named: dict[str, float]) -
         yield Notice("C302", "not_found")
     if highest_pressure(case, found.network) is None:
         yield Notice("C303")
+    yield Notice("C305", values={"temperature_rise": named["temperature_rise"]})
 
 
 def refuse_contact(case: HydrostaticCase) -> None:

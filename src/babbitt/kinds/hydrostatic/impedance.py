@@ -41,11 +41,14 @@ class Compressibility:
         Of the oil with its air, Pa.
     manifold_volume : float
         Before the restrictors, m3; matters behind a pump only.
+    line_volume : float
+        That part of `recess_volume` which is in line and ports, m3.
     """
 
     recess_volume: float = 0.0
     bulk_modulus: float = 1.4e9
     manifold_volume: float = 0.0
+    line_volume: float = 0.0
 
     @property
     def recess(self) -> float:

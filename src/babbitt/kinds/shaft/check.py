@@ -38,7 +38,7 @@ def shaft_solution(problem: ShaftProblem, method: str) -> Solution:
         tuple(_checks(problem, values)),
         warnings=problem.warnings,
         not_checked=tuple(_not_checked(problem, values)),
-        assumptions=problem.assumptions,
+        assumptions=(*problem.assumptions, *([RESTS_ON_STIFFNESS] if answer.slopes is not None else [])),
         settings={f"bearing_{place}": one.name for place, one in enumerate(problem.shaft.supports, start=1)},
         arrays=_arrays(answer),
     )
@@ -81,6 +81,11 @@ def _arrays(answer: ShaftAnswer) -> dict[str, Matrix]:
     return {name: (tuple(map(float, row)),) for name, row in arrays.items()}
 
 
+RESTS_ON_STIFFNESS = (
+    "Slope and deflection (C501, C502) rest on the stiffness of the bearings in the case, rigid where none is "
+    "given, not on that of their films."
+)
+
 LIMITS = (("C501", "slope", "support_slope"), ("C502", "deflection", "shaft_deflection"))
 """Code, limit of the case, and the value that is held against it."""
 
@@ -93,6 +98,8 @@ def _checks(problem: ShaftProblem, values: dict[str, float]) -> Iterator[Check]:
 
 
 def _not_checked(problem: ShaftProblem, values: dict[str, float]) -> Iterator[Notice]:
+    if problem.loads_alone:
+        yield Notice("C503", values={"bearings": problem.loads_alone})
     for code, limit, name in LIMITS:
         if name not in values:
             yield Notice(code, "no_pieces")

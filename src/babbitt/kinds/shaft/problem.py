@@ -34,6 +34,8 @@ class ShaftProblem:
     limits : ShaftLimits
     given, warnings, assumptions : tuple
         As of every problem.
+    loads_alone : tuple of str
+        Names of the bearings that have no film, but a load alone.
     """
 
     name: str
@@ -45,3 +47,4 @@ class ShaftProblem:
     given: tuple[tuple[str, str], ...] = ()
     warnings: tuple[Notice, ...] = ()
     assumptions: tuple[str, ...] = ()
+    loads_alone: tuple[str, ...] = ()

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from babbitt.case.parts.uniform_piece import MATERIAL
 from babbitt.core.kind import LazyFunction
 from babbitt.core.solution import Solution
 from babbitt.kinds.shaft.report.tables import tables
@@ -48,6 +49,7 @@ def _figures(solution: Solution, image_format: str = "svg") -> tuple[Drawing, ..
 
 STATICS = View(
     title="Equilibrium of the rigid shaft",
+    left_out={**MATERIAL, "Start of the first piece": ("start",)},
     sections=_sections,
     figures=_figures,
     report_figures=_figures,

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
+from babbitt.case.parts.uniform_piece import MATERIAL
 from babbitt.core.kind import LazyFunction
 from babbitt.kinds.shaft_line.report.citations import SIDORIKA, WITTRICK
 from babbitt.kinds.thrust.report.columns import COLUMNS
@@ -31,10 +32,25 @@ def _citations(_: LineDesign) -> tuple[str, ...]:
 
 FIGURES = LazyFunction("babbitt.kinds.shaft_line.report.figures:line_figures")
 
+LEFT_OUT_OF_LINE = {
+    **LEFT_OUT,
+    **MATERIAL,
+    "Propeller": ("propeller",),
+    "Damping of the propeller": ("propeller.damping",),
+    "Seating": ("seating",),
+    "Mass of the housing": ("seating.housing_mass",),
+    "Damping of the seating": ("seating.damping",),
+    "Mass of a pad": ("pads.mass",),
+    "Inertias of a pad": ("pads.inertia_radial", "pads.inertia_along"),
+    "Thrust ripple": ("ripple",),
+    "Phase of the thrust ripple": ("ripple.phase",),
+}
+"""Inputs that a case may leave out (`babbitt.report.view.View`)."""
+
 FREQUENCY_DOMAIN = View(
     title="Static films, vibration in the frequency domain",
     inputs=_inputs,
-    left_out=LEFT_OUT,
+    left_out=LEFT_OUT_OF_LINE,
     sections=LazyFunction("babbitt.kinds.thrust.report.calculation:line_calculation"),
     figures=FIGURES,
     report_figures=FIGURES,

@@ -7,12 +7,11 @@ from dataclasses import dataclass
 
 from babbitt.core.notices import Notice
 from babbitt.core.result import Bound, Check
-from babbitt.design.checks import USER
+from babbitt.design.checks import USER, fed_temperature_limit, recommended_temperature
 from babbitt.properties.materials import (
     BearingMetal,
     bearing_metal,
     metal_temperature_limit,
-    pressure_fed_temperature_limit,
 )
 
 __all__ = ["ASSUMED_METAL", "TemperatureLimits", "hottest_of_pads"]
@@ -61,7 +60,7 @@ class TemperatureLimits:
             yield from (check for check in self._held(values, PRESCRIBED) if not check.ok)
 
     def _held(self, values: Mapping[str, float], hottest: str) -> Iterator[Check]:
-        by_experience = pressure_fed_temperature_limit()
+        by_experience = fed_temperature_limit(None)
         if self.highest is not None:
             general = by_experience.general, f"{by_experience.source}; for the oil that leaves"
             yield Check("C104", hottest, values[hottest], self.highest, Bound.AT_MOST, USER, general=general)
@@ -73,7 +72,7 @@ class TemperatureLimits:
         if self.metal is not None:
             limit = metal_temperature_limit(self.metal)
             yield Check("C108", hottest, values[hottest], limit.value, Bound.AT_MOST, self._source(limit.source))
-        if self.given_metal is not None and (advised := self.given_metal.recommended_temperature) is not None:
+        if self.given_metal is not None and (advised := recommended_temperature(self.given_metal)) is not None:
             yield Check("C109", hottest, values[hottest], advised.value, Bound.AT_MOST, advised.source, True)
 
     def not_checked(self, values: Mapping[str, float]) -> Iterator[Notice]:

@@ -29,6 +29,8 @@ LEFT_OUT = {
     "Temperature of the films": ("thermal",),
     "Backing ring": ("ring_stiffness",),
     "Crown": ("pads.crown",),
+    "Runout of the collar": ("runout",),
+    "Phase of the runout": ("runout.phase",),
 }
 """Inputs that a case may leave out (`babbitt.report.view.View`)."""
 

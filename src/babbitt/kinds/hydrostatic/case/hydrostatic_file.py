@@ -200,7 +200,10 @@ class HydrostaticFile(FilmChoices, CaseFile):
             duty=self.duty(),
             recesses=Recesses(own.depth, factor),
             compressibility=Compressibility(
-                shape.recess_area * own.depth + own.line_volume, own.bulk_modulus, self.supply.manifold_volume
+                shape.recess_area * own.depth + own.line_volume,
+                own.bulk_modulus,
+                self.supply.manifold_volume,
+                own.line_volume,
             ),
             frequencies=self.frequencies,
             pump_efficiency=self.supply.pump_efficiency,

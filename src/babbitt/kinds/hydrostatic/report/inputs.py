@@ -79,6 +79,9 @@ def feeding_rows(case: HydrostaticCase) -> Iterator[Said]:
     yield "Depth of the recesses", _mm(case.recesses.depth), "mm"
     yield "Friction factor in the recesses", f"{case.recesses.friction_factor:.3g}", ""
     yield "Oil behind one restrictor", f"{1e6 * case.compressibility.recess_volume:.4g}", "mL"
+    yield "Of it in line and ports", f"{1e6 * case.compressibility.line_volume:.4g}", "mL"
+    if not isinstance(supply, FixedPressure):
+        yield "Oil before the restrictors", f"{1e6 * case.compressibility.manifold_volume:.4g}", "mL"
     yield "Bulk modulus of the oil", f"{1e-9 * case.compressibility.bulk_modulus:.4g}", "GPa"
 
 

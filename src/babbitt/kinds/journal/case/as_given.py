@@ -188,7 +188,7 @@ def _of_operation(bearing: JournalBearing, point: OperatingPoint | None) -> Iter
         yield "Load", f"{written(duty.specific_load, 'MPa')} on the projected area"
     speed = stating(SPEEDS, bearing, point).surface_speed
     if speed is not None:
-        yield "Speed", f"{written(speed, 'm/s')} at the surface"
+        yield "Surface speed", written(speed, "m/s")
 
 
 def _of_cooling(cooling: Cooling | None) -> Iterator[Words]:

@@ -6,8 +6,9 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from babbitt.case.parts.uniform_piece import words_of_material
 from babbitt.core.units import written
-from babbitt.kinds.shaft.case.bearings import Place
+from babbitt.kinds.shaft.case.bearings import ShaftBearing
 from babbitt.kinds.shaft.case.parts import GearInput
 from babbitt.kinds.shaft.case.torque import TorquePart
 
@@ -44,22 +45,30 @@ def words_of(case: ShaftCase) -> Iterator[Words]:
         said = ", ".join(f"{axis} {written(value, unit)}" for axis, value, unit in sizes if value)
         yield force.name, f"{_at(force.station)}, {said or 'none'}"
     for bearing in case.bearings:
-        yield bearing.name, f"{BEARINGS[bearing.kind]}, {_at(bearing.station)}{_gives_way(bearing)}"
+        yield (
+            bearing.name,
+            f"{BEARINGS[bearing.kind]}, {_at(bearing.station)}{_gives_way(bearing, bool(case.shaft))}",
+        )
     for place, piece in enumerate(case.shaft, start=1):
         bore = f", bore {written(piece.inner_diameter, 'mm')}" if piece.inner_diameter else ""
         yield (
             f"Shaft, piece {place}",
-            f"{written(piece.length, 'mm')}, diameter {written(piece.diameter, 'mm')}{bore}, "
-            f"E {written(piece.modulus, 'GPa')}, {piece.density:g} kg/m³",
+            f"{written(piece.length, 'mm')}, diameter {written(piece.diameter, 'mm')}{bore}",
         )
+    yield from words_of_material(case.shaft)
+    if case.shaft:
+        yield "Start of the first piece", _at(case.start)
 
 
 def _at(station: float) -> str:
     return f"at {written(station, 'mm')}"
 
 
-def _gives_way(bearing: Place) -> str:
-    stiffness = "" if bearing.stiffness is None else f", {written(bearing.stiffness, 'MN/m')}"
+def _gives_way(bearing: ShaftBearing, bends: bool) -> str:
+    if bearing.stiffness is not None:
+        stiffness = f", {written(bearing.stiffness, 'MN/m')}"
+    else:
+        stiffness = ", rigid" if bends and bearing.as_support().radial else ""
     offset = bearing.offset
     return stiffness + (f", offset {1e6 * offset.x:.4g}, {1e6 * offset.y:.4g} µm" if offset.x or offset.y else "")
 

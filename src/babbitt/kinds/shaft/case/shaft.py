@@ -228,4 +228,5 @@ class ShaftCase(SharedInputs, JournalFile):
             tuple(words_of(self)),
             tuple(about_grouped_digits(self)),
             self.assumptions,
+            tuple(one.name for one in self.bearings if isinstance(one, SupportInput)),
         )

@@ -116,7 +116,7 @@ class _Views:
         (top, bottom), (above_top, above_bottom) = self._reach(side), self._reach(above)
         letter = LETTER * REACH
         over = _levels(((self.place(station), name) for station, name in self._acting_names()), letter)
-        held = ((self.place(one.station), translated_if_known(one.name)) for one in self.shaft.supports)
+        held = ((self.place(one.station), _cut(translated_if_known(one.name))) for one in self.shaft.supports)
         under = _levels(held, letter)
         names = [1.3 * letter * (1 + max((level for *_, level in row), default=-1)) for row in (over, under)]
         lowered = bottom + above_top + 2.5 * NAMES + names[1]
@@ -125,7 +125,9 @@ class _Views:
             part = picture.part(0.0, height, 1.0)
             self.parts.append(part)
             self._bodies(part)
-            self._forces(part, arrows)
+            for one in arrows:
+                part.arrow(one.tail, one.tip, one.style)
+            self._sizes(part, [one for one in arrows if axis == "x" or one.style == "reaction"])
             part.arrow((-1.19, 0.0), (-1.19, 0.16), "dimension")
             part.arrow((-1.19, 0.0), (-1.05, 0.0), "dimension")
             part.text(-1.19, 0.21, axis)
@@ -136,15 +138,19 @@ class _Views:
         return picture
 
     def _acting_names(self) -> list[tuple[float, str]]:
-        """Of what loads the shaft and is drawn in one of the planes at least."""
+        """Of what loads the shaft and is drawn in one of the planes at least, with its arrows from the side.
+
+        Short arrows lie near to each other there: their sizes stand with the names, not beside the arrows.
+        """
         least = LEAST * self.largest
-        return sorted(
-            {
-                (one.station, translated_if_known(one.name))
-                for one in self.acting
-                if max(map(abs, one.force)) > least
-            }
-        )
+        named = []
+        for one in self.acting:
+            if max(map(abs, one.force)) > least:
+                _, y, z = (abs(force) if abs(force) > least else 0.0 for force in one.force)
+                sizes = [f"{axis} {sized('support_load', size)}" for axis, size in (("y", y), ("z", z)) if size]
+                name = _cut(translated_if_known(one.name))
+                named.append((one.station, f"{name}: {', '.join(sizes)}" if sizes else name))
+        return sorted(named)
 
     def bent(self, stations: Array, deflection: Array) -> float | None:
         """The line of the bent shaft in both views, and by how much it is enlarged; None for a straight one."""
@@ -205,10 +211,8 @@ class _Views:
                 if axis == 1 and abs(along) > LEAST * ARROW:
                     yield _Force(style, one.force[2], (x - along, 0.0), (x, 0.0), along=True)
 
-    def _forces(self, part: Canvas, arrows: Sequence[_Force]) -> None:
+    def _sizes(self, part: Canvas, arrows: Sequence[_Force]) -> None:
         taken: list[tuple[float, float]] = []
-        for one in arrows:
-            part.arrow(one.tail, one.tip, one.style)
         for one in sorted(arrows, key=lambda one: one.along):
             self._size(part, one, taken)
 
@@ -230,12 +234,16 @@ class _Views:
         part.text(x, y, words)
 
 
+def _cut(name: str) -> str:
+    """A name of any length in so many letters as there is room for."""
+    return name if len(name) <= MOST_LETTERS else f"{name[: MOST_LETTERS - 1]}…"
+
+
 def _levels(named: Iterable[tuple[float, str]], letter: float) -> list[tuple[float, str, int]]:
     """Names at their places within the picture, and on which level each stands clear of the others."""
     ends: list[float] = []  # of the last name of each level
     placed = []
-    for place, given in sorted(named):
-        name = given if len(given) <= MOST_LETTERS else f"{given[: MOST_LETTERS - 1]}…"
+    for place, name in sorted(named):
         half = 0.5 * LETTER_WIDTH * letter * len(name)
         x = min(max(place, half - REACH), REACH - half)
         level = next((level for level, end in enumerate(ends) if end < x - half), len(ends))

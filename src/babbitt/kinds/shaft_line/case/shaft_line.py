@@ -12,7 +12,7 @@ from pydantic import Field
 from babbitt.case.case_file import CaseFile
 from babbitt.case.part import Issue, Part, exactly_one, rule
 from babbitt.case.parts.fields import Name, WholeNumber
-from babbitt.case.parts.uniform_piece import UniformPiece
+from babbitt.case.parts.uniform_piece import UniformPiece, words_of_material
 from babbitt.core.solution import Calculation
 from babbitt.core.units import si
 from babbitt.core.units import written as written_plainly
@@ -224,7 +224,9 @@ class ThrustLineCase(ThrustBearingInputs, CaseFile):
             tuple(self._thrust_harmonic(one) for one in self.ripple),
             given.runouts,
             0.5 if self.loss_limit is None else self.loss_limit,
-            "usual limit in industry: 50 % of the static load" if self.loss_limit is None else "given in the case",
+            "assumption: 50 % of the static load, said to be usual in industry"
+            if self.loss_limit is None
+            else "given in the case",
             None if self.limits is None else self.limits.axial_amplitude,
             () if self.speeds is None else self.speeds.speeds(),
             self.nonlinear,
@@ -243,9 +245,10 @@ def _words(case: ThrustLineCase) -> Iterator[tuple[str, str]]:
         "Propeller",
         "none, the shaft ends free"
         if propeller is None
-        else f"{written(propeller.mass, 't')} with entrained water, {propeller.blades} blades, "
-        f"damping {written(propeller.damping, 'kN s/m')}",
+        else f"{written(propeller.mass, 't')} with entrained water, {propeller.blades} blades",
     )
+    if propeller is not None:
+        yield "Damping of the propeller", written(propeller.damping, "kN s/m")
     for place, piece in enumerate(case.shaft, start=1):
         bore = f", bore {written(piece.inner_diameter, 'mm')}" if piece.inner_diameter else ""
         mass = f", then {written(piece.end_mass, 'kg')}" if piece.end_mass else ""
@@ -253,19 +256,24 @@ def _words(case: ThrustLineCase) -> Iterator[tuple[str, str]]:
             f"Shaft, piece {place}",
             f"{written(piece.length, 'm')}, diameter {written(piece.diameter, 'mm')}{bore}{mass}",
         )
+    yield from words_of_material(case.shaft)
     yield "Collar and what is rigid to it", written(case.collar_mass, "t")
     if case.seating is None:
         yield "Seating", "rigid"
     else:
-        yield (
-            "Seating",
-            f"{written(case.seating.stiffness, 'GN/m')}, housing {written(case.seating.housing_mass, 't')}",
-        )
+        yield "Seating", written(case.seating.stiffness, "GN/m")
+        yield "Mass of the housing", written(case.seating.housing_mass, "t")
+        yield "Damping of the seating", written(case.seating.damping, "kN s/m")
+    if not case.pads.mass:
+        yield "Mass of a pad", "none"
+    if not (case.pads.inertia_radial or case.pads.inertia_along):
+        yield "Inertias of a pad", "none"
     if not case.ripple:
         yield "Thrust ripple", "none"
-    for one in case.ripple:
+    for number, one in enumerate(case.ripple, start=1):
         harmonic = case._thrust_harmonic(one)
         yield (
             "Thrust ripple",
             f"{written(harmonic.amplitude, 'kN')} at {harmonic.order:g} times the shaft frequency",
         )
+        yield f"Phase of the thrust ripple, harmonic {number}", written(harmonic.phase, "deg")

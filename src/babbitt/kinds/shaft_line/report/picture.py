@@ -75,7 +75,7 @@ def _line(picture: Picture, design: LineDesign) -> None:
         if line.rods
         else [translated("rigid shaft")]
     )
-    picture.notes(-0.98 * REACH, LINE - 0.1, [", ".join(notes)])
+    picture.notes(-0.98 * REACH, LINE - 0.1, notes)
 
 
 def _diameter(rod: Rod) -> float:

@@ -64,9 +64,10 @@ def describe_runout(runouts: tuple[Runout, ...]) -> Iterator[tuple[str, str]]:
     """Say how a case gave its runout, also that it gave none."""
     if not runouts:
         yield "Runout of the collar", "none"
-    for face in runouts:
+    for number, face in enumerate(runouts, start=1):
         waves = "" if face.lobes == 1 else f", {face.lobes} waves"
         yield "Runout of the collar", f"amplitude {written(face.amplitude, 'um').replace(' um', ' µm')}{waves}"
+        yield f"Phase of the runout, wave {number}", written(face.phase, "deg").replace(" deg", "°")
 
 
 def waves_given_twice(runouts: tuple[Runout, ...]) -> Iterator[Issue]:

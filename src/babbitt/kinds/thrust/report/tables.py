@@ -129,7 +129,7 @@ def _over_frequency(result: Result) -> Iterator[dict[str, Any]]:
         yield plain_table(
             f"Films at {nu / math.tau:.3g} Hz",
             ("Pad", "Stiffness", "Damping"),
-            ("", "GN/m", "MNs/m"),
+            ("", "GN/m", "MN s/m"),
             [
                 (str(pad), f"{a / 1e9:.4g}", f"{b / 1e6:.4g}")
                 for pad, (a, b) in enumerate(zip(k, d, strict=True), 1)

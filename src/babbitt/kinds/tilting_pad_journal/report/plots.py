@@ -62,7 +62,7 @@ POINTS = 45
 
 
 def pad_loads(solution: TiltingPadSolution) -> Figure:
-    """Load and thinnest film of every pad as bars."""
+    """Load and thinnest film of every pad as bars; words stand upright, clear of those of neighbours."""
     figure, ((left, right),) = Sheet(166.0, 48.0, 1, 2, across=16.0).panels()
     numbers = np.arange(1, len(solution.pads) + 1)
     loads = np.array([state.load for state in solution.pads]) / 1e3
@@ -81,9 +81,10 @@ def pad_loads(solution: TiltingPadSolution) -> Figure:
                 hatch="///",
             )
         for number, height, has in zip(numbers, heights, carries, strict=True):
-            text = numbers_in_us_units(f"{height:.3g}", unit) if has or panel is right else "unloaded"
+            shown = has or panel is right
+            text = numbers_in_us_units(f"{height:.3g}", unit) if shown else "unloaded"
             panel.annotate(text, (number, height), xytext=(0, 1.5), textcoords="offset points", fontsize=7,
-                           ha="center", va="bottom")  # fmt: skip
+                           ha="center", va="bottom", rotation=0.0 if shown else 90.0)  # fmt: skip
         panel.set_xticks(numbers)
         panel.set_xlabel("pad")
         panel.tick_params(axis="x", length=0.0)
