@@ -58,11 +58,13 @@ FLICKERING = 2e-4
 SEARCHED = {"threshold_speed": 1e-4, "transition_speed": 1e-4, "friction_torque_without_streamers": 1e-7}
 """Results that are searched for to a tolerance of their own, or leave out nodes that are nearly dry."""
 BY_DIFFERENCES = {
-    **{f"{matrix} {part}": 1e-4 for matrix in ("stiffness", "damping") for part in ("size", "trace", "skew")},
+    **{f"stiffness {part}": 1e-4 for part in ("size", "trace", "skew")},
+    **{f"damping {part}": 2e-3 for part in ("size", "trace", "skew")},
     **dict.fromkeys(("critical_mass", "least_stable_mass", "whirl_frequency_ratio"), 1e-2),
     "threshold_speed": 5e-2,
 }
-"""Of bores that give way: differences of films, in which a node more or less is wet; confirmed to a hundredth.
+"""Of bores that give way: differences of films, in which a node more or less is wet (damping by 1.4e-3 of one of
+several hundred on draft grids); confirmed to a hundredth.
 Where the reserve of stability that they give crosses zero moves by more (1.2 % in 1 of 190 on draft grids; this
 bound is that of thermal films, `OF_THERMAL_FILMS`)."""
 OF_THERMAL_FILMS = {"threshold_speed": 5e-2}
