@@ -3,7 +3,7 @@
 import pytest
 
 from babbitt import parse_case
-from babbitt.core.result import Verdict
+from babbitt.core.result import Bound, Check, Verdict
 from babbitt.kinds.journal.case.build import calculations
 from babbitt.kinds.journal.film.isothermal import operating_film
 from babbitt.kinds.journal.film.narrowed_gap import THINNER_OIL, film_over_viscosity, narrowed_gap
@@ -82,6 +82,17 @@ def test_a_tilted_film_must_keep_its_limit_with_temperatures_of_its_own():
     assert not said_of_films(solve(parse_case(LEVEL))["A"])
     slight = TILTED.replace("0.58 mrad", "0.3 mrad")
     assert not said_of_films(solve(parse_case(slight))["A"])
+
+
+def test_the_bush_of_a_tilted_film_must_keep_the_limit_of_its_metal():
+    hottest = solve(parse_case(TILTED + "thermal: full\n"))["A"].maximum_bush_temperature
+    about = narrowed_gap(*film(TILTED))
+    kept, missed = (
+        Check("C108", "outlet_temperature", 330.0, hottest + more, Bound.AT_MOST, "") for more in (0.1, -0.1)
+    )
+    assert about(kept, 1.0) is None
+    told = about(missed, 1.0)
+    assert (told.variant, told.values["hottest"]) == ("warm_metal", pytest.approx(hottest, rel=1e-9))
 
 
 def test_a_tilted_film_of_given_temperature_must_keep_its_limit_with_thinner_oil():

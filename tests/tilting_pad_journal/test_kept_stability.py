@@ -10,6 +10,7 @@ from babbitt.core.notices import Notice
 from babbitt.core.result import Verdict
 from babbitt.kinds.tilting_pad_journal import check
 from babbitt.kinds.tilting_pad_journal.coefficients_over_speed import run_over_speed
+from babbitt.kinds.tilting_pad_journal.fuller_model import GROWN as GROWN_SHARE
 from babbitt.kinds.tilting_pad_journal.fuller_model import ROUNDS, kept_by_little, narrowed_pads, with_growth
 from babbitt.kinds.tilting_pad_journal.model import Thermal
 from babbitt.solving import solve
@@ -313,17 +314,19 @@ def test_a_limit_that_the_fullest_model_keeps_by_little_is_named_with_its_margin
 def test_only_limits_that_the_simpler_model_keeps_by_more_are_named():
     """Of a bearing that keeps one limit by little here, another there."""
 
-    def near(*checks):
-        kept_by = tuple(Notice("W415", "temperature", {"margin": 1.0, "check": check}) for check in checks)
+    def near(*checks, by=1.0):
+        kept_by = tuple(Notice("W415", "temperature", {"margin": by, "check": check}) for check in checks)
         return Notice("W415", "kept", {"uncertain": 6.0, "kept": kept_by})
 
     solved, said = result_of(**NARROW | GROWN), Notice("W422", "model", {"model": "thermal: full"})
     here, same, more = (
         replace(solved, warnings=(near(*checks),)) for checks in (("C104", "C404"), ("C104",), ("C104", "C101"))
     )
+    closer = replace(solved, warnings=(near("C104", by=0.5),))
     assert not [*kept_by_little(here, said, same)]
-    (told,) = kept_by_little(here, said, more)
-    assert told.values["kept"] == more.warnings
+    for found in (more, closer):
+        (told,) = kept_by_little(here, said, found)
+        assert told.values["kept"] == found.warnings
 
 
 def test_turbulent_films_that_grow_are_judged_as_pads_of_one_temperature_are():
@@ -340,13 +343,35 @@ def test_turbulent_films_that_grow_are_judged_as_pads_of_one_temperature_are():
     }  # fmt: skip
     turbulent = wide | {"walls": cold, "thermal": "global", "turbulence": "ng_pan", "limits": limit}
     (notice,) = notices(result_of(**turbulent), "W422")
-    (told,) = notice.values["told"]
-    assert told.variant == "little"
-    assert [one.code for one in told.values["kept"]] == ["W416"]
+    little, grown = notice.values["told"]
+    assert (little.variant, grown.variant) == ("little", "grown")
+    assert [one.code for one in little.values["kept"]] == ["W416"]
     steel = {"elastic_modulus": "210 GPa", "thermal_expansion": "12e-6 1/K"}
     assumed = {"materials": wide["materials"] | {"pads": steel}, "walls": cold | {"pads": {}}}
     full = result_of(**wide | GROWN | assumed | {"limits": limit, "accuracy": "engineering"})
     assert [one.code for one in full.limits if not one.ok] == ["C101"]
+
+
+def test_turbulent_films_whose_growth_takes_most_of_the_clearance_are_questioned():
+    """Of a case whose fullest model closes: 108 µm of one temperature, 48 with the growth of that, limit 27."""
+    closing = {
+        "diameter": "324 mm", "load": "3.516 kN", "speed": "318 rad/s", "lubricant": "ISO VG 15",
+        "supply": {"temperature": "40 degC"}, "feed": "spray_bar", "materials": {"bearing_metal": "SnSb12Cu6Pb"},
+        "pads": {
+            "number": 5, "first_pivot": "-126 deg", "extent": "56.5 deg", "width": "136 mm", "thickness": "56 mm",
+            "clearance": {"kind": "radial", "mean": "444 um"}, "preload": 0.632,
+            "pivot": {"kind": "rigid", "fraction": 0.567},
+        },
+        "walls": {"housing": {"temperature": "20 degC"}}, "limits": {"minimum_film_thickness": "27 um"},
+        "surfaces": {"kind": "direct", "roughness_bearing": "1 um", "roughness_journal": "0.5 um"},
+        "thermal": "global", "turbulence": "ng_pan", "carry_over": 0.88,
+    }  # fmt: skip
+    (notice,) = notices(result_of(**closing), "W422")
+    (told,) = notice.values["told"]
+    assert told.variant == "grown"
+    assert told.values["model"].values["share"] > GROWN_SHARE
+    wide = {"pads.clearance.mean": "600 um"}
+    assert not notices(result_of(wide, **closing), "W422")
 
 
 def test_the_message_names_the_model_in_every_language():

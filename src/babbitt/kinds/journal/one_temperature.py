@@ -146,8 +146,8 @@ def warnings_about_margins(
     viscosity : callable
         Dynamic viscosity of the oil, Pa s, over the temperature in K.
     narrowed : callable, optional
-        What is said of a check of the film thickness in a gap that tilt or form narrows, with the viscosity over
-        that of the loaded film; None for other gaps, whose film goes at most with the viscosity.
+        What is said of a check of film thickness or metal in a gap that tilt or form narrows, with the viscosity
+        over that of the loaded film; None for other gaps, whose film goes at most with the viscosity.
     """
     near = [
         one
@@ -192,10 +192,10 @@ def _near(
         if narrowed is not None and not by_little and (gap := narrowed(check, thinner)) is not None:
             yield _Near(True, lambda: gap)
     if check.code in of_metal:
-        yield _Near(
-            check.limit < hottest_metal(check.value, values),
-            lambda: _about_metal(check, values),
-        )
+        by_estimate = check.limit < hottest_metal(check.value, values)
+        yield _Near(by_estimate, lambda: _about_metal(check, values))
+        if narrowed is not None and not by_estimate and (hotter := narrowed(check, 1.0)) is not None:
+            yield _Near(True, lambda: hotter)
     if check.code == "C110":
         sooner = larger(thinner_oil(check, values, viscosity), TURBULENT_SOONER)
         yield _Near(

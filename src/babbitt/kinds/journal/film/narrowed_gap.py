@@ -7,8 +7,9 @@ from dataclasses import replace
 from functools import cache
 
 from babbitt.core.notices import Notice
-from babbitt.core.result import Check, Outcome
+from babbitt.core.result import Check
 from babbitt.design.conditions import PrescribedLoad
+from babbitt.design.heat_balance import Equilibrium
 from babbitt.kinds.journal.film.isothermal import FilmState, resolution_of
 from babbitt.kinds.journal.film.layout import load_vector
 from babbitt.kinds.journal.film.model import FilmCase
@@ -26,7 +27,7 @@ it (docs/theory/procedure.md)."""
 
 
 def narrowed_gap(case: FilmCase, state: FilmState) -> Callable[[Check, float], Notice | None] | None:
-    """What of the limits of its film a gap that tilt or form narrows does not keep beyond one temperature.
+    """What of the limits of film and metal a gap that tilt or form narrows does not keep beyond one temperature.
 
     Tilt, a crowned bore and one that is out of round take the same length from the film however thick it is:
     ``h_min = c (1 - ε) - |slope| B/2`` at the edge of a tilted journal. The same change of ε takes a larger share
@@ -42,8 +43,8 @@ def narrowed_gap(case: FilmCase, state: FilmState) -> Callable[[Check, float], N
     Returns
     -------
     callable or None
-        Of a check of the film thickness and the viscosity over that of the loaded film; None for other gaps, whose
-        film goes at most with the viscosity, and for a prescribed position.
+        Of a check of film thickness or metal, and the viscosity over that of the loaded film; None for other gaps,
+        whose film goes at most with the viscosity, and for a prescribed position.
     """
     if not case.bearing.is_narrowed or not isinstance(case.duty, PrescribedLoad):
         return None
@@ -52,22 +53,33 @@ def narrowed_gap(case: FilmCase, state: FilmState) -> Callable[[Check, float], N
 
 def _with_own_temperatures(case: FilmCase) -> Callable[[Check, float], Notice | None]:
     @cache
-    def warm() -> tuple[Outcome, float]:
-        found = film_within_ducts(of_own_temperatures(case))[1]
-        thickness = 0.0 if found.film is None else found.film.solution.minimum_film_thickness
-        return found.outcome, thickness
+    def warm() -> Equilibrium[FilmState]:
+        return film_within_ducts(of_own_temperatures(case))[1]
 
     def about(check: Check, _: float) -> Notice | None:
-        outcome, thin = warm()
-        if not outcome.solved:
-            return Notice("W191", "no_warm_film", {
-                "margin": check.margin, "check": check.code, "outcome": outcome.value,
+        found = warm()
+        if check.is_in_kelvin:
+            hottest = 0.0 if found.film is None else hottest_bush(found.film)
+            if not found.outcome.solved or hottest <= check.limit:
+                return None
+            return Notice("W191", "warm_metal", {
+                "margin": check.limit - check.value, "check": check.code, "hottest": hottest,
             })  # fmt: skip
+        if not found.outcome.solved or found.film is None:
+            return Notice("W191", "no_warm_film", {
+                "margin": check.margin, "check": check.code, "outcome": found.outcome.value,
+            })  # fmt: skip
+        thin = found.film.solution.minimum_film_thickness
         if thin < check.limit:
             return Notice("W191", "warm_film", {"margin": check.margin, "check": check.code, "thin": thin})
         return None
 
     return about
+
+
+def hottest_bush(state: FilmState) -> float:
+    """Highest temperature of the bush of a film with temperatures of its own, K."""
+    return 0.0 if state.thermal is None else float(state.thermal.bush_temperature.max())
 
 
 def of_own_temperatures(case: FilmCase) -> FilmCase:
@@ -82,6 +94,8 @@ def _with_thinner_oil(case: FilmCase, state: FilmState) -> Callable[[Check, floa
     over_viscosity = film_over_viscosity(case, state)
 
     def about(check: Check, thinner: float) -> Notice | None:
+        if check.is_in_kelvin:
+            return None
         factor = min(THINNER_OIL, 1.0 / thinner)
         thin = over_viscosity(factor)
         if thin <= 0.0:
