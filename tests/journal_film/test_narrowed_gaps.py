@@ -1,13 +1,17 @@
 """Films of one temperature whose gap tilt narrows at the edge: how much thinner they may be than they say."""
 
+from dataclasses import replace
+
 import pytest
 
 from babbitt import parse_case
 from babbitt.core.result import Bound, Check, Verdict
+from babbitt.design.conditions import PrescribedLoad
 from babbitt.kinds.journal.case.build import calculations
 from babbitt.kinds.journal.film.isothermal import operating_film
 from babbitt.kinds.journal.film.narrowed_gap import THINNER_OIL, film_over_viscosity, narrowed_gap
 from babbitt.kinds.journal.one_temperature import THINNER
+from babbitt.reynolds.model import Cavitation
 from babbitt.solving import solve
 
 TILTED = """
@@ -82,6 +86,15 @@ def test_a_tilted_film_must_keep_its_limit_with_temperatures_of_its_own():
     assert not said_of_films(solve(parse_case(LEVEL))["A"])
     slight = TILTED.replace("0.58 mrad", "0.3 mrad")
     assert not said_of_films(solve(parse_case(slight))["A"])
+
+
+def test_a_tilted_film_that_invents_oil_or_carries_nothing_has_an_end():
+    """The film with its own temperatures conserves its oil; without load it holds the journal nowhere."""
+    case, state = film(TILTED)
+    inventing = narrowed_gap(replace(case, cavitation=Cavitation.REYNOLDS), state)
+    check = Check("C101", "minimum_film_thickness", 20e-6, 10e-6, Bound.AT_LEAST, "")
+    assert inventing(check, 1.0).variant == "warm_film"
+    assert narrowed_gap(replace(case, duty=PrescribedLoad(0.0)), state) is None
 
 
 def test_the_bush_of_a_tilted_film_must_keep_the_limit_of_its_metal():

@@ -83,7 +83,7 @@ def test_names_stay_words(kind):
 def test_names_of_what_stands_on_a_shaft_stay_words():
     template = kinds()["shaft"].read_template().replace("name: Wheel", "name: '<script>a</script>'")
     picture = drawn(template)[0][1]
-    assert "<script>a</script>" in picture.words()
+    assert any(word.startswith("<script>a</script>") for word in picture.words())
     assert not list(picture.root.iter("{http://www.w3.org/2000/svg}script"))
 
 

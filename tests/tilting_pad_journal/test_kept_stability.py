@@ -7,7 +7,7 @@ from pad_journals import OIL, pad_case, result_of, solution_of
 
 from babbitt.case import case_from_dict
 from babbitt.core.notices import Notice
-from babbitt.core.result import Verdict
+from babbitt.core.result import Outcome, Verdict
 from babbitt.kinds.tilting_pad_journal import check
 from babbitt.kinds.tilting_pad_journal.coefficients_over_speed import run_over_speed
 from babbitt.kinds.tilting_pad_journal.fuller_model import GROWN as GROWN_SHARE
@@ -343,7 +343,7 @@ def test_turbulent_films_that_grow_are_judged_as_pads_of_one_temperature_are():
     }  # fmt: skip
     turbulent = wide | {"walls": cold, "thermal": "global", "turbulence": "ng_pan", "limits": limit}
     (notice,) = notices(result_of(**turbulent), "W422")
-    little, grown = notice.values["told"]
+    little, grown, *_ = notice.values["told"]
     assert (little.variant, grown.variant) == ("little", "grown")
     assert [one.code for one in little.values["kept"]] == ["W416"]
     steel = {"elastic_modulus": "210 GPa", "thermal_expansion": "12e-6 1/K"}
@@ -367,11 +367,34 @@ def test_turbulent_films_whose_growth_takes_most_of_the_clearance_are_questioned
         "thermal": "global", "turbulence": "ng_pan", "carry_over": 0.88,
     }  # fmt: skip
     (notice,) = notices(result_of(**closing), "W422")
-    (told,) = notice.values["told"]
-    assert told.variant == "grown"
-    assert told.values["model"].values["share"] > GROWN_SHARE
+    grown, laminar = notice.values["told"]
+    assert (grown.variant, laminar.variant) == ("grown", "unsolved")
+    assert grown.values["model"].values["share"] > GROWN_SHARE
     wide = {"pads.clearance.mean": "600 um"}
     assert not notices(result_of(wide, **closing), "W422")
+
+
+def test_films_that_are_turbulent_in_wide_gaps_alone_are_asked_as_laminar_ones():
+    """Pads that growth at one temperature leaves three quarters of their clearance, and that of hot films none."""
+    closing = {
+        "diameter": "757 mm", "load": "136 kN", "speed": "117 rad/s", "lubricant": "ISO VG 22",
+        "supply": {"temperature": "44 degC"}, "materials": {"bearing_metal": "SnSb12Cu6Pb"},
+        "pads": {
+            "number": 3, "first_pivot": "-90 deg", "extent": "91 deg", "width": "265 mm", "thickness": "83 mm",
+            "clearance": {"kind": "radial", "mean": "497 um"}, "preload": 0.65,
+            "pivot": {"kind": "rigid", "fraction": 0.556},
+        },
+        "walls": {"housing": {"temperature": "46 degC"}}, "limits": {"minimum_film_thickness": "40 um"},
+        "surfaces": {"kind": "direct", "roughness_bearing": "1 um", "roughness_journal": "0.5 um"},
+        "thermal": "global", "turbulence": "ng_pan", "carry_over": 0.88,
+    }  # fmt: skip
+    found = result_of(**closing)
+    assert 0.0 < found.values["turbulent_share"] < 0.2
+    ((told,),) = (one.values["told"] for one in notices(found, "W422"))
+    assert (told.variant, told.values["outcome"]) == ("unsolved", Outcome.NO_CLEARANCE.value)
+    loose = result_of({"pads.preload": 0.4}, **closing)
+    assert 0.0 < loose.values["turbulent_share"] < 0.5
+    assert not notices(loose, "W422")
 
 
 def test_the_message_names_the_model_in_every_language():

@@ -30,6 +30,10 @@ GROWN = 0.5
 Assumption by a search of turbulent pads beside cold housings: models with all that is left out close where growth
 at the one temperature takes 57 to 61 %, and have films at up to 59 %; the journal is hotter than that."""
 
+MOSTLY_LAMINAR = 0.5
+"""Share of the bearing surface that may be turbulent of films that are asked for laminar ones with temperatures of
+their own, too. Assumption by a search: pads of which these close have shares of 2 to 44 %."""
+
 ROUNDS, SAME_TEMPERATURE = 15, 0.05
 """Growth of pads of one temperature is found anew so often, or until the films would change by less (K)."""
 
@@ -61,7 +65,10 @@ def warnings_of_fuller_model(case: PadCase, films: PadFilms, result: Result, sol
     if asks_own_temperatures(case, result.values):
         told = tuple(with_own_temperatures(case, case.fuller, result, solve))
     else:
-        told = tuple(with_growth(case, case.fuller, films, result, solve))
+        told = (
+            *with_growth(case, case.fuller, films, result, solve),
+            *with_laminar_films(case, case.fuller, result, solve),
+        )
     if told:
         yield Notice("W422", "fuller", {"told": told})
 
@@ -71,7 +78,8 @@ def with_own_temperatures(case: PadCase, fuller: HeatChoices, result: Result, so
     full = with_temperatures(case, fuller)
     if full.thermal is case.thermal and full.heat == case.heat:
         return
-    said = Notice("W422", "model", {"model": "thermal: full, deformation: [growth, bending]"})
+    laminar = "" if case.turbulence is None else ", turbulence: laminar"
+    said = Notice("W422", "model", {"model": f"thermal: full, deformation: [growth, bending]{laminar}"})
     try:
         found = solve(full)[0]
     except InputError as error:  # its films may need more oil than is supplied
@@ -79,6 +87,18 @@ def with_own_temperatures(case: PadCase, fuller: HeatChoices, result: Result, so
         return
     yield from worse(result, said, found, "")
     yield from kept_by_little(result, said, found)
+
+
+def with_laminar_films(case: PadCase, fuller: HeatChoices, result: Result, solve: Solve) -> Iterator[Notice]:
+    """What is worse with temperatures of the films' own where most of the bearing surface has laminar films.
+
+    The pads that carry most have the narrowest gaps, and these are laminar. That others are not (W407) is known.
+    """
+    if case.oil_supply is None or result.values.get("turbulent_share", 1.0) > MOSTLY_LAMINAR:
+        return
+    for told in with_own_temperatures(case, fuller, result, solve):
+        if told.variant != "no_verdict":
+            yield told
 
 
 def with_temperatures(case: PadCase, fuller: HeatChoices) -> PadCase:

@@ -15,6 +15,7 @@ from babbitt.kinds.journal.film.layout import load_vector
 from babbitt.kinds.journal.film.model import FilmCase
 from babbitt.kinds.journal.film.stable_equilibrium import converged_film, place_of
 from babbitt.kinds.journal.film.thermal_film import film_within_ducts
+from babbitt.reynolds.model import Cavitation
 
 __all__ = ["film_over_viscosity", "narrowed_gap"]
 
@@ -44,9 +45,9 @@ def narrowed_gap(case: FilmCase, state: FilmState) -> Callable[[Check, float], N
     -------
     callable or None
         Of a check of film thickness or metal, and the viscosity over that of the loaded film; None for other gaps,
-        whose film goes at most with the viscosity, and for a prescribed position.
+        whose film goes at most with the viscosity, for a prescribed position, and without load.
     """
-    if not case.bearing.is_narrowed or not isinstance(case.duty, PrescribedLoad):
+    if not case.bearing.is_narrowed or not isinstance(case.duty, PrescribedLoad) or case.duty.load == 0.0:
         return None
     return _with_own_temperatures(case) if case.fuller is not None else _with_thinner_oil(case, state)
 
@@ -83,9 +84,10 @@ def hottest_bush(state: FilmState) -> float:
 
 
 def of_own_temperatures(case: FilmCase) -> FilmCase:
-    """The case with films of their own temperatures, and nothing besides them."""
+    """The case with a film that conserves its oil and has its own temperatures, and nothing besides it."""
     return replace(
-        case, heat=case.fuller, fuller=None, changing_load=None, asperities=None, tilt_coefficients=False,
+        case, heat=case.fuller, fuller=None, cavitation=Cavitation.MASS_CONSERVING, changing_load=None,
+        asperities=None, tilt_coefficients=False,
         error_estimate=False, limiting_speeds=False, friction_factor=1.0,
     )  # fmt: skip
 
