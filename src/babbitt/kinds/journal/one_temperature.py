@@ -28,20 +28,22 @@ __all__ = [
     "warnings_about_unknown_metal",
 ]
 
-THINNER, HOTTER = 0.45, 15.0
+THINNER, HOTTER = 0.55, 15.0
 """Margin of the film thickness, and K above the outlet, by which films with temperatures of their own may differ.
 
 Assumptions by measurement (docs/theory/procedure.md, ``benchmarks/one_temperature.py``): nineteen of twenty films
 with temperatures of their own and walls that conduct differ by less with oils up to ISO VG 68, from ISO 7902 and
-from films of one temperature alike. Fast bearings and thick oils add ``HOTTER_BY_SHEAR``, ``LOADED_BY_SHEAR``."""
+from films of one temperature alike; their thickness by less than 0.45, but of wide ones with a cool inlet under
+high load that a search found by 0.53. Fast bearings and thick oils add ``HOTTER_BY_SHEAR`` and
+``LOADED_BY_SHEAR``."""
 
-THINNER_BESIDE_PRESSED, MUCH_PRESSED = 0.7, 2.0
-"""``THINNER`` where the supply presses several times Q₃ through the gap, and how many.
+THINNER_BESIDE_PRESSED, MUCH_PRESSED = 0.85, 1.0
+"""``THINNER`` where the supply presses more than Q₃ through the gap, or as many times Q₃.
 
 Assumption by a search for the thinnest films among 2400 clean passes (docs/theory/procedure.md): wide slow
-bearings with a pocket opposite under 0.9 MPa, which presses 10 to 22 times Q₃, have 0.60 of the film. A narrow
-fast one with a groove around half of the bore under 0.6 MPa, which presses 2.2 times Q₃, has 0.675; none was found
-below twice."""
+bearings with a pocket opposite under 0.9 MPa, which presses 10 to 22 times Q₃, have 0.60 of the film. Narrow ones
+that a search found (B/D 0.15, a groove around half of the bore, 1.4 times Q₃) have 0.56; none was found below Q₃
+that lacks more than ``THINNER``."""
 
 RISE_OF_METAL, RISE_OF_METAL_BESIDE_PRESSED = 6.2e-3, 8.2e-3
 """K over the root of Pa m/s: rise of the hottest bush above the inlet over sqrt(p̄ U), fast and loaded bearings;
