@@ -363,8 +363,8 @@ def test_clearances_stand_side_by_side_and_the_rest_once():
     assert [attributes["id"] for attributes in page.all("h2")] == [
         "bearing-1",
         "bearing-2",
-        "references",
         "checker",
+        "references",
     ]
     assert {link["href"] for link in page.all("a")} == {"#bearing-1", "#bearing-2"}
     assert len(page.all("img")) == 2 * 5

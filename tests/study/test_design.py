@@ -62,7 +62,10 @@ def test_margins_of_temperatures_are_in_kelvin(found):
 def test_proposals_have_the_reserve_and_follow_by_the_criterion(found):
     proposals = [one for one, _ in found.answer.proposals]
     assert all(one.margin >= 0.1 for one in proposals)
-    order = [(one.verdict != "pass", len(one.departures), one.short, one.power) for one in proposals]
+    order = [
+        (bool(by_film.remarks), one.verdict != "pass", len(one.departures), one.short, one.power)
+        for one, by_film in found.answer.proposals
+    ]
     assert order == sorted(order)
     for best in proposals:
         rivals = [one for one in found.answer.tried if one.fields["lubricant"] == best.fields["lubricant"]]
