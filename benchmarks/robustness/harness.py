@@ -64,7 +64,7 @@ BY_DIFFERENCES = {
     "threshold_speed": 5e-2,
 }
 """Of bores that give way: differences of films, in which a node more or less is wet (damping by 1.4e-3 of one of
-several hundred on draft grids); confirmed to a hundredth.
+94 on draft grids); confirmed to a hundredth.
 Where the reserve of stability that they give crosses zero moves by more (1.2 % in 1 of 190 on draft grids; this
 bound is that of thermal films, `OF_THERMAL_FILMS`)."""
 OF_THERMAL_FILMS = {"threshold_speed": 5e-2}

@@ -79,7 +79,7 @@ def test_a_tilted_film_must_keep_its_limit_with_temperatures_of_its_own():
     check = next(one for one in tilted.checks if one.code == "C101")
     assert check.margin > THINNER
     (kept,) = said_of_films(tilted)
-    assert kept.variant == "warm_film"
+    assert kept.variant == "thermal_film"
     assert kept.values["thin"] == pytest.approx(full.minimum_film_thickness, rel=1e-9)
     assert full.minimum_film_thickness < 10e-6
     assert tilted.verdict is Verdict.REMARKS
@@ -93,7 +93,7 @@ def test_a_tilted_film_that_invents_oil_or_carries_nothing_has_an_end():
     case, state = film(TILTED)
     inventing = narrowed_gap(replace(case, cavitation=Cavitation.REYNOLDS), state)
     check = Check("C101", "minimum_film_thickness", 20e-6, 10e-6, Bound.AT_LEAST, "")
-    assert inventing(check, 1.0).variant == "warm_film"
+    assert inventing(check, 1.0).variant == "thermal_film"
     assert narrowed_gap(replace(case, duty=PrescribedLoad(0.0)), state) is None
 
 
@@ -105,7 +105,7 @@ def test_the_bush_of_a_tilted_film_must_keep_the_limit_of_its_metal():
     )
     assert about(kept, 1.0) is None
     told = about(missed, 1.0)
-    assert (told.variant, told.values["hottest"]) == ("warm_metal", pytest.approx(hottest, rel=1e-9))
+    assert (told.variant, told.values["hottest"]) == ("thermal_bush", pytest.approx(hottest, rel=1e-9))
 
 
 def test_a_tilted_film_of_given_temperature_must_keep_its_limit_with_thinner_oil():
