@@ -46,6 +46,12 @@ NARROW = {
 RAMP = {"lubricant": OIL | {"dynamic_viscosity": "5 mPa s"}, "thermal": "isothermal", "turbulence": "ng_pan",
         "speed": "12000 rpm", "load": "3 kN"}  # fmt: skip
 
+TURBULENT = {
+    "thermal": "global", "turbulence": "ng_pan", "carry_over": 0.88, "materials": {"bearing_metal": "SnSb12Cu6Pb"},
+    "surfaces": {"kind": "direct", "roughness_bearing": "1 um", "roughness_journal": "0.5 um"},
+}  # fmt: skip
+"""Large pads whose films are turbulent in part."""
+
 
 def notices(result, code, variant=None):
     return [one for one in result.warnings if one.code == code and variant in (None, one.variant)]
@@ -334,37 +340,34 @@ def test_turbulent_films_that_grow_are_judged_as_pads_of_one_temperature_are():
     cold, limit = {"housing": {"temperature": "32 degC"}}, {"minimum_film_thickness": "63 um"}
     wide = {
         "diameter": "300 mm", "load": "13 kN", "speed": "357 rad/s", "lubricant": "ISO VG 22",
-        "supply": {"temperature": "59 degC"}, "feed": "spray_bar", "materials": {"bearing_metal": "SnSb12Cu6Pb"},
+        "supply": {"temperature": "59 degC"}, "feed": "spray_bar", "carry_over": None,
         "pads": {
             "number": 5, "first_pivot": "-54 deg", "extent": "58 deg", "width": "150 mm", "thickness": "40 mm",
             "clearance": {"kind": "radial", "mean": "340 um"}, "preload": 0.47, "pivot": {"kind": "rigid"},
         },
-        "surfaces": {"kind": "direct", "roughness_bearing": "1 um", "roughness_journal": "0.5 um"},
     }  # fmt: skip
-    turbulent = wide | {"walls": cold, "thermal": "global", "turbulence": "ng_pan", "limits": limit}
+    turbulent = TURBULENT | wide | {"walls": cold, "limits": limit}
     (notice,) = notices(result_of(**turbulent), "W422")
     little, grown, *_ = notice.values["told"]
     assert (little.variant, grown.variant) == ("little", "grown")
     assert [one.code for one in little.values["kept"]] == ["W416"]
     steel = {"elastic_modulus": "210 GPa", "thermal_expansion": "12e-6 1/K"}
-    assumed = {"materials": wide["materials"] | {"pads": steel}, "walls": cold | {"pads": {}}}
-    full = result_of(**wide | GROWN | assumed | {"limits": limit, "accuracy": "engineering"})
+    assumed = {"materials": TURBULENT["materials"] | {"pads": steel}, "walls": cold | {"pads": {}}}
+    full = result_of(**turbulent | GROWN | assumed | {"turbulence": None, "accuracy": "engineering"})
     assert [one.code for one in full.limits if not one.ok] == ["C101"]
 
 
 def test_turbulent_films_whose_growth_takes_most_of_the_clearance_are_questioned():
     """Of a case whose fullest model closes: 108 µm of one temperature, 48 with the growth of that, limit 27."""
-    closing = {
+    closing = TURBULENT | {
         "diameter": "324 mm", "load": "3.516 kN", "speed": "318 rad/s", "lubricant": "ISO VG 15",
-        "supply": {"temperature": "40 degC"}, "feed": "spray_bar", "materials": {"bearing_metal": "SnSb12Cu6Pb"},
+        "supply": {"temperature": "40 degC"}, "feed": "spray_bar",
         "pads": {
             "number": 5, "first_pivot": "-126 deg", "extent": "56.5 deg", "width": "136 mm", "thickness": "56 mm",
             "clearance": {"kind": "radial", "mean": "444 um"}, "preload": 0.632,
             "pivot": {"kind": "rigid", "fraction": 0.567},
         },
         "walls": {"housing": {"temperature": "20 degC"}}, "limits": {"minimum_film_thickness": "27 um"},
-        "surfaces": {"kind": "direct", "roughness_bearing": "1 um", "roughness_journal": "0.5 um"},
-        "thermal": "global", "turbulence": "ng_pan", "carry_over": 0.88,
     }  # fmt: skip
     (notice,) = notices(result_of(**closing), "W422")
     grown, laminar = notice.values["told"]
@@ -376,17 +379,15 @@ def test_turbulent_films_whose_growth_takes_most_of_the_clearance_are_questioned
 
 def test_films_that_are_turbulent_in_wide_gaps_alone_are_asked_as_laminar_ones():
     """Pads that growth at one temperature leaves three quarters of their clearance, and that of hot films none."""
-    closing = {
+    closing = TURBULENT | {
         "diameter": "757 mm", "load": "136 kN", "speed": "117 rad/s", "lubricant": "ISO VG 22",
-        "supply": {"temperature": "44 degC"}, "materials": {"bearing_metal": "SnSb12Cu6Pb"},
+        "supply": {"temperature": "44 degC"},
         "pads": {
             "number": 3, "first_pivot": "-90 deg", "extent": "91 deg", "width": "265 mm", "thickness": "83 mm",
             "clearance": {"kind": "radial", "mean": "497 um"}, "preload": 0.65,
             "pivot": {"kind": "rigid", "fraction": 0.556},
         },
         "walls": {"housing": {"temperature": "46 degC"}}, "limits": {"minimum_film_thickness": "40 um"},
-        "surfaces": {"kind": "direct", "roughness_bearing": "1 um", "roughness_journal": "0.5 um"},
-        "thermal": "global", "turbulence": "ng_pan", "carry_over": 0.88,
     }  # fmt: skip
     found = result_of(**closing)
     assert 0.0 < found.values["turbulent_share"] < 0.2

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
@@ -111,12 +110,12 @@ def fed_temperature_limit(
 ) -> ExperienceLimit:
     """Temperature limit in K by experience of oil that is fed, with the reason why this one holds."""
     limit = pressure_fed_temperature_limit(circulation_time, tables)
-    most = written((tables or experience_limits()).circulation_time, "min")
+    most = (tables or experience_limits()).circulation_time
     if circulation_time is None:
-        why = f"oil volume over flow not given: taken as up to {most}"
+        why = f"oil volume over flow not given: taken as up to {written(most, 'min')}"
     else:
-        sign = ">" if limit is pressure_fed_temperature_limit(math.inf, tables) else "≤"
-        why = f"oil volume over flow {written(circulation_time, 'min')} {sign} {most}"
+        sign = ">" if circulation_time > most else "≤"
+        why = f"oil volume over flow {written(circulation_time, 'min')} {sign} {written(most, 'min')}"
     return replace(limit, source=f"{limit.source}; {why}")
 
 
