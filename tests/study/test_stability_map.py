@@ -11,7 +11,7 @@ import pytest
 from routh_hurwitz import is_stable
 
 from babbitt.kinds.journal.film.isothermal import operating_film
-from babbitt.kinds.journal.film.whirl import threshold_speed
+from babbitt.kinds.journal.film.whirl import rotor_threshold
 from babbitt.kinds.journal.study.stability_map import StabilityMap, stability_map
 from babbitt.reynolds.stability.rotor import growth_rates, stable_masses_of_rotor
 from babbitt.reynolds.stability.whirl_limits import STANDARD_GRAVITY
@@ -63,9 +63,9 @@ def test_the_boundary_is_where_the_search_finds_the_threshold(name):
     shaft = {} if case.shaft_stiffness is None else {"shaft_stiffness": case.shaft_stiffness}
     for place in found.loads.size * np.array([1, 3, 5]) // 6:
         at = replace(state, load=float(found.loads[place]))
-        wanted = threshold_speed(case, at, float(found.masses[place]), **shaft)
+        wanted = rotor_threshold(case, at, float(found.masses[place]), **shaft)
         assert found.thresholds()[place] == pytest.approx(
-            wanted, rel=0.008
+            wanted.speed, rel=0.008
         )  # a straight line between speeds 1.28 apart
 
 

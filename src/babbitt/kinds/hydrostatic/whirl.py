@@ -14,7 +14,14 @@ from babbitt.kinds.hydrostatic.model import HydrostaticCase
 from babbitt.kinds.hydrostatic.state import SearchOutcome
 from babbitt.reynolds.stability.rotor import RIGID, stable_masses_of_rotor
 from babbitt.reynolds.stability.routh import whirl_frequency
-from babbitt.reynolds.stability.whirl_limits import ElasticWhirl, Whirl, crossing, rotor_mass, stability_excess
+from babbitt.reynolds.stability.whirl_limits import (
+    ElasticWhirl,
+    Threshold,
+    Whirl,
+    crossing,
+    rotor_mass,
+    stability_excess,
+)
 
 __all__ = ["coefficients_on_threshold", "whirl_of"]
 
@@ -41,12 +48,12 @@ def whirl_of(case: HydrostaticCase, found: Answer) -> Whirl | None:
     elastic = None
     if shaft is not None:
         own = stable_masses_of_rotor(*film, shaft_stiffness=shaft)
-        elastic = ElasticWhirl(own, threshold_speed(case, found, mass, shaft))
+        elastic = ElasticWhirl(own, rotor_threshold(case, found, mass, shaft))
     return Whirl(
         stable_masses_of_rotor(*film),
         whirl_frequency(*film) / abs(case.duty.angular_speed),
         mass,
-        threshold_speed(case, found, mass),
+        rotor_threshold(case, found, mass),
         elastic,
     )
 
@@ -66,8 +73,8 @@ def coefficients_on_threshold(case: HydrostaticCase, found: Answer) -> tuple[Arr
     return None
 
 
-def threshold_speed(case: HydrostaticCase, found: Answer, mass: float, shaft: float = RIGID) -> float | None:
-    """Speed in rad/s above which a rotor whirls, nearest to the operating speed; None if none is in sight."""
+def rotor_threshold(case: HydrostaticCase, found: Answer, mass: float, shaft: float = RIGID) -> Threshold:
+    """Speed in rad/s above which a rotor whirls, nearest to the operating speed."""
     force = found.response.force
     sense = math.copysign(1.0, case.duty.angular_speed)
     under = replace(

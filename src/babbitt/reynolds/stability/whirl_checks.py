@@ -24,6 +24,7 @@ __all__ = [
 
 STABLE = "the rotor is stable at this speed; no threshold was found up to ten times it"
 WHIRLING = "the rotor whirls at this speed; no threshold was found down to a tenth of it"
+JUMPS = "the rotor's stability changes in a jump, at a speed that films in a bore that gives way leave open"
 """Why there is no threshold speed."""
 
 
@@ -44,12 +45,12 @@ def whirl_values(case: CarriesRotor, whirl: Whirl) -> dict[str, float]:
     values = {"rotor_mass": whirl.rotor_mass, "whirl_frequency_ratio": whirl.frequency_ratio}
     values["stable_at_any_mass"] = 1.0 if whirl.stable.least == 0.0 and np.isinf(whirl.stable.greatest) else 0.0
     values |= _bounds(whirl)
-    if whirl.threshold_speed is not None:
-        values["threshold_speed"] = whirl.threshold_speed
+    if whirl.threshold.speed is not None:
+        values["threshold_speed"] = whirl.threshold.speed
     if whirl.elastic is not None and case.shaft_stiffness is not None:
         values["shaft_stiffness"] = case.shaft_stiffness
-        if whirl.elastic.threshold_speed is not None:
-            values["threshold_speed_elastic"] = whirl.elastic.threshold_speed
+        if whirl.elastic.threshold.speed is not None:
+            values["threshold_speed_elastic"] = whirl.elastic.threshold.speed
     return values
 
 
@@ -66,13 +67,13 @@ def whirl_checks(case: CarriesRotor, whirl: Whirl | None) -> Iterator[Check]:
 
 def missing_thresholds(whirl: Whirl) -> dict[str, str]:
     """Threshold speeds that were sought and not found, each with the reason."""
-    found = {"threshold_speed": (whirl.stable, whirl.threshold_speed)}
+    found = {"threshold_speed": (whirl.stable, whirl.threshold)}
     if whirl.elastic is not None:
-        found["threshold_speed_elastic"] = (whirl.elastic.stable, whirl.elastic.threshold_speed)
+        found["threshold_speed_elastic"] = (whirl.elastic.stable, whirl.elastic.threshold)
     return {
-        name: STABLE if stable.reserve(whirl.rotor_mass) >= 1.0 else WHIRLING
-        for name, (stable, speed) in found.items()
-        if speed is None
+        name: JUMPS if threshold.jumps else STABLE if stable.reserve(whirl.rotor_mass) >= 1.0 else WHIRLING
+        for name, (stable, threshold) in found.items()
+        if threshold.speed is None
     }
 
 

@@ -16,6 +16,7 @@ __all__ = [
     "SPEED_TOLERANCE",
     "STANDARD_GRAVITY",
     "ElasticWhirl",
+    "Threshold",
     "Whirl",
     "crossing",
     "rotor_mass",
@@ -34,29 +35,42 @@ EXCESS_DECIMALS = 9
 """Of the excess while its change of sign is sought."""
 SEARCH_STEP = 1.25
 """Ratio of the speeds at which the search looks."""
+LARGEST_STEP = 0.5
+"""Of the excess beside a crossing; more is a jump (`stability_excess` goes from -2 to 2)."""
+
+
+@dataclass(frozen=True)
+class Threshold:
+    """Where stability changes over the speed, rad/s, or why no such speed is known.
+
+    `speed` is None where no speed within the search changes what the journal does, and where it `jumps`: the films
+    then leave open at which speed.
+    """
+
+    speed: float | None = None
+    jumps: bool = False
 
 
 @dataclass(frozen=True)
 class Whirl:
     """Stability of a rotor in this film: kg, ratio to the speed, rad/s.
 
-    `threshold_speed` is None where no speed within the search changes what the journal does. Without `elastic` the
-    rotor is rigid; with it, the same for the shaft as stiff as the case says.
+    Without `elastic` the rotor is rigid; with it, the same for the shaft as stiff as the case says.
     """
 
     stable: StableMasses
     frequency_ratio: float
     rotor_mass: float
-    threshold_speed: float | None
+    threshold: Threshold
     elastic: ElasticWhirl | None = None
 
 
 @dataclass(frozen=True)
 class ElasticWhirl:
-    """Stable masses in kg and threshold speed in rad/s of a rotor on its elastic shaft."""
+    """Stable masses in kg and threshold of a rotor on its elastic shaft."""
 
     stable: StableMasses
-    threshold_speed: float | None
+    threshold: Threshold
 
 
 def rotor_mass(given: float | None, load: float) -> float:
@@ -77,11 +91,12 @@ def stability_excess(reserve: float) -> float:
     return math.copysign(2.0, reserve - 1.0)
 
 
-def crossing(excess: Callable[[float], float], speed: float, blur: float = 0.0) -> float | None:
+def crossing(excess: Callable[[float], float], speed: float, blur: float = 0.0) -> Threshold:
     """Speed at which a function turns from positive to negative: above a stable speed, below an unstable one.
 
-    None where there is none in sight, or the function has no value on the way. Values up to ``blur`` count as
-    zero. All are rounded far below what a grid leaves open: where they jump, round-off would decide which of the
+    No speed where there is none in sight, or the function has no value on the way. Values up to ``blur`` count as
+    zero, and where there is such a blur a function that jumps past zero has no crossing: it goes to and fro there.
+    All are rounded far below what a grid leaves open: where they jump, round-off would decide which of the
     neighbouring crossings is found.
     """
 
@@ -91,7 +106,7 @@ def crossing(excess: Callable[[float], float], speed: float, blur: float = 0.0) 
 
     here = seen(speed)
     if math.isnan(here):
-        return None
+        return Threshold()
     step = SEARCH_STEP if here > 0.0 else 1.0 / SEARCH_STEP
     near = speed
     last = speed * (FASTEST if here > 0.0 else 1.0 / FASTEST)
@@ -99,9 +114,14 @@ def crossing(excess: Callable[[float], float], speed: float, blur: float = 0.0) 
         far = min(near * step, last) if here > 0.0 else max(near * step, last)
         there = seen(far)
         if math.isnan(there):
-            return None
+            return Threshold()
         if here * there <= 0.0:
             root = find_root(seen, min(near, far), max(near, far), relative=SPEED_TOLERANCE)
-            return root.value if root.converged else None
+            if not root.converged:
+                return Threshold()
+            beside = (seen(root.value * (1.0 - SPEED_TOLERANCE)), seen(root.value * (1.0 + SPEED_TOLERANCE)))
+            if blur > 0.0 and not max(map(abs, beside)) <= LARGEST_STEP:
+                return Threshold(jumps=True)
+            return Threshold(root.value)
         near, here = far, there
-    return None
+    return Threshold()

@@ -40,7 +40,7 @@ from babbitt.reynolds.model import Cavitation, FilmStart, JournalFilm, Land
 from babbitt.reynolds.solution import NOTHING
 from babbitt.reynolds.stability.routh import stable_masses, whirl_frequency
 from babbitt.reynolds.stability.whirl_checks import whirl_checks, whirl_values, without_critical_mass
-from babbitt.reynolds.stability.whirl_limits import Whirl
+from babbitt.reynolds.stability.whirl_limits import Threshold, Whirl
 
 __all__ = ["PRODUCED", "films_many"]
 
@@ -336,7 +336,7 @@ def _answered(case: FilmCase, at: _Conditions, films: ManyFilms) -> _Judged:
         stable_masses(cast(Any, films.stiffness), cast(Any, films.damping)),
         whirl_frequency(cast(Any, films.stiffness), cast(Any, films.damping)) / abs(case.journal_speed),
         mass_of_rotor(case, state.load),
-        None,
+        Threshold(),
     )
     values = _values(case, state, films) | whirl_values(case, whirl)
     checks = (*film_limits(case, values), *whirl_checks(case, whirl), clearance_check(case, values))

@@ -18,7 +18,14 @@ from babbitt.kinds.journal.film.unloaded import is_unloaded
 from babbitt.reynolds.equilibrium.cavitating_film import coefficients_over_speed
 from babbitt.reynolds.frame import LoadFrame, rounded
 from babbitt.reynolds.stability.rotor import RIGID, stable_masses_of_rotor
-from babbitt.reynolds.stability.whirl_limits import ElasticWhirl, Whirl, crossing, rotor_mass, stability_excess
+from babbitt.reynolds.stability.whirl_limits import (
+    ElasticWhirl,
+    Threshold,
+    Whirl,
+    crossing,
+    rotor_mass,
+    stability_excess,
+)
 
 if TYPE_CHECKING:
     from babbitt.kinds.journal.film.elastic_film import KnownBore
@@ -36,8 +43,8 @@ def whirl_of(case: FilmCase, state: FilmState) -> Whirl:
     """Stability at the operating point, and the speed at which the rotor begins to whirl.
 
     The coefficients of `state` are those of a quick motion: temperatures, if the film has its own, are frozen.
-    The threshold keeps load, viscosity and clearance of the operating point; it is None, too, where the case does
-    not ask for it. Without a mass of the rotor, the load is taken as its weight.
+    The threshold keeps load, viscosity and clearance of the operating point.
+    Without a mass of the rotor, the load is taken as its weight.
     """
     from babbitt.reynolds.stability.routh import whirl_frequency
 
@@ -48,22 +55,22 @@ def whirl_of(case: FilmCase, state: FilmState) -> Whirl:
         stable_masses_of_rotor(stiffness, damping),
         whirl_frequency(stiffness, damping) / abs(case.journal_speed),
         mass,
-        journal_speed_at(case, threshold_speed(case, state, mass)),
+        threshold_of_journal(case, rotor_threshold(case, state, mass)),
         None
         if shaft is None
         else ElasticWhirl(
             stable_masses_of_rotor(stiffness, damping, shaft),
-            journal_speed_at(case, threshold_speed(case, state, mass, shaft)),
+            threshold_of_journal(case, rotor_threshold(case, state, mass, shaft)),
         ),
     )
 
 
-def journal_speed_at(case: FilmCase, hydrodynamic_speed: float | None) -> float | None:
-    """Speed of the journal in rad/s at which film and bearing turn so fast together; None where it turns back."""
-    if hydrodynamic_speed is None:
-        return None
-    speed = hydrodynamic_speed - case.rotation.sense * case.bearing_speed
-    return speed if speed > 0.0 else None
+def threshold_of_journal(case: FilmCase, found: Threshold) -> Threshold:
+    """The threshold at the speed of the journal, beside that of a bearing that turns; none where it turns back."""
+    if found.speed is None:
+        return found
+    speed = found.speed - case.rotation.sense * case.bearing_speed
+    return Threshold(speed if speed > 0.0 else None)
 
 
 def mass_of_rotor(case: FilmCase, load: float) -> float:
@@ -113,14 +120,14 @@ def _reserve_at(case: FilmCase, state: FilmState, mass: float, shaft_stiffness: 
     return reserve
 
 
-def threshold_speed(case: FilmCase, state: FilmState, mass: float, shaft_stiffness: float = RIGID) -> float | None:
-    """Hydrodynamic speed in rad/s above which a rotor whirls, nearest to that here; None if none is in sight.
+def rotor_threshold(case: FilmCase, state: FilmState, mass: float, shaft_stiffness: float = RIGID) -> Threshold:
+    """Hydrodynamic speed in rad/s above which a rotor whirls, nearest to that here.
 
-    Nor is one where the film carries nothing: no load holds the journal at another place at another speed. None
+    There is none where the film carries nothing: no load holds the journal at another place at another speed. None
     is looked for where the case does not ask.
     """
     if not (case.limiting_speeds and case.whirl_speed) or is_unloaded(case, state):
-        return None
+        return Threshold()
 
     gives_way = bool(case.bearing.compliance)
     here = abs(state.solution.film.angular_speed)
