@@ -128,3 +128,15 @@ def test_a_tilted_film_that_heat_takes_half_of_is_questioned():
     assert full.verdict is Verdict.FAIL
     (kept,) = said_of_films(found)
     assert kept.values["thin"] == pytest.approx(full.minimum_film_thickness, rel=1e-9)
+
+
+def test_the_orbit_of_a_tilted_journal_is_asked_for_with_thinner_oil(request):
+    """30.3 µm at its thinnest keep 14 µm by 117 %; with 0.35 of the viscosity it comes to 8.3 µm."""
+    fan = (request.config.rootpath / "examples" / "unbalanced_fan.yaml").read_text(encoding="utf-8")
+    level = fan.replace("load: 20 kN", "load: 30 kN") + "accuracy: draft\nlimiting_speeds: false\n"
+    assert not said_of_films(solve(parse_case(level)).results[0])
+    result = solve(parse_case(level + "misalignment: {x: 0.6 mrad}\n")).results[0]
+    on_orbit = next(one for one in result.checks if one.quantity == "orbit_minimum_film_thickness")
+    (said,) = said_of_films(result)
+    assert (said.variant, said.values["margin"]) == ("narrowed_gap", pytest.approx(on_orbit.margin))
+    assert said.values["thin"] < on_orbit.limit < 0.5 * on_orbit.value

@@ -29,6 +29,7 @@ from babbitt.kinds.journal.film.layout import closed_pockets, fed_all_around
 from babbitt.kinds.journal.film.load_slope import confirmed_state, slope_not_asked, warnings_about_slope
 from babbitt.kinds.journal.film.mixed_results import mixed_results
 from babbitt.kinds.journal.film.model import FilmCase
+from babbitt.kinds.journal.film.narrowed_gap import narrowed_gap_of_orbit
 from babbitt.kinds.journal.film.orbit_results import (
     orbit_checks,
     orbit_failure,
@@ -195,7 +196,7 @@ def film_solution(case: FilmCase, watch: ProgressCallback = no_progress) -> Solu
                 arrays["orbit"] = orbit_rows(orbit)
                 on_orbit = tuple(orbit_checks(checks, values))
                 checks = (*checks, *on_orbit)
-                near = _about_margins_on_orbit(case, on_orbit, values)
+                near = _about_margins_on_orbit(case, state, on_orbit, values)
                 warnings = (*warnings, *orbit_warnings(case, orbit, values), *near)
         values |= _supply_of_ducts(asked, beyond)
         values["iterations"] = float(found.evaluations)
@@ -292,8 +293,9 @@ def pressure_not_checked(case: FilmCase) -> Iterator[Notice]:
 
 
 def _about_margins_on_orbit(
-    case: FilmCase, checks: tuple[Check, ...], values: dict[str, float]
+    case: FilmCase, state: FilmState, checks: tuple[Check, ...], values: dict[str, float]
 ) -> Iterator[Notice]:
     """Limits that the worst instants of an orbit keep by less than one temperature can show."""
     if case.heat is None:
-        yield from warnings_about_margins(checks, values, (), usable_viscosity(case.lubricant))
+        narrowed = narrowed_gap_of_orbit(case, state)
+        yield from warnings_about_margins(checks, values, (), usable_viscosity(case.lubricant), narrowed)

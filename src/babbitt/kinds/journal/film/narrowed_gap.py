@@ -13,11 +13,12 @@ from babbitt.design.heat_balance import Equilibrium
 from babbitt.kinds.journal.film.isothermal import FilmState, resolution_of
 from babbitt.kinds.journal.film.layout import load_vector
 from babbitt.kinds.journal.film.model import FilmCase
+from babbitt.kinds.journal.film.orbit_results import orbit_of
 from babbitt.kinds.journal.film.stable_equilibrium import converged_film, place_of
 from babbitt.kinds.journal.film.thermal_film import film_within_ducts
 from babbitt.reynolds.model import Cavitation
 
-__all__ = ["film_over_viscosity", "narrowed_gap"]
+__all__ = ["film_over_viscosity", "narrowed_gap", "narrowed_gap_of_orbit"]
 
 THINNER_OIL = 0.35
 """Viscosity over that of one temperature with which the film of a tilted journal must keep its limit where no film
@@ -49,7 +50,17 @@ def narrowed_gap(case: FilmCase, state: FilmState) -> Callable[[Check, float], N
     """
     if not case.bearing.is_narrowed or not isinstance(case.duty, PrescribedLoad) or case.duty.load == 0.0:
         return None
-    return _with_own_temperatures(case) if case.fuller is not None else _with_thinner_oil(case, state)
+    if case.fuller is not None:
+        return _with_own_temperatures(case)
+    return _with_thinner_oil(film_over_viscosity(case, state))
+
+
+def narrowed_gap_of_orbit(case: FilmCase, state: FilmState) -> Callable[[Check, float], Notice | None] | None:
+    """What of the film thickness of an orbit a narrowed gap does not keep with thinner oil; None for other gaps.
+
+    Films with temperatures of their own are known under steady loads alone.
+    """
+    return _with_thinner_oil(orbit_over_viscosity(case, state)) if case.bearing.is_narrowed else None
 
 
 def _with_own_temperatures(case: FilmCase) -> Callable[[Check, float], Notice | None]:
@@ -91,9 +102,7 @@ def of_own_temperatures(case: FilmCase) -> FilmCase:
     )  # fmt: skip
 
 
-def _with_thinner_oil(case: FilmCase, state: FilmState) -> Callable[[Check, float], Notice | None]:
-    over_viscosity = film_over_viscosity(case, state)
-
+def _with_thinner_oil(over_viscosity: Callable[[float], float]) -> Callable[[Check, float], Notice | None]:
     def about(check: Check, thinner: float) -> Notice | None:
         if check.is_in_kelvin:
             return None
@@ -127,5 +136,17 @@ def film_over_viscosity(case: FilmCase, state: FilmState) -> Callable[[float], f
         thin = replace(film, viscosity=factor * film.viscosity)
         found = converged_film(thin, load, resolution_of(case), place)
         return found.minimum_film_thickness if found.outcome.solved else 0.0
+
+    return thickness
+
+
+def orbit_over_viscosity(case: FilmCase, state: FilmState) -> Callable[[float], float]:
+    """Least film thickness in m of an orbit over a factor of the viscosity; 0 where it does not close."""
+    film = state.solution.film
+
+    def thickness(factor: float) -> float:
+        thin = replace(film, viscosity=factor * film.viscosity)
+        orbit = orbit_of(case, replace(state, solution=replace(state.solution, film=thin)))
+        return 0.0 if orbit is None or not orbit.outcome.solved else float(orbit.film_thickness.min())
 
     return thickness
