@@ -23,13 +23,13 @@ from babbitt.design.warnings import (
     warnings_about_supply,
 )
 from babbitt.kinds.journal.film.assumptions import film_assumptions, film_settings
+from babbitt.kinds.journal.film.fuller_film import thinner_orbit
 from babbitt.kinds.journal.film.grid_error import grid_errors
 from babbitt.kinds.journal.film.isothermal import FilmState, under_found_load
 from babbitt.kinds.journal.film.layout import closed_pockets, fed_all_around
 from babbitt.kinds.journal.film.load_slope import confirmed_state, slope_not_asked, warnings_about_slope
 from babbitt.kinds.journal.film.mixed_results import mixed_results
 from babbitt.kinds.journal.film.model import FilmCase
-from babbitt.kinds.journal.film.narrowed_gap import narrowed_gap_of_orbit
 from babbitt.kinds.journal.film.orbit_results import (
     orbit_checks,
     orbit_failure,
@@ -297,5 +297,5 @@ def _about_margins_on_orbit(
 ) -> Iterator[Notice]:
     """Limits that the worst instants of an orbit keep by less than one temperature can show."""
     if case.heat is None:
-        narrowed = narrowed_gap_of_orbit(case, state)
-        yield from warnings_about_margins(checks, values, (), usable_viscosity(case.lubricant), narrowed)
+        fuller = thinner_orbit(case, state)
+        yield from warnings_about_margins(checks, values, (), usable_viscosity(case.lubricant), fuller)

@@ -15,10 +15,10 @@ from babbitt.design.warnings import (
     warnings_about_running,
 )
 from babbitt.kinds.journal.feed_pressure import pressed_area, warnings_about_pressing
+from babbitt.kinds.journal.film.fuller_film import fuller_film
 from babbitt.kinds.journal.film.isothermal import FilmState
 from babbitt.kinds.journal.film.layout import closed_pockets, supply_numbers, without_pressure
 from babbitt.kinds.journal.film.model import FilmCase
-from babbitt.kinds.journal.film.narrowed_gap import narrowed_gap
 from babbitt.kinds.journal.film.thermal_results import is_notable
 from babbitt.kinds.journal.film.unloaded import is_unloaded
 from babbitt.kinds.journal.film.values import fills_of, supply_pressures
@@ -81,12 +81,12 @@ def film_warnings(
         yield from warnings_about_whirl(whirl)
     if case.heat is None:
         viscosity = usable_viscosity(case.lubricant)
-        narrowed = narrowed_gap(case, state)
+        fuller = fuller_film(case, state)
         metal = checks_of_metal(case.limits)
         yield from _warnings_about_feed_pressure(case, state, values)
         if case.effective_temperature is None:
             yield from _warnings_about_returned_oil(film)
-        yield from warnings_about_margins(checks, values, metal, viscosity, narrowed)
+        yield from warnings_about_margins(checks, values, metal, viscosity, fuller)
         yield from warnings_about_unknown_metal(case, checks, values)
         yield from warnings_about_heat_left_out(case, values)
     elif case.oil_supply is not None:

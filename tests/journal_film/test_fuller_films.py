@@ -8,8 +8,8 @@ from babbitt import parse_case
 from babbitt.core.result import Bound, Check, Verdict
 from babbitt.design.conditions import PrescribedLoad
 from babbitt.kinds.journal.case.build import calculations
+from babbitt.kinds.journal.film.fuller_film import THINNER_OIL, film_over_viscosity, fuller_film
 from babbitt.kinds.journal.film.isothermal import operating_film
-from babbitt.kinds.journal.film.narrowed_gap import THINNER_OIL, film_over_viscosity, narrowed_gap
 from babbitt.kinds.journal.one_temperature import THINNER
 from babbitt.reynolds.model import Cavitation
 from babbitt.solving import solve
@@ -69,7 +69,7 @@ def test_the_edge_of_a_tilted_journal_loses_more_than_the_viscosity():
     whole = state.solution.minimum_film_thickness
     assert thickness(1.0) == pytest.approx(whole, rel=1e-6)
     assert thickness(0.55) < 0.55 * whole
-    assert narrowed_gap(*film(LEVEL)) is None
+    assert fuller_film(*film(LEVEL)) is None
 
 
 def test_a_tilted_film_must_keep_its_limit_with_temperatures_of_its_own():
@@ -91,15 +91,15 @@ def test_a_tilted_film_must_keep_its_limit_with_temperatures_of_its_own():
 def test_a_tilted_film_that_invents_oil_or_carries_nothing_has_an_end():
     """The film with its own temperatures conserves its oil; without load it holds the journal nowhere."""
     case, state = film(TILTED)
-    inventing = narrowed_gap(replace(case, cavitation=Cavitation.REYNOLDS), state)
+    inventing = fuller_film(replace(case, cavitation=Cavitation.REYNOLDS), state)
     check = Check("C101", "minimum_film_thickness", 20e-6, 10e-6, Bound.AT_LEAST, "")
     assert inventing(check, 1.0).variant == "thermal_film"
-    assert narrowed_gap(replace(case, duty=PrescribedLoad(0.0)), state) is None
+    assert fuller_film(replace(case, duty=PrescribedLoad(0.0)), state) is None
 
 
 def test_the_bush_of_a_tilted_film_must_keep_the_limit_of_its_metal():
     hottest = solve(parse_case(TILTED + "thermal: full\n"))["A"].maximum_bush_temperature
-    about = narrowed_gap(*film(TILTED))
+    about = fuller_film(*film(TILTED))
     kept, missed = (
         Check("C108", "outlet_temperature", 330.0, hottest + more, Bound.AT_MOST, "") for more in (0.1, -0.1)
     )
@@ -140,3 +140,37 @@ def test_the_orbit_of_a_tilted_journal_is_asked_for_with_thinner_oil(request):
     (said,) = said_of_films(result)
     assert (said.variant, said.values["margin"]) == ("narrowed_gap", pytest.approx(on_orbit.margin))
     assert said.values["thin"] < on_orbit.limit < 0.5 * on_orbit.value
+
+
+BESIDE_A_HOLE = """
+kind: journal
+name: A
+method: film
+accuracy: draft
+limiting_speeds: false
+diameter: 120 mm
+width: 89.71 mm
+clearance: {kind: relative, mean: 2.908 permille}
+lubricant: ISO VG 100
+supply: {temperature: 52.9 degC, pressure: 0.13 MPa}
+holes: [{angle: 0 deg, diameter: 8.97 mm}]
+materials: {bearing_metal: B83, bearing: C10, journal: 42CrMo4}
+specific_load: 0.29 MPa
+surface_speed: 13 m/s
+"""
+
+
+def test_a_rotor_must_be_stable_with_temperatures_of_its_film():
+    """A hole beside the load: critical masses of 23.1 t with one temperature, of 13.9 t with those of its own."""
+    one, full = (solve(parse_case(BESIDE_A_HOLE + more))["A"].critical_mass for more in ("", "thermal: full\n"))
+    assert full < 0.65 * one
+
+    def said(mass):
+        found = solve(parse_case(BESIDE_A_HOLE + f"rotor_mass: {mass} kg\n"))["A"]
+        return [part for notice in found.warnings if notice.code == "W191" for part in notice.values["kept"]]
+
+    assert not said(0.99 * full)
+    (told,) = said(1.01 * full)
+    assert told.variant == "thermal_critical_mass"
+    assert told.values["mass"] == pytest.approx(full, rel=1e-9)
+    assert told.values["margin"] == pytest.approx(one / (1.01 * full) - 1.0, rel=1e-9)

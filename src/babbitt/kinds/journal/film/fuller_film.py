@@ -1,4 +1,4 @@
-"""The film of a journal whose gap is narrowed at places, with temperatures of its own, or with thinner oil."""
+"""What a film with temperatures of its own keeps, or one with thinner oil, where estimates cannot tell."""
 
 from __future__ import annotations
 
@@ -12,13 +12,15 @@ from babbitt.design.conditions import PrescribedLoad
 from babbitt.design.heat_balance import Equilibrium
 from babbitt.kinds.journal.film.isothermal import FilmState, resolution_of
 from babbitt.kinds.journal.film.layout import load_vector
+from babbitt.kinds.journal.film.load_slope import confirmed_state
 from babbitt.kinds.journal.film.model import FilmCase
 from babbitt.kinds.journal.film.orbit_results import orbit_of
 from babbitt.kinds.journal.film.stable_equilibrium import converged_film, place_of
 from babbitt.kinds.journal.film.thermal_film import film_within_ducts
 from babbitt.reynolds.model import Cavitation
+from babbitt.reynolds.stability.rotor import RIGID, stable_masses_of_rotor
 
-__all__ = ["film_over_viscosity", "narrowed_gap", "narrowed_gap_of_orbit"]
+__all__ = ["film_over_viscosity", "fuller_film", "thinner_orbit"]
 
 THINNER_OIL = 0.35
 """Viscosity over that of one temperature with which the film of a tilted journal must keep its limit where no film
@@ -28,13 +30,15 @@ Assumption: the thinnest of 165 films of tilted journals, which a search climbed
 (docs/theory/procedure.md)."""
 
 
-def narrowed_gap(case: FilmCase, state: FilmState) -> Callable[[Check, float], Notice | None] | None:
-    """What of the limits of film and metal a gap that tilt or form narrows does not keep beyond one temperature.
+def fuller_film(case: FilmCase, state: FilmState) -> Callable[[Check, float], Notice | None] | None:
+    """What of the limits of film, metal and rotor a bearing does not keep beyond one temperature.
 
-    Tilt, a crowned bore and one that is out of round take the same length from the film however thick it is:
-    ``h_min = c (1 - ε) - |slope| B/2`` at the edge of a tilted journal. The same change of ε takes a larger share
-    of what is left, so that the film must be solved again: with temperatures of its own and walls that conduct
-    (``case.fuller``), or where these are not known with thinner oil.
+    Asked of a gap that is narrowed, and of a rotor of known mass. Tilt, a crowned bore and one that is out of
+    round take the same length from the film however thick it is: ``h_min = c (1 - ε) - |slope| B/2`` at the edge
+    of a tilted journal. The same change of ε takes a larger share of what is left. And where the critical mass
+    rises steeply with ε, or a hole feeds the film, that of films with temperatures of their own is anything from
+    a fifth to many times as large. So the film must be solved again: with temperatures of its own and walls that
+    conduct (``case.fuller``), or, of a narrowed gap where these are not known, with thinner oil.
 
     Parameters
     ----------
@@ -45,17 +49,19 @@ def narrowed_gap(case: FilmCase, state: FilmState) -> Callable[[Check, float], N
     Returns
     -------
     callable or None
-        Of a check of film thickness or metal, and the viscosity over that of the loaded film; None for other gaps,
-        whose film goes at most with the viscosity, for a prescribed position, and without load.
+        Of a check of film thickness, metal or mass of the rotor, and the viscosity over that of the loaded film;
+        None for others, whose film goes at most with the viscosity, for a prescribed position, and without load.
     """
-    if not case.bearing.is_narrowed or not isinstance(case.duty, PrescribedLoad) or case.duty.load == 0.0:
+    if not isinstance(case.duty, PrescribedLoad) or (case.fuller is None and not case.bearing.is_narrowed):
+        return None
+    if case.duty.load == 0.0:
         return None
     if case.fuller is not None:
         return _with_own_temperatures(case)
     return _with_thinner_oil(film_over_viscosity(case, state))
 
 
-def narrowed_gap_of_orbit(case: FilmCase, state: FilmState) -> Callable[[Check, float], Notice | None] | None:
+def thinner_orbit(case: FilmCase, state: FilmState) -> Callable[[Check, float], Notice | None] | None:
     """What of the film thickness of an orbit a narrowed gap does not keep with thinner oil; None for other gaps.
 
     Films with temperatures of their own are known under steady loads alone.
@@ -70,6 +76,8 @@ def _with_own_temperatures(case: FilmCase) -> Callable[[Check, float], Notice | 
 
     def about(check: Check, _: float) -> Notice | None:
         found = thermal()
+        if check.code == "C115":
+            return _about_mass(case, check, found)
         if check.is_in_kelvin:
             hottest = 0.0 if found.film is None else hottest_bush(found.film)
             if not found.outcome.solved or hottest <= check.limit:
@@ -87,6 +95,22 @@ def _with_own_temperatures(case: FilmCase) -> Callable[[Check, float], Notice | 
         return None
 
     return about
+
+
+def _about_mass(case: FilmCase, check: Check, found: Equilibrium[FilmState]) -> Notice | None:
+    """Whether the rotor whirls in a film with temperatures of its own, at one of the bounds of its mass."""
+    if not found.outcome.solved or found.film is None:
+        return None
+    film = confirmed_state(of_own_temperatures(case), found.film)[0].solution
+    elastic = check.quantity.endswith("_elastic")
+    shaft = case.shaft_stiffness if elastic and case.shaft_stiffness is not None else RIGID
+    stable = stable_masses_of_rotor(film.stiffness, film.damping, shaft)
+    if stable.reserve(check.limit) >= 1.0:
+        return None
+    heavy = check.limit > stable.greatest
+    return Notice("W191", "thermal_critical_mass" if heavy else "thermal_least_mass", {
+        "margin": check.margin, "check": check.code, "mass": stable.greatest if heavy else stable.least,
+    })  # fmt: skip
 
 
 def hottest_bush(state: FilmState) -> float:
