@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from babbitt.core.quantities import AXES, DisplayUnit
+from babbitt.core.quantities.display import SI
 from babbitt.report.local_quantity import MICRO, local
 
 __all__ = ["OF_PADS", "PAD_WORDS"]
@@ -56,6 +57,6 @@ PAD_WORDS = (
     local("pedestal_stiffness_x", "k_Px", "N/m", "Stiffness of the pedestal along x", 5, STIFF),
     local("pedestal_stiffness_y", "k_Py", "N/m", "Stiffness of the pedestal along y", 5, STIFF),
     local("mode_decay", "σ", "1/s", "Decay of the free motion that decides", 5),
-    local("mode_frequency", "ω_d", "rad/s", "Its frequency", 5),
+    local("mode_frequency", "ω_d", "rad/s", "Its frequency", 5, SI["Hz"]),
 )
 """Symbols as in the theory manual."""
