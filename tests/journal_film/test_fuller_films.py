@@ -1,17 +1,22 @@
-"""Films of one temperature whose gap tilt narrows at the edge: how much thinner they may be than they say."""
+"""What films of one temperature miss once they have temperatures of their own, or thinner oil."""
 
 from dataclasses import replace
 
 import pytest
 
 from babbitt import parse_case
-from babbitt.core.result import Bound, Check, Verdict
+from babbitt.core.result import Outcome, Verdict
 from babbitt.design.conditions import PrescribedLoad
 from babbitt.kinds.journal.case.build import calculations
-from babbitt.kinds.journal.film.fuller_film import THINNER_OIL, film_over_viscosity, fuller_film
+from babbitt.kinds.journal.film.check import film_by_its_model
+from babbitt.kinds.journal.film.fuller_film import (
+    THINNER_OIL,
+    film_over_viscosity,
+    thinner_film,
+    warnings_of_fuller_film,
+)
 from babbitt.kinds.journal.film.isothermal import operating_film
 from babbitt.kinds.journal.one_temperature import THINNER
-from babbitt.reynolds.model import Cavitation
 from babbitt.solving import solve
 
 TILTED = """
@@ -56,10 +61,15 @@ def film(text):
     return case, operating_film(case).film
 
 
+def told(result):
+    """What W191 says."""
+    found = [one for one in result.warnings if one.code == "W191"]
+    return [part for one in found for name in ("told", "kept") for part in one.values.get(name, ())]
+
+
 def said_of_films(result):
     """What W191 says of the film thickness."""
-    found = [part for one in result.warnings if one.code == "W191" for part in one.values["kept"]]
-    return [one for one in found if one.values["check"] == "C101"]
+    return [one for one in told(result) if one.values.get("check") == "C101"]
 
 
 def test_the_edge_of_a_tilted_journal_loses_more_than_the_viscosity():
@@ -69,43 +79,71 @@ def test_the_edge_of_a_tilted_journal_loses_more_than_the_viscosity():
     whole = state.solution.minimum_film_thickness
     assert thickness(1.0) == pytest.approx(whole, rel=1e-6)
     assert thickness(0.55) < 0.55 * whole
-    assert fuller_film(*film(LEVEL)) is None
+    assert thinner_film(*film(LEVEL)) is None
 
 
-def test_a_tilted_film_must_keep_its_limit_with_temperatures_of_its_own():
-    """20.9 µm keep 10 µm by more than a level film is asked for; with temperatures of its own it has 9.7."""
+@pytest.mark.parametrize("cavitation", ["mass_conserving", "reynolds"])
+def test_a_film_must_keep_its_limits_with_temperatures_of_its_own(cavitation):
+    """20.9 µm keep 10 µm; with temperatures of its own, and its oil conserved, it has 9.7."""
     limited = TILTED + "limits: {minimum_film_thickness: 10 um}\n"
-    tilted, full = (solve(parse_case(text))["A"] for text in (limited, limited + "thermal: full\n"))
-    check = next(one for one in tilted.checks if one.code == "C101")
-    assert check.margin > THINNER
-    (kept,) = said_of_films(tilted)
-    assert kept.variant == "thermal_film"
-    assert kept.values["thin"] == pytest.approx(full.minimum_film_thickness, rel=1e-9)
-    assert full.minimum_film_thickness < 10e-6
-    assert tilted.verdict is Verdict.REMARKS
-    assert not said_of_films(solve(parse_case(LEVEL))["A"])
-    slight = TILTED.replace("0.58 mrad", "0.3 mrad")
-    assert not said_of_films(solve(parse_case(slight))["A"])
-
-
-def test_a_tilted_film_that_invents_oil_or_carries_nothing_has_an_end():
-    """The film with its own temperatures conserves its oil; without load it holds the journal nowhere."""
-    case, state = film(TILTED)
-    inventing = fuller_film(replace(case, cavitation=Cavitation.REYNOLDS), state)
-    check = Check("C101", "minimum_film_thickness", 20e-6, 10e-6, Bound.AT_LEAST, "")
-    assert inventing(check, 1.0).variant == "thermal_film"
-    assert fuller_film(replace(case, duty=PrescribedLoad(0.0)), state) is None
-
-
-def test_the_bush_of_a_tilted_film_must_keep_the_limit_of_its_metal():
-    hottest = solve(parse_case(TILTED + "thermal: full\n"))["A"].maximum_bush_temperature
-    about = fuller_film(*film(TILTED))
-    kept, missed = (
-        Check("C108", "outlet_temperature", 330.0, hottest + more, Bound.AT_MOST, "") for more in (0.1, -0.1)
+    tilted, full = (
+        solve(parse_case(limited + more))["A"] for more in (f"cavitation: {cavitation}\n", "thermal: full\n")
     )
-    assert about(kept, 1.0) is None
-    told = about(missed, 1.0)
-    assert (told.variant, told.values["hottest"]) == ("thermal_bush", pytest.approx(hottest, rel=1e-9))
+    assert next(one for one in tilted.checks if one.code == "C101").margin > THINNER
+    (said,) = told(tilted)
+    assert said.variant == "missed_film"
+    assert said.values["value"] == pytest.approx(full.minimum_film_thickness, rel=1e-9)
+    assert full.minimum_film_thickness < said.values["limit"] == pytest.approx(10e-6)
+    assert tilted.verdict is Verdict.REMARKS
+
+
+@pytest.mark.parametrize("text", [LEVEL, TILTED.replace("0.58 mrad", "0.3 mrad")])
+def test_what_is_kept_with_temperatures_of_its_own_is_not_questioned(text):
+    assert not told(solve(parse_case(text))["A"])
+
+
+def test_no_film_is_asked_that_misses_a_limit_or_carries_nothing():
+    asked = []
+    case = calculations(parse_case(TILTED))[0].problem
+    missed = solve(parse_case(TILTED + "limits: {minimum_film_thickness: 25 um}\n"))["A"]
+    kept = solve(parse_case(TILTED))["A"]
+    light = replace(case, duty=PrescribedLoad(0.0))
+    for other, result in ((case, missed), (light, kept), (replace(case, fuller=None), kept)):
+        assert not tuple(warnings_of_fuller_film(other, result, asked.append))
+    assert not asked
+
+
+def hottest_of_level():
+    """Hottest bush of the level film with temperatures of its own, in °C."""
+    return solve(parse_case(LEVEL + "thermal: full\n"))["A"].maximum_bush_temperature - 273.15
+
+
+def level_within(celsius):
+    """What W191 says of the level film whose temperatures have a limit."""
+    return told(solve(parse_case(LEVEL + f"limits: {{temperature: {celsius} degC}}\n"))["A"])
+
+
+def test_the_bush_must_keep_its_limit_with_temperatures_of_its_own():
+    hottest = hottest_of_level()
+    assert not level_within(hottest + 20.0)
+    (said,) = level_within(hottest - 0.1)
+    assert (said.variant, said.values["value"]) == ("missed_bush", pytest.approx(hottest + 273.15, rel=1e-9))
+
+
+def test_a_film_that_closes_with_temperatures_of_its_own_is_told():
+    def overloaded(case):
+        found = film_by_its_model(case).result
+        return replace(found, outcome=Outcome.OVERLOADED)
+
+    case = calculations(parse_case(TILTED))[0].problem
+    (said,) = warnings_of_fuller_film(case, solve(parse_case(TILTED))["A"], overloaded)
+    assert [one.variant for one in said.values["told"]] == ["no_thermal_film"]
+
+
+def test_a_film_that_is_questioned_with_temperatures_of_its_own_alone_is_told():
+    """Its hottest bush keeps the limit by less than it is known to (W172)."""
+    (said,) = level_within(hottest_of_level() + 1.0)
+    assert said.values["codes"] == ("W172",)
 
 
 def test_a_tilted_film_of_given_temperature_must_keep_its_limit_with_thinner_oil():
@@ -126,8 +164,8 @@ def test_a_tilted_film_that_heat_takes_half_of_is_questioned():
     found, full = (solve(parse_case(TILTED_BESIDE_A_HOLE + more))["A"] for more in ("", "thermal: full\n"))
     assert found.minimum_film_thickness > 1.9 * next(one.limit for one in found.checks if one.code == "C101")
     assert full.verdict is Verdict.FAIL
-    (kept,) = said_of_films(found)
-    assert kept.values["thin"] == pytest.approx(full.minimum_film_thickness, rel=1e-9)
+    (said,) = said_of_films(found)
+    assert said.values["value"] == pytest.approx(full.minimum_film_thickness, rel=1e-9)
 
 
 def test_the_orbit_of_a_tilted_journal_is_asked_for_with_thinner_oil(request):
@@ -166,11 +204,9 @@ def test_a_rotor_must_be_stable_with_temperatures_of_its_film():
     assert full < 0.65 * one
 
     def said(mass):
-        found = solve(parse_case(BESIDE_A_HOLE + f"rotor_mass: {mass} kg\n"))["A"]
-        return [part for notice in found.warnings if notice.code == "W191" for part in notice.values["kept"]]
+        return told(solve(parse_case(BESIDE_A_HOLE + f"rotor_mass: {mass} kg\n"))["A"])
 
     assert not said(0.99 * full)
-    (told,) = said(1.01 * full)
-    assert told.variant == "thermal_critical_mass"
-    assert told.values["mass"] == pytest.approx(full, rel=1e-9)
-    assert told.values["margin"] == pytest.approx(one / (1.01 * full) - 1.0, rel=1e-9)
+    (missed,) = said(1.01 * full)
+    assert missed.variant == "missed_mass"
+    assert missed.values["value"] == pytest.approx(full, rel=1e-9)

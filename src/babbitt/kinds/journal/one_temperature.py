@@ -134,7 +134,7 @@ def warnings_about_margins(
     values: Mapping[str, float],
     of_metal: Collection[str],
     viscosity: Callable[[float], float],
-    fuller: Callable[[Check, float], Notice | None] | None = None,
+    narrowed: Callable[[Check, float], Notice | None] | None = None,
 ) -> Iterator[Notice]:
     """Whether a limit is kept by less than films with temperatures of their own usually differ.
 
@@ -147,15 +147,15 @@ def warnings_about_margins(
         Codes of the checks that hold the metal to its limit; see `checks_of_metal`.
     viscosity : callable
         Dynamic viscosity of the oil, Pa s, over the temperature in K.
-    fuller : callable, optional
-        What is said of a check of film thickness, metal or mass of the rotor that estimates cannot tell, with the
-        viscosity over that of the loaded film; see `babbitt.kinds.journal.film.fuller_film`.
+    narrowed : callable, optional
+        What is said of a check of film thickness in a gap that tilt or form narrows, with the viscosity over that
+        of the loaded film; None for other gaps, whose film goes at most with the viscosity.
     """
     near = [
         one
         for check in (*checks, *_transition(checks, values))
         if not check.advisory and check.ok
-        for one in _near(check, values, of_metal, viscosity, fuller)
+        for one in _near(check, values, of_metal, viscosity, narrowed)
     ]
     if reduce(operator.or_, (one.holds for one in near), False):
         yield Notice("W191", "kept", {"kept": tuple(one.notice() for one in near if holds_anywhere(one.holds))})
@@ -182,7 +182,7 @@ def _near(
     values: Mapping[str, float],
     of_metal: Collection[str],
     viscosity: Callable[[float], float],
-    fuller: Callable[[Check, float], Notice | None] | None,
+    narrowed: Callable[[Check, float], Notice | None] | None,
 ) -> Iterator[_Near]:
     """What of one limit that is kept may be too near."""
     if check.code in FILM_CHECKS or check.quantity.endswith("minimum_film_thickness"):
@@ -191,13 +191,11 @@ def _near(
         # Any film keeps a limit of zero, and there is no share of it.
         by_little = (check.margin < asked) & (check.limit > 0.0)
         yield _Near(by_little, lambda: _about_film(check, values, thinner))
-        if fuller is not None and not by_little and (gap := fuller(check, thinner)) is not None:
+        if narrowed is not None and not by_little and (gap := narrowed(check, thinner)) is not None:
             yield _Near(True, lambda: gap)
     if check.code in of_metal:
         by_estimate = check.limit < hottest_metal(check.value, values)
         yield _Near(by_estimate, lambda: _about_metal(check, values))
-        if fuller is not None and not by_estimate and (hotter := fuller(check, 1.0)) is not None:
-            yield _Near(True, lambda: hotter)
     if check.code == "C110":
         sooner = larger(thinner_oil(check, values, viscosity), TURBULENT_SOONER)
         yield _Near(
@@ -217,8 +215,6 @@ def _near(
         yield _Near(
             by_little, lambda: Notice("W191", "critical_mass", {"margin": check.margin, "check": check.code})
         )
-        if fuller is not None and not by_little and (whirling := fuller(check, 1.0)) is not None:
-            yield _Near(True, lambda: whirling)
 
 
 def warnings_about_heat_left_out(case: HeatBalancedProblem, values: Mapping[str, float]) -> Iterator[Notice]:

@@ -43,7 +43,6 @@ def film_case(inputs: Inputs, at: Point, thermal: str | None = None) -> FilmCase
     )
     layout = film_layout(bearing, point, inputs.width, 1.0 if speed >= 0.0 else -1.0)
     of_film = _film_bearing(inputs, at, layout.feeds)
-    asks_for_more = of_film.is_narrowed or bearing.rotor_mass is not None
     return FilmCase(
         name=at.name,
         bearing=of_film,
@@ -86,7 +85,7 @@ def film_case(inputs: Inputs, at: Point, thermal: str | None = None) -> FilmCase
         turbulence=LAWS_OF_TURBULENCE[bearing.turbulence],
         pressure_viscosity=bearing.pressure_viscosity.law() if bearing.pressure_viscosity is not None else None,
         heat=heat_model(inputs, thermal),
-        fuller=fuller_heat_model(inputs, point, thermal) if asks_for_more else None,
+        fuller=fuller_heat_model(inputs, point, thermal),
         asperities=asperities.contact if asperities is not None else None,
     )
 

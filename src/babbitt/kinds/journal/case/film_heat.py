@@ -115,8 +115,8 @@ REFUSED = (
 )
 """Fields that a film with its own temperatures does not know, and why."""
 
-BESIDES = ("dynamic_load", "mixed_friction", "tilt_coefficients", "error_estimate")
-"""Those of them that leave the film itself as it is."""
+BESIDES = ("dynamic_load", "mixed_friction", "tilt_coefficients", "error_estimate", "cavitation", "friction")
+"""What is computed besides the film, and choices that one with its own temperatures makes by itself."""
 
 
 @rule

@@ -23,7 +23,7 @@ from babbitt.design.warnings import (
     warnings_about_supply,
 )
 from babbitt.kinds.journal.film.assumptions import film_assumptions, film_settings
-from babbitt.kinds.journal.film.fuller_film import thinner_orbit
+from babbitt.kinds.journal.film.fuller_film import thinner_orbit, warnings_of_fuller_film
 from babbitt.kinds.journal.film.grid_error import grid_errors
 from babbitt.kinds.journal.film.isothermal import FilmState, under_found_load
 from babbitt.kinds.journal.film.layout import closed_pockets, fed_all_around
@@ -96,6 +96,15 @@ def film_check(case: FilmCase, watch: ProgressCallback = no_progress) -> Result:
 
 
 def film_solution(case: FilmCase, watch: ProgressCallback = no_progress) -> Solution:
+    """Solve a film as `film_by_its_model`, and say what one with temperatures of its own misses of its limits."""
+    found = film_by_its_model(case, watch)
+    told = tuple(warnings_of_fuller_film(case, found.result, lambda other: film_by_its_model(other).result))
+    if not told:
+        return found
+    return replace(found, result=replace(found.result, warnings=(*found.result.warnings, *told)))
+
+
+def film_by_its_model(case: FilmCase, watch: ProgressCallback = no_progress) -> Solution:
     """Solve the film of a bearing by its thermal model.
 
     Parameters
@@ -297,5 +306,5 @@ def _about_margins_on_orbit(
 ) -> Iterator[Notice]:
     """Limits that the worst instants of an orbit keep by less than one temperature can show."""
     if case.heat is None:
-        fuller = thinner_orbit(case, state)
-        yield from warnings_about_margins(checks, values, (), usable_viscosity(case.lubricant), fuller)
+        narrowed = thinner_orbit(case, state)
+        yield from warnings_about_margins(checks, values, (), usable_viscosity(case.lubricant), narrowed)

@@ -1,26 +1,22 @@
-"""What a film with temperatures of its own keeps, or one with thinner oil, where estimates cannot tell."""
+"""Whether a film with temperatures of its own, or thinner oil, keeps what that of one temperature keeps."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
-from functools import cache
 
-from babbitt.core.notices import Notice
-from babbitt.core.result import Check
+from babbitt.core.notices import InputError, Notice
+from babbitt.core.result import Check, Result
+from babbitt.design.bounds import FILM_CHECKS, TEMPERATURE_CHECKS
 from babbitt.design.conditions import PrescribedLoad
-from babbitt.design.heat_balance import Equilibrium
 from babbitt.kinds.journal.film.isothermal import FilmState, resolution_of
 from babbitt.kinds.journal.film.layout import load_vector
-from babbitt.kinds.journal.film.load_slope import confirmed_state
 from babbitt.kinds.journal.film.model import FilmCase
 from babbitt.kinds.journal.film.orbit_results import orbit_of
 from babbitt.kinds.journal.film.stable_equilibrium import converged_film, place_of
-from babbitt.kinds.journal.film.thermal_film import film_within_ducts
 from babbitt.reynolds.model import Cavitation
-from babbitt.reynolds.stability.rotor import RIGID, stable_masses_of_rotor
 
-__all__ = ["film_over_viscosity", "fuller_film", "thinner_orbit"]
+__all__ = ["film_over_viscosity", "thinner_film", "thinner_orbit", "warnings_of_fuller_film"]
 
 THINNER_OIL = 0.35
 """Viscosity over that of one temperature with which the film of a tilted journal must keep its limit where no film
@@ -30,92 +26,29 @@ Assumption: the thinnest of 165 films of tilted journals, which a search climbed
 (docs/theory/procedure.md)."""
 
 
-def fuller_film(case: FilmCase, state: FilmState) -> Callable[[Check, float], Notice | None] | None:
-    """What of the limits of film, metal and rotor a bearing does not keep beyond one temperature.
-
-    Asked of a gap that is narrowed, and of a rotor of known mass. Tilt, a crowned bore and one that is out of
-    round take the same length from the film however thick it is: ``h_min = c (1 - ε) - |slope| B/2`` at the edge
-    of a tilted journal. The same change of ε takes a larger share of what is left. And where the critical mass
-    rises steeply with ε, or a hole feeds the film, that of films with temperatures of their own is anything from
-    a fifth to many times as large. So the film must be solved again: with temperatures of its own and walls that
-    conduct (``case.fuller``), or, of a narrowed gap where these are not known, with thinner oil.
+def warnings_of_fuller_film(
+    case: FilmCase, result: Result, solve: Callable[[FilmCase], Result]
+) -> Iterator[Notice]:
+    """What a film of one temperature that misses no limit misses once it has temperatures of its own.
 
     Parameters
     ----------
     case : FilmCase
-    state : FilmState
-        Its film.
-
-    Returns
-    -------
-    callable or None
-        Of a check of film thickness, metal or mass of the rotor, and the viscosity over that of the loaded film;
-        None for others, whose film goes at most with the viscosity, for a prescribed position, and without load.
+        Nothing is asked of one without `fuller` model.
+    result : Result
+        Of it, with its checks.
+    solve : callable
+        Result of another case.
     """
-    if not isinstance(case.duty, PrescribedLoad) or (case.fuller is None and not case.bearing.is_narrowed):
-        return None
-    if case.duty.load == 0.0:
-        return None
-    if case.fuller is not None:
-        return _with_own_temperatures(case)
-    return _with_thinner_oil(film_over_viscosity(case, state))
-
-
-def thinner_orbit(case: FilmCase, state: FilmState) -> Callable[[Check, float], Notice | None] | None:
-    """What of the film thickness of an orbit a narrowed gap does not keep with thinner oil; None for other gaps.
-
-    Films with temperatures of their own are known under steady loads alone.
-    """
-    return _with_thinner_oil(orbit_over_viscosity(case, state)) if case.bearing.is_narrowed else None
-
-
-def _with_own_temperatures(case: FilmCase) -> Callable[[Check, float], Notice | None]:
-    @cache
-    def thermal() -> Equilibrium[FilmState]:
-        return film_within_ducts(of_own_temperatures(case))[1]
-
-    def about(check: Check, _: float) -> Notice | None:
-        found = thermal()
-        if check.code == "C115":
-            return _about_mass(case, check, found)
-        if check.is_in_kelvin:
-            hottest = 0.0 if found.film is None else hottest_bush(found.film)
-            if not found.outcome.solved or hottest <= check.limit:
-                return None
-            return Notice("W191", "thermal_bush", {
-                "margin": check.limit - check.value, "check": check.code, "hottest": hottest,
-            })  # fmt: skip
-        if not found.outcome.solved or found.film is None:
-            return Notice("W191", "no_thermal_film", {
-                "margin": check.margin, "check": check.code, "outcome": found.outcome.value,
-            })  # fmt: skip
-        thin = found.film.solution.minimum_film_thickness
-        if thin < check.limit:
-            return Notice("W191", "thermal_film", {"margin": check.margin, "check": check.code, "thin": thin})
-        return None
-
-    return about
-
-
-def _about_mass(case: FilmCase, check: Check, found: Equilibrium[FilmState]) -> Notice | None:
-    """Whether the rotor whirls in a film with temperatures of its own, at one of the bounds of its mass."""
-    if not found.outcome.solved or found.film is None:
-        return None
-    film = confirmed_state(of_own_temperatures(case), found.film)[0].solution
-    elastic = check.quantity.endswith("_elastic")
-    shaft = case.shaft_stiffness if elastic and case.shaft_stiffness is not None else RIGID
-    stable = stable_masses_of_rotor(film.stiffness, film.damping, shaft)
-    if stable.reserve(check.limit) >= 1.0:
-        return None
-    heavy = check.limit > stable.greatest
-    return Notice("W191", "thermal_critical_mass" if heavy else "thermal_least_mass", {
-        "margin": check.margin, "check": check.code, "mass": stable.greatest if heavy else stable.least,
-    })  # fmt: skip
-
-
-def hottest_bush(state: FilmState) -> float:
-    """Highest temperature of the bush of a film with temperatures of its own, K."""
-    return 0.0 if state.thermal is None else float(state.thermal.bush_temperature.max())
+    unloaded = isinstance(case.duty, PrescribedLoad) and case.duty.load == 0.0
+    if case.fuller is None or unloaded or not result.outcome.solved or not all(one.ok for one in result.limits):
+        return
+    try:
+        told = tuple(_worse(result, solve(of_own_temperatures(case))))
+    except InputError as error:
+        told = (Notice("W191", "no_thermal_film", {"outcome": error.message}),)
+    if told:
+        yield Notice("W191", "fuller", {"told": told})
 
 
 def of_own_temperatures(case: FilmCase) -> FilmCase:
@@ -126,10 +59,69 @@ def of_own_temperatures(case: FilmCase) -> FilmCase:
     )  # fmt: skip
 
 
+def _worse(result: Result, found: Result) -> Iterator[Notice]:
+    """Limits that a film with temperatures of its own misses, and what questions it alone."""
+    if not found.outcome.solved:
+        yield Notice("W191", "no_thermal_film", {"outcome": found.outcome.value})
+        return
+    missed = tuple(_missed(one) for one in found.limits if not one.ok)
+    yield from missed
+    new = tuple(code for code in found.questioning_codes if code not in result.questioning_codes)
+    if new and not missed:
+        yield Notice("W191", "questioned", {"codes": new})
+
+
+def _missed(check: Check) -> Notice:
+    """A missed limit with its numbers, in the unit of what is limited."""
+    variant = next(
+        (one for one, codes in MISSED.items() if check.code in codes or check.quantity in codes), "missed"
+    )
+    return Notice("W191", variant, {"value": check.value, "limit": check.limit, "check": check.code})
+
+
+MISSED = {
+    "missed_film": (*FILM_CHECKS, "minimum_film_thickness"),
+    "missed_bush": ("maximum_bush_temperature",),
+    "missed_temperature": TEMPERATURE_CHECKS,
+    "missed_mass": ("critical_mass", "critical_mass_elastic"),
+    "missed_least_mass": ("least_stable_mass",),
+    "missed_pressure": ("maximum_pressure",),
+}
+"""Messages of missed limits that are no bare numbers, by code or quantity."""
+
+
+def thinner_film(case: FilmCase, state: FilmState) -> Callable[[Check, float], Notice | None] | None:
+    """What of the limits of the film a gap that tilt or form narrows does not keep with thinner oil.
+
+    Tilt, a crowned bore and one that is out of round take the same length from the film however thick it is:
+    ``h_min = c (1 - ε) - |slope| B/2`` at the edge of a tilted journal. The same change of ε takes a larger share
+    of what is left, so that the film must be solved again. Asked where that with temperatures of its own is not
+    known.
+
+    Parameters
+    ----------
+    case : FilmCase
+    state : FilmState
+        Its film.
+
+    Returns
+    -------
+    callable or None
+        Of a check of film thickness, and the viscosity over that of the loaded film; None for other gaps, whose
+        film goes at most with the viscosity, for a prescribed position, and without load.
+    """
+    if not case.bearing.is_narrowed or not isinstance(case.duty, PrescribedLoad) or case.duty.load == 0.0:
+        return None
+    return _with_thinner_oil(film_over_viscosity(case, state))
+
+
+def thinner_orbit(case: FilmCase, state: FilmState) -> Callable[[Check, float], Notice | None] | None:
+    """The same of the film thickness of an orbit: films with temperatures of their own bear steady loads alone."""
+    return _with_thinner_oil(orbit_over_viscosity(case, state)) if case.bearing.is_narrowed else None
+
+
 def _with_thinner_oil(over_viscosity: Callable[[float], float]) -> Callable[[Check, float], Notice | None]:
     def about(check: Check, thinner: float) -> Notice | None:
-        if check.is_in_kelvin:
-            return None
         factor = min(THINNER_OIL, 1.0 / thinner)
         thin = over_viscosity(factor)
         if thin <= 0.0:

@@ -196,8 +196,7 @@ class FilmCase:
     `changing_load` acts in addition to the load of the duty; `moving_mass` (kg) then moves with the journal.
     `warnings` arose while the case was made and ride along.
     With a model of its `heat` the film has its own temperatures; without, one temperature, and `fuller` is the
-    model with which it would have its own, of a bearing whose gap is narrowed or that carries a rotor of known
-    mass, where these can be computed.
+    model with which it would have its own, where these can be computed.
     `asperities` ask for the Stribeck curve with its mixed branch.
     """
 

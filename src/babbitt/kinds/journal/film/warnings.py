@@ -15,7 +15,7 @@ from babbitt.design.warnings import (
     warnings_about_running,
 )
 from babbitt.kinds.journal.feed_pressure import pressed_area, warnings_about_pressing
-from babbitt.kinds.journal.film.fuller_film import fuller_film
+from babbitt.kinds.journal.film.fuller_film import thinner_film
 from babbitt.kinds.journal.film.isothermal import FilmState
 from babbitt.kinds.journal.film.layout import closed_pockets, supply_numbers, without_pressure
 from babbitt.kinds.journal.film.model import FilmCase
@@ -80,15 +80,11 @@ def film_warnings(
     if whirl is not None:
         yield from warnings_about_whirl(whirl)
     if case.heat is None:
-        viscosity = usable_viscosity(case.lubricant)
-        fuller = fuller_film(case, state)
-        metal = checks_of_metal(case.limits)
         yield from _warnings_about_feed_pressure(case, state, values)
         if case.effective_temperature is None:
             yield from _warnings_about_returned_oil(film)
-        yield from warnings_about_margins(checks, values, metal, viscosity, fuller)
-        yield from warnings_about_unknown_metal(case, checks, values)
-        yield from warnings_about_heat_left_out(case, values)
+        if case.fuller is None:
+            yield from _warnings_about_one_temperature(case, state, values, checks)
     elif case.oil_supply is not None:
         supplied = case.oil_supply.temperature
         yield from warnings_about_kept_limits(checks, checks_of_metal(case.limits), supplied)
@@ -96,6 +92,16 @@ def film_warnings(
     if not case.limiting_speeds:
         unfit.add("W112")  # a speed of transition that was not looked for
     yield from (warning for warning in warnings_about_running(case, values, checks) if warning.code not in unfit)
+
+
+def _warnings_about_one_temperature(
+    case: FilmCase, state: FilmState, values: dict[str, float], checks: tuple[Check, ...]
+) -> Iterator[Notice]:
+    """Estimates of what a film with temperatures of its own may miss, where none is known; else it is solved."""
+    metal, viscosity = checks_of_metal(case.limits), usable_viscosity(case.lubricant)
+    yield from warnings_about_margins(checks, values, metal, viscosity, thinner_film(case, state))
+    yield from warnings_about_unknown_metal(case, checks, values)
+    yield from warnings_about_heat_left_out(case, values)
 
 
 def _warnings_about_holes(case: FilmCase, state: FilmState) -> Iterator[Notice]:
