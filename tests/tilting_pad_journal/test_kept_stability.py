@@ -398,6 +398,66 @@ def test_films_that_are_turbulent_in_wide_gaps_alone_are_asked_as_laminar_ones()
     assert not notices(loose, "W422")
 
 
+FAST = TURBULENT | {
+    "feed": "leading_edge_groove", "carry_over": None, "reference_temperature": "20 degC",
+    "materials": {"pads": {"name": "C45", "elastic_modulus": "210 GPa", "thermal_expansion": "12e-6 1/K"}},
+    "surfaces": {"kind": "direct", "roughness_bearing": "1 um", "roughness_journal": "0.5 um"},
+}  # fmt: skip
+
+
+def pads(number, extent, width, thickness, machined, assembled):
+    """Rigid pivots at 0.6 of pads from the bottom on; mm, degrees and µm."""
+    return {
+        "number": number, "first_pivot": "-90 deg", "extent": f"{extent} deg", "width": f"{width} mm",
+        "thickness": f"{thickness} mm", "clearance": {"kind": "radial", "mean": f"{machined} um"},
+        "assembled_clearance": {"kind": "radial", "mean": f"{assembled} um"},
+        "pivot": {"kind": "rigid", "fraction": 0.6},
+    }  # fmt: skip
+
+
+def test_mostly_turbulent_films_close_after_less_growth():
+    """Growth of 43 % at the one temperature, no housing given; 56 % turbulent, the fullest model has no film."""
+    found = result_of(**FAST | {
+        "diameter": "231.381 mm", "pads": pads(5, 57.301, 160.575, 30.042, 201.586, 121.953), "load": "79.1584 kN",
+        "speed": "8924.15 rpm", "lubricant": "ISO VG 46", "supply": {"temperature": "54.34 degC"},
+        "walls": {"pads": {}},
+        "limits": {"minimum_film_thickness": "21.85 um", "specific_load": "8 MPa", "temperature": "195 degC"},
+    })  # fmt: skip
+    assert found.values["turbulent_share"] > 0.5
+    (notice,) = notices(found, "W422")
+    (grown,) = notice.values["told"]
+    assert grown.variant == "grown"
+    assert 0.4 < grown.values["model"].values["share"] < 0.5
+
+
+def test_pads_that_need_more_oil_once_they_grow_are_questioned_not_refused():
+    """Narrowed beside a warm housing they lose more over the sides than is given; as calculated they do not."""
+    found = result_of(**FAST | {
+        "diameter": "296.635 mm", "pads": pads(5, 52.567, 263.214, 57.432, 216.133, 170.006), "load": "25.3495 kN",
+        "load_angle": "-54 deg", "speed": "4897.23 rpm", "lubricant": "ISO VG 32", "feed": "spray_bar",
+        "supply": {"temperature": "46 degC", "flow": "240.7325 L/min"},
+        "walls": {"pads": {}, "housing": {"temperature": "86.79 degC"}},
+        "limits": {"minimum_film_thickness": "43.176 um", "specific_load": "8 MPa", "temperature": "245 degC"},
+    })  # fmt: skip
+    assert found.outcome is Outcome.CONVERGED
+    (notice,) = notices(found, "W422")
+    assert "refused" in {one.variant for one in notice.values["told"]}
+
+
+def test_laminar_films_that_starve_are_told_of_a_partly_turbulent_bearing():
+    """They draw 125.6 L/min of the 111.3 that are given; that they are turbulent in part is known."""
+    found = result_of(**FAST | {
+        "diameter": "208.494 mm", "pads": pads(4, 64.917, 182.249, 25.134, 146.839, 109.937), "load": "46.4928 kN",
+        "load_angle": "-45 deg", "speed": "7928.38 rpm", "lubricant": "ISO VG 32", "feed": "spray_bar",
+        "supply": {"temperature": "39.23 degC", "flow": "111.2781 L/min"},
+        "walls": {"pads": {}, "housing": {"temperature": "56.65 degC"}},
+        "limits": {"minimum_film_thickness": "14.749 um", "specific_load": "8 MPa", "temperature": "245 degC"},
+    })  # fmt: skip
+    assert found.values["turbulent_share"] < 0.5
+    (notice,) = notices(found, "W422")
+    assert [one.values["codes"] for one in notice.values["told"] if one.variant == "no_verdict"] == [("W405",)]
+
+
 def test_the_message_names_the_model_in_every_language():
     found = result_of(**NARROW)
     (notice,) = notices(found, "W422")
