@@ -313,7 +313,11 @@ def test_a_limit_that_the_fullest_model_keeps_by_little_is_named_with_its_margin
     assert told.variant == "little"
     assert told.values["kept"] == tuple(notices(grown, "W415"))
     assert kept(grown, "W415") == {"C104"}
-    for language, said in (("en", "kept by 2.5 K (C104)"), ("de", "mit 2,5 K (C104)"), ("ru", "2,5 K (C104)")):
+    for language, said in (
+        ("en", "keeps its limit by 2.5 K (C104)"),
+        ("de", "mit 2,5 K (C104)"),
+        ("ru", "2,5 K (C104)"),
+    ):
         assert said in notice.sentence(language)
 
 

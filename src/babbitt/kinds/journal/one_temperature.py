@@ -91,13 +91,18 @@ one temperature, over the root of U sqrt(η_eff).
 Assumption by measurement of the same bearings, 207 by ISO 7902 and 69 films of one temperature: none of their
 films with temperatures of their own is thinner than by its viscosity there, or by ``THINNER``."""
 
-LOADED_BY_PRESSURE = 4e-6
+LOADED_BY_PRESSURE = 5e-6
 """K/Pa: by how much the oil that carries the load may be hotter than the one temperature, over p̄, where the supply
 presses more than ``PRESSED`` of Q₃ through the gap or delivers less than Q₃. About 7/(ρ c): what a film that keeps
 its heat warms by goes with p̄/(ρ c), whatever its oil and speed.
 
 Assumption by measurement of 378 bearings with 2.5 to 7 MPa and ISO VG 22 to 460 (docs/theory/procedure.md, set
-``heavy``): the films of none are thinner than by the viscosity at 3.9 K/MPa above."""
+``heavy``): the films of none are thinner than by the viscosity at 3.9 K/MPa above; of wide ones with wide
+clearances and thin oil to which a search climbed by that at 4.4 K/MPa."""
+
+FASTEST_AND_LOADED, FASTEST_OF_NARROW, NARROW = 3e8, 1.5e8, 0.3
+"""Pa m/s: the largest p̄ U of the bearings that were measured, and that of those narrower than a share of their
+diameter. A search found narrow ones beyond it with 1.6 times ``TURBULENT_SOONER`` and films of 0.45."""
 
 GROWN = 0.25
 """Share of the clearance that growth may take at the one temperature: the loaded film is hotter, so is the
@@ -107,10 +112,10 @@ Assumption by measurement of 104 bearings that pass cleanly around a journal of 
 (docs/theory/procedure.md): conducting films with temperatures of their own miss a limit or close in two of them,
 of which growth takes 31 and 40 %; in another bearing from 30 % on."""
 
-TURBULENT_SOONER = 2.9
+TURBULENT_SOONER = 3.2
 """Reynolds number of films with temperatures of their own over that of one temperature.
 
-Assumption by the same measurement, nineteen of twenty lie below 2.1, and by a search for the largest, 2.8: their
+Assumption by the same measurement, nineteen of twenty lie below 2.1, and by searches for the largest, 3.1: their
 oil is thinner where it carries no load."""
 
 LIGHTER, LIGHTER_BY_SHEAR = 0.1, 0.04
@@ -157,6 +162,7 @@ def warnings_about_margins(
         if not check.advisory and check.ok
         for one in _near(check, values, of_metal, viscosity, narrowed)
     ]
+    near += _beyond_measured(values)
     if reduce(operator.or_, (one.holds for one in near), False):
         yield Notice("W191", "kept", {"kept": tuple(one.notice() for one in near if holds_anywhere(one.holds))})
 
@@ -175,6 +181,15 @@ class _Near:
 
     holds: Any
     notice: Callable[[], Notice]
+
+
+def _beyond_measured(values: Mapping[str, float]) -> Iterator[_Near]:
+    """Whether load times speed is more than that of all bearings by which the margins were measured."""
+    if "specific_load" not in values or "width_ratio" not in values:
+        return
+    power = values["specific_load"] * abs(values["surface_speed"])
+    most = FASTEST_AND_LOADED + (FASTEST_OF_NARROW - FASTEST_AND_LOADED) * (values["width_ratio"] < NARROW)
+    yield _Near(power > most, lambda: Notice("W191", "beyond", {"power": power, "most": most}))
 
 
 def _near(
