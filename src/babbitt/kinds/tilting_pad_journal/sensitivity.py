@@ -214,7 +214,7 @@ def worse(base: Result, said: Notice, found: Result | None, refusal: str) -> Ite
         Why, where it is.
     """
     if found is None:
-        yield Notice("W419", "refused", {"end": said, "why": refusal})
+        yield Notice("W419", "refused", {"end": said, "why": refusal.removeprefix(f"{base.name}: ")})
         return
     if not found.outcome.solved:
         yield Notice("W419", "unsolved", {"end": said, "outcome": found.outcome.value})
