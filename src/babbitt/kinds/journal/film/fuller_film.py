@@ -25,6 +25,16 @@ with temperatures of its own is known, or that of the loaded film if less.
 Assumption: the thinnest of 165 films of tilted journals, which a search climbed to, is as thick as with 0.39 of it
 (docs/theory/procedure.md)."""
 
+MISSED = {
+    "missed_film": (*FILM_CHECKS, "minimum_film_thickness"),
+    "missed_bush": ("maximum_bush_temperature",),
+    "missed_temperature": TEMPERATURE_CHECKS,
+    "missed_mass": ("critical_mass", "critical_mass_elastic"),
+    "missed_least_mass": ("least_stable_mass",),
+    "missed_pressure": ("maximum_pressure",),
+}
+"""Messages of missed limits that are no bare numbers, by code or quantity."""
+
 
 def warnings_of_fuller_film(
     case: FilmCase, result: Result, solve: Callable[[FilmCase], Result]
@@ -77,17 +87,6 @@ def _missed(check: Check) -> Notice:
         (one for one, codes in MISSED.items() if check.code in codes or check.quantity in codes), "missed"
     )
     return Notice("W191", variant, {"value": check.value, "limit": check.limit, "check": check.code})
-
-
-MISSED = {
-    "missed_film": (*FILM_CHECKS, "minimum_film_thickness"),
-    "missed_bush": ("maximum_bush_temperature",),
-    "missed_temperature": TEMPERATURE_CHECKS,
-    "missed_mass": ("critical_mass", "critical_mass_elastic"),
-    "missed_least_mass": ("least_stable_mass",),
-    "missed_pressure": ("maximum_pressure",),
-}
-"""Messages of missed limits that are no bare numbers, by code or quantity."""
 
 
 def thinner_film(case: FilmCase, state: FilmState) -> Callable[[Check, float], Notice | None] | None:
