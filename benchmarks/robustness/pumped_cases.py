@@ -283,13 +283,14 @@ def _restrictor(rng: random.Random, flow: float, drop: float, supply: float, vis
     if kind == "capillary":
         length = _log(rng, 0.03, 0.3)
         bore = (128.0 * viscosity * length * flow / (math.pi * drop)) ** 0.25
-        made: Case = {"kind": kind, "diameter": f"{max(1e3 * bore, 0.06):.4g} mm", "length": _mm(length)}
+        allowed = min(max(1e3 * bore, 0.06), 20.0)
+        made: Case = {"kind": kind, "diameter": f"{allowed:.4g} mm", "length": _mm(length)}
         if rng.random() < 0.2:
             made["check_valve"] = True
         return made
     if kind == "orifice":
         bore = math.sqrt(flow / (0.6 * 0.25 * math.pi * math.sqrt(2.0 * drop / 870.0)))
-        return {"kind": kind, "diameter": f"{max(1e3 * bore, 0.06):.4g} mm"}
+        return {"kind": kind, "diameter": f"{min(max(1e3 * bore, 0.06), 20.0):.4g} mm"}
     if kind == "slot":
         gap = _log(rng, 0.05e-3, 0.3e-3)
         length = _log(rng, 0.005, 0.05)

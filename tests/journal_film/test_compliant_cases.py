@@ -172,3 +172,17 @@ def test_a_bore_that_gives_way_beside_a_groove_is_solved_from_film_to_film(monke
     )  # fmt: skip
     assert operating_film(bearing).outcome.solved
     assert 1 <= len(searches) <= 10
+
+
+@pytest.mark.parametrize("turned", [0.0, 135.5])
+def test_a_soft_ring_is_sought_from_the_bore_that_is_known_too(turned):
+    """Neither what films before taught nor the round bore lead to its film at 74 °C in a turned frame (S001)."""
+    found = answer(
+        diameter="101.18 mm", width="85.645 mm", clearance={"kind": "relative", "mean": "2.756 permille"},
+        lubricant="ISO VG 100", supply={"temperature": "42.5 degC", "pressure": "0.184 MPa"}, load="9.0248 kN",
+        speed="5736.8 rpm", load_angle=f"{-151.34 + turned} deg", limiting_speeds=False, accuracy="draft",
+        grooves=[{"angle": f"{-124.25 + turned} deg", "extent": "14.16 deg"}],
+        compliance=[RING | {"outer_diameter": "121.87 mm", "elastic_modulus": "200 GPa", "poisson_ratio": 0.3}],
+        materials={"bearing_metal": "SnSb8Cu4", "bearing": "C10", "journal": "C45"},
+    )  # fmt: skip
+    assert found.minimum_film_thickness == pytest.approx(8.8239e-6, rel=1e-4)

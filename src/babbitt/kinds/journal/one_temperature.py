@@ -91,14 +91,19 @@ one temperature, over the root of U sqrt(η_eff).
 Assumption by measurement of the same bearings, 207 by ISO 7902 and 69 films of one temperature: none of their
 films with temperatures of their own is thinner than by its viscosity there, or by ``THINNER``."""
 
-LOADED_BY_PRESSURE = 5e-6
+LOADED_BY_PRESSURE = 4e-6
 """K/Pa: by how much the oil that carries the load may be hotter than the one temperature, over p̄, where the supply
 presses more than ``PRESSED`` of Q₃ through the gap or delivers less than Q₃. About 7/(ρ c): what a film that keeps
 its heat warms by goes with p̄/(ρ c), whatever its oil and speed.
 
 Assumption by measurement of 378 bearings with 2.5 to 7 MPa and ISO VG 22 to 460 (docs/theory/procedure.md, set
-``heavy``): the films of none are thinner than by the viscosity at 3.9 K/MPa above; of wide ones with wide
-clearances and thin oil to which a search climbed by that at 4.4 K/MPa."""
+``heavy``): the films of none are thinner than by the viscosity at 3.9 K/MPa above."""
+
+LOADED_IN_WIDE_CLEARANCE, WIDE = 5e-6, 1.5
+"""The same, whatever the supply, where the clearance is more than so many times the recommended one.
+
+Assumption by searches, which climbed to wide bearings with 1.6 to 2 times the recommended clearance and thin oil:
+their films are as thin as by 3.3 to 4.4 K/MPa, of supplies that press 0.18 to 0.48 of Q₃ and just deliver it."""
 
 FASTEST_AND_LOADED, FASTEST_OF_NARROW, NARROW = 3e8, 1.5e8, 0.3
 """Pa m/s: the largest p̄ U of the bearings that were measured, and that of those narrower than a share of their
@@ -366,7 +371,9 @@ def loaded_temperature(check: Check, values: Mapping[str, float]) -> float:
     if "specific_load" not in values:
         return loaded
     lacking = 1.0 if is_limited(check.quantity) else may_be_pressed(values)
-    return larger(loaded, one + LOADED_BY_PRESSURE * values["specific_load"] * lacking)
+    wide = values.get("relative_clearance", 0.0) > WIDE * values.get("recommended_relative_clearance", math.inf)
+    by_pressure = larger(LOADED_BY_PRESSURE * lacking, LOADED_IN_WIDE_CLEARANCE * wide)
+    return larger(loaded, one + by_pressure * values["specific_load"])
 
 
 def may_be_pressed(values: Mapping[str, float], share: float = PRESSED) -> float:

@@ -162,6 +162,8 @@ def elastic_film(
             known.secants.undo()
     if found is None or not found.outcome.solved:  # the bore of another film may leave this one none
         found = search().run(closeness, start)
+        if known.displacement is not None and not found.outcome.solved:  # nor the bore without pressure
+            found = search().run(closeness, known.displacement)
         if found.outcome.solved and known.displacement is None:
             known.displacement = found.displacement
     return found
