@@ -24,16 +24,16 @@ KEPT_BY_LITTLE = {"W415", "W416", "W421"}
 """Of limits that are kept by less than what is uncertain of films with temperatures of their own, or of one, and
 of stability in the transition to turbulence."""
 
-GROWN = 0.3
+GROWN = 0.25
 """Share of an assembled clearance that growth may take of pads of one temperature.
 
 Assumption by searches of turbulent pads: models with all that is left out close where growth at the one
-temperature takes 34 to 61 %, and have films at up to 59 %; the journal is hotter than that."""
+temperature takes 29.7 to 61 %, and have films at up to 59 %; the journal is hotter than that."""
 
-MOSTLY_LAMINAR = 0.5
+MOSTLY_LAMINAR = 0.6
 """Share of the bearing surface that may be turbulent of films, or of those that growth narrows, that are asked for
 laminar ones with temperatures of their own, too. Assumption by searches: pads of which these close have shares of
-2 to 56 %, or 48 once they have grown."""
+2 to 62 %, or up to 50.5 once they have grown."""
 
 TURBULENT = "W407"
 """Of laminar films of a bearing that is turbulent."""
