@@ -83,6 +83,36 @@ def test_the_page_of_a_bearing_short_of_oil_shows_both_films(gear, said):
             assert flows[0] + flows[1] == pytest.approx(flows[2], abs=0.11)
 
 
+def test_clearances_short_of_oil_show_both_films_in_rows():
+    """Before, the film with all the oil that it wants alone, beside a verdict of the other."""
+    case = parse_case(FAN)
+    machine = solve(case)
+    (bearing,) = content(machine)["bearings"]
+    rows = {row["label"]: row["values"] for row in bearing["results"]}
+    shown = rows["Outlet temperature with the limited flow"]
+    assert [float(one) for one in shown] == pytest.approx(
+        [result.starved_outlet_temperature - 273.15 for result in machine.results], abs=0.051
+    )
+    assert shown != rows["Outlet temperature"]
+
+
+FAN = """
+kind: journal
+name: Fan
+diameter: 100 mm
+width: 80 mm
+span: 360 deg
+clearance: {kind: fit, bore: H7, journal: e8}
+clearance_cases: all
+supply_element: {kind: pocket, width: 56 mm, place: side}
+lubricant: ISO VG 46
+supply: {temperature: 45 degC, pressure: 0.1 MPa}
+materials: {bearing_metal: SnSb8Cu4, bearing: C10, journal: C45}
+load: 10 kN
+speed: 1500 rpm
+"""
+
+
 def test_every_symbol_of_the_first_table_is_explained(said):
     explained = {tuple(one["symbol"]) for one in said["conclusion"]["legend"]}
     shown = [node for column in said["columns"] for node in column["heading"] if isinstance(node, list)]

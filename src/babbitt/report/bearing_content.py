@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterable, Iterator
 from typing import Any
 
 from babbitt.core.language import translated, translated_if_known, unit_sign
-from babbitt.core.limited_flow import is_short_of_oil, limited
+from babbitt.core.limited_flow import is_limited, is_short_of_oil, limited
 from babbitt.core.notices import Effect, explanations
 from babbitt.core.quantities import QUANTITIES, Quantity
 from babbitt.core.result import Result
@@ -188,7 +188,7 @@ def _key_results(chapter: Chapter) -> list[Data]:
     if not is_fed(result):
         names = tuple(name for name in names if name not in chapter.view.fed_results)
     if len(chapter.members) > 1:
-        names = ("relative_clearance", *names)
+        names = tuple(one for name in ("relative_clearance", *names) for one in (name, limited(name)))
     rows = []
     for name in names:
         values = [r.values.get(name, math.nan) if r.outcome.solved else math.nan for r in chapter.results]
@@ -200,6 +200,7 @@ def _key_results(chapter: Chapter) -> list[Data]:
                 "symbol": symbol_node(quantity.symbol),
                 "values": [quantity.format(value) if math.isfinite(value) else ABSENT for value in values],
                 "unit": quantity.display.label,
+                **({"of_limited_film": True} if is_limited(name) else {}),
             }
             rows.append(row | _of_limited_film(chapter, name, quantity))
     rows += [
