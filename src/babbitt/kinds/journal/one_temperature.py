@@ -99,11 +99,13 @@ its heat warms by goes with p̄/(ρ c), whatever its oil and speed.
 Assumption by measurement of 378 bearings with 2.5 to 7 MPa and ISO VG 22 to 460 (docs/theory/procedure.md, set
 ``heavy``): the films of none are thinner than by the viscosity at 3.9 K/MPa above."""
 
-LOADED_IN_WIDE_CLEARANCE, WIDE = 5e-6, 1.5
-"""The same, whatever the supply, where the clearance is more than so many times the recommended one.
+LOADED_IN_WIDE_CLEARANCE, WIDE_CLEARANCE, WIDE_BEARING = 5e-6, 1.5, 0.8
+"""The same, whatever the supply, where the clearance is more than so many times the recommended one, and the width
+more than that share of the diameter.
 
-Assumption by searches, which climbed to wide bearings with 1.6 to 2 times the recommended clearance and thin oil:
-their films are as thin as by 3.3 to 4.4 K/MPa, of supplies that press 0.18 to 0.48 of Q₃ and just deliver it."""
+Assumption by searches, which climbed to bearings with B/D of 0.92 to 1, 1.6 to 2 times the recommended clearance
+and thin oil: their films are as thin as by 3.3 to 4.4 K/MPa, of supplies that press 0.18 to 0.48 of Q₃ and just
+deliver it."""
 
 FASTEST_AND_LOADED, FASTEST_OF_NARROW, NARROW = 3e8, 1.5e8, 0.3
 """Pa m/s: the largest p̄ U of the bearings that were measured, and that of those narrower than a share of their
@@ -371,7 +373,9 @@ def loaded_temperature(check: Check, values: Mapping[str, float]) -> float:
     if "specific_load" not in values:
         return loaded
     lacking = 1.0 if is_limited(check.quantity) else may_be_pressed(values)
-    wide = values.get("relative_clearance", 0.0) > WIDE * values.get("recommended_relative_clearance", math.inf)
+    recommended = values.get("recommended_relative_clearance", math.inf)
+    loose = values.get("relative_clearance", 0.0) > WIDE_CLEARANCE * recommended
+    wide = loose * (values.get("width_ratio", 0.0) > WIDE_BEARING)
     by_pressure = larger(LOADED_BY_PRESSURE * lacking, LOADED_IN_WIDE_CLEARANCE * wide)
     return larger(loaded, one + by_pressure * values["specific_load"])
 
