@@ -21,6 +21,7 @@ from babbitt.core.result import Outcome
 from babbitt.kinds.tilting_pad_journal import thermal_film
 from babbitt.kinds.tilting_pad_journal.check import heat_checks
 from babbitt.solving import solve
+from babbitt.validation.published.fillon_1992 import JOURNAL, hottest
 
 FILLON = {"lubricant": FILLON_OIL, "accuracy": "engineering"}
 CLEARANCE = {"pads.preload": None, "pads.assembled_clearance": {"kind": "radial", "mean": "78.4 um"}}
@@ -322,3 +323,15 @@ def test_every_accuracy_and_point_is_solved():
     draft = result_of(**HEATED["E"]).values["maximum_temperature"]
     fine = result_of(**HEATED["E"], accuracy="reference").values["maximum_temperature"]
     assert draft == pytest.approx(fine, abs=0.3)
+
+
+def test_oil_whose_heat_does_not_change_is_solved_for_once(monkeypatch):
+    """The oil of 1992 has one heat capacity and conductivity, one of the catalogue others when warm."""
+    rounds = []
+    found_at = thermal_film.found_at
+    monkeypatch.setattr(thermal_film, "found_at", lambda case, at: rounds.append(at) or found_at(case, at))
+    hottest.__wrapped__(JOURNAL, 3000.0)
+    assert len(rounds) == 1
+    rounds.clear()
+    result_of(**HEATED["B"])
+    assert len(rounds) > 1

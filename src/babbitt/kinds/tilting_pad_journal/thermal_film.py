@@ -48,7 +48,10 @@ def thermal_films(case: PadCase) -> Equilibrium[PadFilms]:
         if not math.isfinite(temperature):
             return Equilibrium(outcome, None, rounds, before)
         goes_on = outcome.solved or outcome is Outcome.PAD_AT_LIMIT  # which the properties of the oil may change
-        if not goes_on or abs(temperature - before) <= SAME_TEMPERATURE:
+        known = abs(temperature - before) <= SAME_TEMPERATURE or heat_of_oil(case, before) == heat_of_oil(
+            case, temperature
+        )
+        if not goes_on or known:
             return Equilibrium(outcome, films_of(case, found, temperature), rounds, temperature)
     return Equilibrium(Outcome.NOT_CONVERGED, films_of(case, found, temperature), MOST_ROUNDS, temperature)
 
@@ -58,13 +61,18 @@ def pad_heat(case: PadCase, heat: HeatChoices, temperature: float) -> PadHeat:
 
     Fresh oil whose temperature is not known is as warm as that.
     """
-    _, _, capacity = properties_at(case.lubricant, temperature)
+    capacity, conductivity = heat_of_oil(case, temperature)
     supply = temperature if case.oil_supply is None else case.oil_supply.temperature
     return PadHeat(
-        bounded_viscosity(case.lubricant), capacity, case.lubricant.conductivity(temperature), supply,
+        bounded_viscosity(case.lubricant), capacity, conductivity, supply,
         heat.journal, heat.walls, heat.bending, heat.growth, carry_over=case.feed.carry_over,
         materials=heat.materials,
     )  # fmt: skip
+
+
+def heat_of_oil(case: PadCase, temperature: float) -> tuple[float, float]:
+    """Heat capacity in J/(m³ K) and conductivity in W/(m K) of the oil at a temperature in K."""
+    return properties_at(case.lubricant, temperature)[2], case.lubricant.conductivity(temperature)
 
 
 def found_at(case: PadCase, temperature: float) -> ThermalTiltingPadSolution:
