@@ -20,6 +20,11 @@ def test_what_is_wrong_is_told(check, first, tmp_path):
     assert {seed: fault for seed, fault in faults.items() if fault} == {}
 
 
+def test_an_archive_whose_member_ends_early_cannot_be_read(tmp_path):
+    """An EOFError came through, which the command line takes for an interrupt: "Aborted."."""
+    assert check_mutated_table(531366, tmp_path) == ""
+
+
 def test_the_loop_over_seeds_tells_how_it_is_called(monkeypatch, capsys):
     """It ended in a traceback."""
     monkeypatch.setattr(sys, "argv", ["mutated_files.py", "--help"])

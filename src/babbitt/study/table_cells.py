@@ -185,7 +185,7 @@ def _cells_of_workbook(name: str, content: bytes) -> list[list[Cell]]:
         sheets = [
             openpyxl.load_workbook(io.BytesIO(content), data_only=values).worksheets[0] for values in (True, False)
         ]
-    except (zipfile.BadZipFile, KeyError, IndexError, ValueError, OSError) as error:
+    except (zipfile.BadZipFile, EOFError, KeyError, IndexError, ValueError, OSError) as error:
         raise InputError("E003", f"{name}: is no workbook that can be read ({error})") from None
     made: list[list[Cell]] = []
     for values, written in zip(sheets[0].iter_rows(), sheets[1].iter_rows(), strict=True):

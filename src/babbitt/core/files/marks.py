@@ -109,7 +109,7 @@ def _is_workbook(path: Path) -> bool:
     try:
         with zipfile.ZipFile(path) as book, book.open("docProps/core.xml") as file:
             core = file.read(10_000)
-    except (OSError, KeyError, ValueError, RuntimeError, NotImplementedError, zipfile.BadZipFile):
+    except (OSError, EOFError, KeyError, ValueError, RuntimeError, NotImplementedError, zipfile.BadZipFile):
         return False
     made = f"<dc:creator>{CREATOR}</dc:creator>".encode() in core
     return made and b"lastModifiedBy" not in core and b"revision" not in core

@@ -81,7 +81,7 @@ def _of_arrays(files: NamedFiles, name: str, at: Path) -> dict[str, Any]:
             angles, values = (_numbers(arrays[which]) for which in ("angles", "compliance"))
     except KeyError as error:
         raise TableError(at, f"{name} lacks an array: {printable(error.args[0])}", EXAMPLE) from None
-    except (OSError, ValueError, TypeError, MemoryError, RuntimeError, zlib.error, zipfile.BadZipFile):
+    except (OSError, EOFError, ValueError, TypeError, MemoryError, RuntimeError, zlib.error, zipfile.BadZipFile):
         raise TableError(at, f"{name} cannot be read", EXAMPLE) from None
     if angles.ndim != 1 or values.shape != (angles.size, angles.size):
         says = f"compliance of {name} has the shape {values.shape} for angles of {angles.shape}"
