@@ -71,14 +71,25 @@ def test_the_sparing_search_sees_a_dip_between_its_steps():
     assert found.last_temperature == pytest.approx(343.0, abs=1e-6)
 
 
-def test_a_film_that_gives_way_is_asked_few_times_beyond():
-    film_at, asked = counted(lambda t: 1000.0 + t, last=377.7)
+@pytest.mark.parametrize("fold", [0.0, 10.0])
+def test_a_film_that_gives_way_is_asked_few_times_beyond(fold):
+    """Neither a steady surplus closes the balance nor one that ends as the root of the distance to a fold."""
+    film_at, asked = counted(lambda t: 1000.0 + t + fold * math.sqrt(max(377.7 - t, 0.0)), last=377.7)
     found = find_equilibrium(COOLED, film_at, COARSE_SEARCH)
     assert found.outcome is Outcome.OVERLOADED
     assert found.film is not None
-    assert 377.7 - COARSE_SEARCH.edge <= found.last_temperature <= 377.7
-    assert sum(t > 377.7 for t in asked) <= 10
-    assert len(asked) < 40
+    assert 377.7 - COARSE_SEARCH.fine_step <= found.last_temperature <= 377.7
+    assert sum(t > 377.7 for t in asked) <= 4
+    assert len(asked) < 20
+
+
+@pytest.mark.parametrize("depth", [0.05, 0.5, 5.0])
+def test_a_balance_that_closes_in_the_fold_at_the_end_is_found(depth):
+    last = 341.7
+    film_at, _ = counted(lambda t: (t - 300.0) - depth + 10.0 * math.sqrt(max(last - t, 0.0)), last)
+    found = find_equilibrium(COOLED, film_at, replace(COARSE_SEARCH, edge=1e-6))
+    assert found.outcome is Outcome.CONVERGED
+    assert found.last_temperature == pytest.approx(last - (depth / 10.0) ** 2, abs=1e-6)
 
 
 def test_an_equilibrium_just_before_the_film_gives_way_is_found():
@@ -144,7 +155,7 @@ def test_a_film_that_is_not_found_a_second_time_is_an_outcome():
         if temperature > 350.0 or (temperature in asked and temperature > 340.0):
             raise NoFilmError(Outcome.NOT_CONVERGED)
         asked.add(temperature)
-        return Film(temperature, 1000.0)
+        return Film(temperature, 50.05)
 
     found = find_equilibrium(COOLED, film_at, COARSE_SEARCH)
     assert (found.outcome, found.film) == (Outcome.NOT_CONVERGED, None)

@@ -146,19 +146,19 @@ def flow_of_the_system(case: FilmCase, solution: FilmSolution) -> float:
     return max(float(solution.side_flow.sum() - solution.supply_flow[own].sum()), 0.0)
 
 
-def pressed_flow(case: FilmCase, film_at: Callable[[float], FilmSolution]) -> Callable[[float], float]:
+def pressed_flow(case: FilmCase, film_at: Callable[[float], FilmSolution]) -> Callable[[float], float | None]:
     """`flow_of_the_system` over the pressure at the supply in Pa; ``film_at`` solves the film at one.
 
-    Grooves around the whole bore press oil into the film and shear none into it: below the whole pressure of the
-    supply, where no film of theirs lives, none flows, and the pressure behind tubes and holes rises.
+    Grooves around the whole bore press oil into the film and shear none into it: None below the whole pressure of
+    the supply where no film of theirs lives, so that none flows.
     """
 
-    def flow_at(pressure: float) -> float:
+    def flow_at(pressure: float) -> float | None:
         try:
             return flow_of_the_system(case, film_at(pressure))
         except NoFilmError:
             if case.oil_supply is not None and pressure < case.oil_supply.pressure and fed_all_around(case):
-                return 0.0
+                return None
             raise
 
     return flow_at
