@@ -24,6 +24,8 @@ from babbitt.core.result_name import ResultName
 from babbitt.core.solution import Solution
 from babbitt.kinds.journal.iso7902 import DesignCase, check
 from babbitt.kinds.journal.iso7902.model import PrescribedLoad
+from babbitt.report.chapters import chapters
+from babbitt.report.check_content import compared_checks, sources_of
 from babbitt.report.content import content
 from babbitt.report.document import report as typeset_report
 from babbitt.report.document import typeset, write_report
@@ -374,6 +376,9 @@ def test_clearances_stand_side_by_side_and_the_rest_once():
         assert f"{result.minimum_film_thickness * 1e6:.1f}" in chapter
         outlet = result.starved_outlet_temperature - 273.15
         assert f"{outlet:.1f} {'≤' if outlet <= 100.0 else '>'} 100.0" in chapter
+    rows = compared_checks(chapters(machine.solutions)[0], sources_of(machine.results[:3]))
+    for place, result in enumerate(machine.results[:3]):
+        assert [row["code"] for row in rows if row["compared"][place]["governs"]] == [result.governing_check.code]
     assert paper.startswith(b"%PDF-")
 
 

@@ -83,6 +83,7 @@ def bearing_content(chapter: Chapter, given: Collection[str] = (), own_words: Co
         "tables": [_table(table) for table in view.tables(result)],
         "heading": translated("Operating point" if in_machine_table(result) else "Results"),
         "results": _key_results(chapter) if result.outcome.solved else [],
+        "axes": _axes(result),
         "inputs": [
             {
                 "title": translated(group.title),
@@ -213,6 +214,16 @@ def _key_results(chapter: Chapter) -> list[Data]:
         for name, reason in result.missing.items()
     ]
     return [*rows, *(row | {"label": translated(row["label"])} for row in chapter.view.rows(chapter.results))]
+
+
+def _axes(result: Result) -> str:
+    """What the subscripts of coefficients mean; empty where there are none of two axes."""
+    if "stiffness_xy" not in result.values:
+        return ""
+    return translated(
+        "x points to the right and y upward, as drawn; k_xy is the force in x that resists a move in y: the force"
+        " of the film changes by −(K dx + C dx/dt)."
+    )
 
 
 def _of_limited_film(chapter: Chapter, name: str, quantity: Quantity) -> Data:

@@ -75,7 +75,10 @@ def compared_checks(chapter: Chapter, sources: Sequence[str]) -> list[Data]:
             {
                 **_what(present[0]),
                 "unit": quantity.display.label if quantity else "",
-                "compared": [_compared(check) for check in found],
+                "compared": [
+                    _compared(check) | {"governs": check is not None and check is result.governing_check}
+                    for check, result in zip(found, chapter.results, strict=True)
+                ],
                 "source": ", ".join(map(str, places)),
             }
         )
