@@ -6,11 +6,13 @@ from xml.etree import ElementTree
 import pytest
 
 from babbitt.app.answer import answer, read, solved, used_share
+from babbitt.app.answer_markup import verdict_markup
 from babbitt.app.document import CaseDocument
 from babbitt.case import CaseError
 from babbitt.core.kind import kinds
 from babbitt.core.result import Bound, Check
 from babbitt.report.picture import Handle, Picture
+from babbitt.report.verdict import worst_verdict
 from babbitt.solving import solve
 
 JOURNAL = kinds()["journal"].read_template()
@@ -106,6 +108,50 @@ def test_the_drawing_is_that_of_the_film():
     assert turned == pytest.approx(result.attitude_angle, abs=1e-3)
     load = next(one for one in root.iter(f"{space}path") if one.get("data-field") == "load_angle")
     assert float(load.get("data-angle")) == pytest.approx(-60.0)
+
+
+def test_of_several_clearances_the_worst_verdict_is_on_top():
+    """Tight limits that the smallest clearance keeps and the largest misses."""
+    document = CaseDocument(JOURNAL)
+    document.change(("clearance_cases",), "all")
+    found = answer(document.text)
+    tight = 0.5 * sum(
+        next(float(row[2]) for row in found.bearings[place].rows if row[1] == "h_min,st") for place in (0, 2)
+    )
+    document.change(("limits",), {"minimum_film_thickness": f"{tight:.3f} um"})
+    found = answer(document.text)
+    machine = solve(read(document.text))
+    verdicts = [one.verdict for one in machine.results]
+    assert len(set(verdicts)) > 1
+    assert found.bearings[found.worst].verdict_key == worst_verdict(machine.results).key
+    shown = verdict_markup(found.bearings[-1], found)
+    assert shown.index(worst_verdict(machine.results).value) < shown.index(found.bearings[-1].name)
+
+
+def test_missed_limits_say_what_to_do_and_a_missing_check_why_there_is_no_verdict():
+    (failed,) = answer(film(load="200 kN")).bearings
+    missed = next(one for one in failed.findings if one.code == "C103")
+    assert missed.grave
+    assert missed.remedy
+    (shown, *_) = answer(kinds()["screw_heel"].read_template()).bearings
+    assert shown.verdict_key == "no_verdict"
+    assert any(one.grave and "No check" in one.title for one in shown.findings)
+
+
+def test_what_the_case_does_not_give_has_no_handle():
+    """Pockets on both sides of the standard are drawn for the film, too, and are no entries of a list."""
+    document = CaseDocument(JOURNAL)
+    document.change(("method",), {"kind": "film", "accuracy": "draft"})
+    (shown,) = answer(document.text).bearings
+    assert 'data-field="pockets' not in shown.picture
+    assert 'data-field="load_angle"' in shown.picture
+
+
+def test_there_is_no_way_back_to_before_the_draft():
+    document = CaseDocument(JOURNAL)
+    document.begin(film())
+    document.undo()
+    assert document.text == film()
 
 
 def test_grooves_are_handles():

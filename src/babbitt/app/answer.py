@@ -4,24 +4,27 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
+from babbitt.app.document import CaseDocument
 from babbitt.case import CaseError, located, parse_case
 from babbitt.case.case_file import CaseFile
 from babbitt.case.method_mapping import METHOD, choices_of
 from babbitt.core.check_text import margin, value_and_limit
 from babbitt.core.files.reading import Reach
 from babbitt.core.language import keeping, translated, written_in
-from babbitt.core.limited_flow import quantity_held
+from babbitt.core.limited_flow import is_short_of_oil, quantity_held
 from babbitt.core.notices import Effect, InputError, explanations
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.quantities.display import displayed_in
-from babbitt.core.result import Bound, Check, Result
+from babbitt.core.result import Bound, Check, Result, Verdict
 from babbitt.core.solution import Solution
+from babbitt.report import findings
 from babbitt.report import verdict as verdicts
 from babbitt.report.coefficient_temperatures import temperature_remark
+from babbitt.report.drawing import Drawing
 from babbitt.report.labels import label, told_meaning
 from babbitt.report.meanings import remark_on_zero
 from babbitt.report.names import shown_name
@@ -43,6 +46,7 @@ __all__ = [
     "answer",
     "compared",
     "faults_of",
+    "figure_of",
     "figures",
     "json_of",
     "read",
@@ -150,10 +154,11 @@ class Shown:
 
 @dataclass(frozen=True)
 class Answer:
-    """What became of a case: what is wrong with it, or its bearings."""
+    """What became of a case: what is wrong with it, or its bearings, one of which is the worst."""
 
     faults: tuple[Fault, ...] = ()
     bearings: tuple[Shown, ...] = ()
+    worst: int = 0
     case_hash: str = ""
     quick: bool = False
     seconds: float = 0.0
@@ -216,9 +221,22 @@ def answer(text: str, quick: bool = False) -> Answer:
         machine = solved(text, quick)
     except CaseError as error:
         return Answer(faults_of(error), quick=quick, seconds=time.perf_counter() - begun)
+    document = CaseDocument(text)
     with keeping(machine.own_words):
-        bearings = tuple(shown(one) for one in machine.solutions)
-    return Answer((), bearings, machine.case_hash, quick, time.perf_counter() - begun)
+        bearings = tuple(shown(one, document) for one in machine.solutions)
+    worst = worst_of([one.result for one in machine.solutions])
+    return Answer((), bearings, worst, machine.case_hash, quick, time.perf_counter() - begun)
+
+
+def worst_of(results: Sequence[Result]) -> int:
+    """Place of the result with the gravest verdict, of several the one nearest its limit or farthest beyond."""
+    order = list(Verdict)
+
+    def gravity(place: int) -> tuple[int, float]:
+        result = results[place]
+        return -order.index(result.verdict), result.margin if math.isfinite(result.margin) else math.inf
+
+    return min(range(len(results)), key=gravity, default=0)
 
 
 def faults_of(error: CaseError) -> tuple[Fault, ...]:
@@ -251,8 +269,8 @@ def as_quick(case: CaseFile) -> CaseFile:
     return case.model_copy(update=changes) if changes else case
 
 
-def shown(solution: Solution) -> Shown:
-    """One bearing as the page shows it."""
+def shown(solution: Solution, document: CaseDocument) -> Shown:
+    """One bearing of a document as the page shows it."""
     result = solution.result
     governing = result.governing_check
     picture = view_of(result).picture(solution)
@@ -265,7 +283,7 @@ def shown(solution: Solution) -> Shown:
         "" if governing is None else f"{label(governing.quantity, result.kind)}: {margin(governing)}",
         cards_of(result),
         tuple(findings_of(result)),
-        "" if picture is None else picture.svg(),
+        "" if picture is None else picture.svg(document.may_turn),
         tuple(rows_of(result)),
         picture is not None and picture.moves,
         tuple(field for notice in result.warnings if notice.code == NOT_READ for field in notice.values["fields"]),
@@ -315,13 +333,21 @@ def used_share(check: Check) -> float:
 
 
 def findings_of(result: Result) -> Iterable[Finding]:
-    """Why there is no solution, warnings from the gravest on, and checks that were not made."""
+    """Why there is no solution, limits that are missed, why there is no verdict, warnings from the gravest on.
+
+    Then recommendations that are missed, and checks that were not made.
+    """
     if result.failure is not None:
         yield _finding(result.failure.code, result.failure.message, grave=True)
+    for group in (*findings.missed_limits([result]), *findings.lacking([result])):
+        yield _gathered(group, group.message, grave=True)
     for effect in (Effect.NO_VERDICT, Effect.QUESTIONS_RESULT, Effect.INFORMATION):
         for notice in result.warnings:
             if notice.effect is effect:
                 yield _finding(notice.code, notice.message, grave=effect is not Effect.INFORMATION)
+    for group in findings.missed_advice([result]):
+        said = f"{group.message}. {translated('A missed recommendation changes no verdict.')}"
+        yield _gathered(group, said, grave=False)
     for notice in result.not_checked:
         yield replace(_finding(notice.code, notice.message, grave=False), remedy="")
 
@@ -330,6 +356,10 @@ def _finding(code: str, message: str, grave: bool) -> Finding:
     known = explanations().get(code)
     title, remedy = (known.title, known.remedy) if known is not None else ("", "")
     return Finding(code, title, in_us_units(plain_text(message), OF_RESULTS), remedy, grave)
+
+
+def _gathered(group: findings.Group, message: str, grave: bool) -> Finding:
+    return Finding(group.code, in_us_units(group.title), in_us_units(message, OF_RESULTS), group.remedy, grave)
 
 
 def rows_of(result: Result) -> Iterable[tuple[str, str, str, str]]:
@@ -348,10 +378,18 @@ def figures(text: str) -> tuple[Figure, ...]:
     machine = solved(text)
     with keeping(machine.own_words):
         return tuple(
-            Figure(plain_text(f"{one.result.name}: {drawn.name}"), translated(drawn.caption), drawn.image.decode())
+            figure_of(one.result, drawn)
             for one in machine.solutions
             for drawn in view_of(one.result).report_figures(one)
         )
+
+
+def figure_of(result: Result, drawn: Drawing) -> Figure:
+    """A figure of a bearing; its caption says which film it is of where limits are held against another."""
+    caption = translated(drawn.caption)
+    if is_short_of_oil(result):
+        caption = f"{caption} {translated('The figures are of the film with the full flow.')}"
+    return Figure(plain_text(f"{result.name}: {drawn.name}"), caption, drawn.image.decode())
 
 
 def compared(text: str) -> tuple[Table, ...]:

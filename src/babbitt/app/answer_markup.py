@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections import Counter
 from collections.abc import Iterable
 from xml.etree import ElementTree
 
@@ -23,16 +24,31 @@ Element = ElementTree.Element
 
 
 def verdict_markup(shown: Shown, answer: Answer) -> str:
-    """Verdict, method and governing check of one bearing."""
-    row = _part(f"verdict {shown.verdict_key}")
-    _within(row, "q-icon material-icons", ICONS[shown.verdict_key], "i", {"aria-hidden": "true"})
-    _within(row, "word", shown.verdict)
+    """Verdict, method and governing check of one bearing, of several under the worst verdict of all."""
+    several = len(answer.bearings) > 1
+    row = _verdict(answer.bearings[answer.worst] if several else shown)
     if answer.quick:
         _within(row, "quick", word("quick"))
-    made = [row, _part("small", shown.method)]
+    made = [row]
+    if several:
+        counted = Counter(one.verdict for one in answer.bearings)
+        said = ", ".join(f"{number} × {verdict}" for verdict, number in counted.items())
+        made += [
+            _part("small", f"{word('all_bearings')}: {said}"),
+            _part("small name", shown.name),
+            _verdict(shown),
+        ]
+    made.append(_part("small", shown.method))
     if shown.governing:
         made.append(_part("small", f"{word('governing')}: {shown.governing}"))
     return _text(made)
+
+
+def _verdict(shown: Shown) -> Element:
+    row = _part(f"verdict {shown.verdict_key}")
+    _within(row, "q-icon material-icons", ICONS[shown.verdict_key], "i", {"aria-hidden": "true"})
+    _within(row, "word", shown.verdict)
+    return row
 
 
 def cards_markup(cards: Iterable[Card], kept: Shown | None = None) -> str:

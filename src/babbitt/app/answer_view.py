@@ -47,7 +47,7 @@ class AnswerView:
                 ui.label(word("faults")).classes("heading")
                 show_faults(answer.faults)
             return
-        names = {number: one.name for number, one in enumerate(answer.bearings)}
+        names = {number: f"{one.name}: {one.verdict}" for number, one in enumerate(answer.bearings)}
         if names != self._bearings.options or self._bearings.value != place:
             self._bearings.set_options(names, value=place)
             self._bearings.set_visibility(len(names) > 1)

@@ -54,6 +54,10 @@ class CaseDocument:
                 self._drawn = (self.text, ())
         return self._drawn[1]
 
+    def begin(self, text: str) -> None:
+        """Take another text to begin with: there is no way back to the one before."""
+        self._texts, self._place, self._before = [text], 0, None
+
     def write(self, text: str) -> None:
         """Take another text in its place; a movement ends before."""
         self.keep()
@@ -89,6 +93,11 @@ class CaseDocument:
             except (LookupError, TypeError):
                 return False
         return True
+
+    def may_turn(self, field: str) -> bool:
+        """Whether a hand may turn a field: one of the case itself, or within something that it gives."""
+        path = path_in(field)
+        return len(path) == 1 or self.has(path[:-1])
 
     def undo(self) -> None:
         """Go back by one change, a movement that has not ended being one."""

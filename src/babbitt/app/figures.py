@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from babbitt.app.answer import Fault, Figure, faults_of, solved
+from babbitt.app.answer import Fault, Figure, faults_of, figure_of, solved
 from babbitt.app.progress import followed
 from babbitt.case import CaseError
-from babbitt.core.language import keeping, translated
-from babbitt.report.text import plain_text
+from babbitt.core.language import keeping
 from babbitt.report.view import view_of
 
 __all__ = ["all_figures"]
@@ -27,7 +26,7 @@ def all_figures(text: str, progress: str) -> tuple[tuple[Fault, ...], tuple[Figu
         return faults_of(error), ()
     with keeping(machine.own_words):
         return (), tuple(
-            Figure(plain_text(f"{one.result.name}: {drawn.name}"), translated(drawn.caption), drawn.image.decode())
+            figure_of(one.result, drawn)
             for one in followed(machine.solutions, progress)
             for drawn in view_of(one.result).figures(one, "svg")
         )

@@ -5,7 +5,9 @@ window.babbitt = {
     (drawn) => babbitt.still ? drawn.pauseAnimations() : drawn.unpauseAnimations()),
   hold: () => { babbitt.still = !babbitt.still; babbitt.settle(); },
   // The draft outlives a reload: it is kept by the browser, for this tab alone, and is sent to nobody else.
-  keep: (key, draft) => {
+  // An address with an earlier case would send that to whoever gets it: it goes with the first change.
+  keep: (key, link, draft) => {
+    if (location.hash && location.hash !== link) history.replaceState(null, "", location.pathname + location.search);
     try { sessionStorage.setItem(key, JSON.stringify({hash: location.hash, ...draft})); } catch { /* full, or forbidden */ }
   },
   kept: (key) => {

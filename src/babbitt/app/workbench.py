@@ -23,7 +23,7 @@ from babbitt.app.form import Path
 from babbitt.app.form_view import FormView
 from babbitt.app.head import Head
 from babbitt.app.in_language import InLanguage
-from babbitt.app.link import case_of
+from babbitt.app.link import case_of, link_of
 from babbitt.app.maps_view import MapsView
 from babbitt.app.parts import LongWork, on_request, outdate, show_faults, show_figures, show_table, tell_ended
 from babbitt.app.published_view import PublishedView
@@ -66,7 +66,7 @@ class Workbench:
         self._questions, self._shown = count(1), 0
         self.document = CaseDocument(text)
         self.found = Answer()
-        self.place = 0
+        self.place, self._is_picked = 0, False
         self._computed: dict[str, Any] = {}
         self._key = f"babbitt:{hashlib.sha256(text.encode()).hexdigest()[:16]}"
 
@@ -171,7 +171,8 @@ class Workbench:
             if text is None:
                 ui.notify(word("not_a_link"), type="negative")
         if text is not None and text != self.document.text:
-            self._replace(text)
+            self.document.begin(text)
+            self._replaced()
         elif self._form.system != SYSTEMS[0]:
             self._all_anew()
         else:
@@ -197,7 +198,7 @@ class Workbench:
         self._replaced()
 
     def _replaced(self) -> None:
-        self.place = 0
+        self._is_picked = False
         self._all_anew()
 
     def _all_anew(self) -> None:
@@ -239,9 +240,9 @@ class Workbench:
     def _turned(self, event: events.GenericEventArguments) -> None:
         """A hand turned the load or a feed."""
         field, angle = event.args["field"], float(event.args["angle"])
-        path = path_in(str(field))
-        if len(path) > 1 and not self.document.has(path[:-1]):
+        if not self.document.may_turn(str(field)):
             return
+        path = path_in(str(field))
         self.document.change(path, f"{angle:.1f} deg")
         self._form.show([path])
         self._slider.draw()
@@ -261,7 +262,8 @@ class Workbench:
     def _keep(self) -> None:
         """Have the browser keep what a reload would lose."""
         draft = {"text": self.document.text, "units": self._system(), "dark": self._dark.value}
-        ui.run_javascript(f"babbitt.keep({json.dumps(self._key)}, {json.dumps(draft)})")
+        link = f"#{link_of(self.document.text)}"
+        ui.run_javascript(f"babbitt.keep({json.dumps(self._key)}, {json.dumps(link)}, {json.dumps(draft)})")
 
     def _darken(self) -> None:
         self._dark.value = not self._dark.value
@@ -294,7 +296,8 @@ class Workbench:
         if found.faults or self.found.faults:
             self._form.blame(found.faults)
         self.found = found
-        self.place = min(self.place, max(len(found.bearings) - 1, 0))
+        if not self._is_picked or self.place >= len(found.bearings):
+            self.place, self._is_picked = found.worst, False
         self._show()
         with suppress(Ended):  # the design that was kept stays as it was shown
             if await self._designs.follow(self._system()):
@@ -324,7 +327,7 @@ class Workbench:
         self._results.fade()
 
     def _chosen(self, place: int) -> None:
-        self.place = place
+        self.place, self._is_picked = place, True
         self._show()
 
     async def _draw_figures(self, box: ui.column) -> None:

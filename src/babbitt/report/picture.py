@@ -10,7 +10,7 @@ import copy
 import itertools
 import math
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from pathlib import Path
 from xml.etree import ElementTree
@@ -247,9 +247,21 @@ class Picture(Canvas):
         x = min(max(x, half_width - self.reach), self.reach - half_width)
         self.text(x, min(max(y, self.low + half_height), self.high - half_height), words)
 
-    def svg(self) -> str:
-        """The drawing as a text of SVG, to be styled by the page that shows it."""
-        return ElementTree.tostring(self._root, encoding="unicode")
+    def svg(self, may_turn: Callable[[str], bool] = lambda field: True) -> str:
+        """The drawing as a text of SVG, to be styled by the page that shows it.
+
+        Parameters
+        ----------
+        may_turn : callable
+            Whether a hand may turn what has a field; what it may not is drawn without a handle.
+        """
+        root = copy.deepcopy(self._root)
+        for shape in root.iter():
+            field = shape.get("data-field")
+            if field is not None and not may_turn(field):
+                del shape.attrib["data-field"], shape.attrib["data-angle"]
+                shape.set("class", shape.attrib["class"].removesuffix(" handle"))
+        return ElementTree.tostring(root, encoding="unicode")
 
     def printed(self) -> str:
         """The drawing as a text of SVG in the style of paper."""

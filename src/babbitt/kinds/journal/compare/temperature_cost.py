@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from babbitt.core.limited_flow import quantity_held
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Result
 from babbitt.core.units import ZERO_CELSIUS
@@ -18,6 +19,8 @@ FULLEST = ("full thermal film", "adiabatic film")
 
 def cost_of_one_temperature(comparison: Comparison) -> Iterator[str]:
     """Say how a film with its own temperatures differs from one of a single temperature.
+
+    Of a bearing short of oil the film counts against which its limits are held.
 
     Parameters
     ----------
@@ -40,19 +43,20 @@ def cost_of_one_temperature(comparison: Comparison) -> Iterator[str]:
 
 def _said(label: str, plain: Result, fullest: str, full: Result) -> str:
     whom = label.replace(GLOBAL, "the film of one temperature")
-    thin = full.minimum_film_thickness / plain.minimum_film_thickness - 1.0
-    less = full.friction_power / plain.friction_power - 1.0
+    thickness = plain.values[quantity_held(plain, "minimum_film_thickness")]
+    thin = full.minimum_film_thickness / thickness - 1.0
+    less = full.friction_power / plain.values[quantity_held(plain, "friction_power")] - 1.0
     film = QUANTITIES["minimum_film_thickness"]
     words = (
         f"Against {whom} the {fullest} is {abs(thin):.0%} {'thinner' if thin < 0.0 else 'thicker'} at its "
         f"thinnest ({film.format(full.minimum_film_thickness)} instead of "
-        f"{film.format(plain.minimum_film_thickness)} {film.display.label}) and takes {abs(less):.0%} "
+        f"{film.format(thickness)} {film.display.label}) and takes {abs(less):.0%} "
         f"{'less' if less < 0.0 else 'more'} power"
     )
     known = "outlet_temperature" if "outlet_temperature" in plain.values else "effective_temperature"
     place = "bush" if "maximum_bush_temperature" in full.values else "film"
     hottest = full.values.get("maximum_bush_temperature", full.maximum_temperature)
-    apart = hottest - plain.values[known]
+    apart = hottest - plain.values[quantity_held(plain, known)]
     said = "outlet" if known == "outlet_temperature" else "effective temperature"
     return (
         f"{words}; its {place} reaches {hottest - ZERO_CELSIUS:.0f} °C, {abs(apart):.0f} K "
