@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -100,7 +100,9 @@ class MachineResult:
         return replace(self, solutions=tuple(one.without_state() for one in self.solutions))
 
 
-def solve(case: CaseFile, progress: ProgressCallback = no_progress) -> MachineResult:
+def solve(
+    case: CaseFile, progress: ProgressCallback = no_progress, only: Collection[str] | None = None
+) -> MachineResult:
     """Solve every bearing of a case.
 
     Parameters
@@ -109,12 +111,17 @@ def solve(case: CaseFile, progress: ProgressCallback = no_progress) -> MachineRe
         From `babbitt.load_case` or `babbitt.parse_case`.
     progress : callable
         Hands on the numbers of the cycles of an orbit, which takes long, and may show how far it is.
+    only : collection of str, optional
+        Quantities that are wanted, limits and what questions them besides (`Calculation.only`); None: all.
 
     Returns
     -------
     MachineResult
     """
-    solutions: Sequence[Solution] = [found for one in case.calculations() for found in one.solve(progress)]
+    calculations = case.calculations()
+    if only is not None:
+        calculations = tuple(one.only(only) for one in calculations)
+    solutions: Sequence[Solution] = [found for one in calculations for found in one.solve(progress)]
     return MachineResult(
         case.name,
         tuple(solutions),

@@ -109,7 +109,7 @@ def test_no_film_is_asked_that_misses_a_limit_or_carries_nothing():
     kept = solve(parse_case(TILTED))["A"]
     light = replace(case, duty=PrescribedLoad(0.0))
     for other, result in ((case, missed), (light, kept), (replace(case, fuller=None), kept)):
-        assert not tuple(warnings_of_fuller_film(other, result, asked.append))
+        assert not tuple(warnings_of_fuller_film(result, other.with_own_temperatures(), asked.append))
     assert not asked
 
 
@@ -136,7 +136,7 @@ def test_a_film_that_closes_with_temperatures_of_its_own_is_told():
         return replace(found, outcome=Outcome.OVERLOADED)
 
     case = calculations(parse_case(TILTED))[0].problem
-    (said,) = warnings_of_fuller_film(case, solve(parse_case(TILTED))["A"], overloaded)
+    (said,) = warnings_of_fuller_film(solve(parse_case(TILTED))["A"], case.with_own_temperatures(), overloaded)
     assert [one.variant for one in said.values["told"]] == ["no_thermal_film"]
 
 

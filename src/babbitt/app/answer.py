@@ -254,7 +254,7 @@ def solved(text: str, quick: bool = False) -> MachineResult:
     """
     case = read(text)
     try:
-        return solve(as_quick(case) if quick else case)
+        return solve(as_quick(case), only=()) if quick else solve(case)
     except InputError as error:
         raise located(error, case, NAME) from None
 
@@ -341,6 +341,9 @@ def findings_of(result: Result) -> Iterable[Finding]:
         yield _finding(result.failure.code, result.failure.message, grave=True)
     for group in (*findings.missed_limits([result]), *findings.lacking([result])):
         yield _gathered(group, group.message, grave=True)
+    if result.outcome.solved and not (result.limits or result.lacking):
+        said = translated("Nothing is held against a limit, so that there is no verdict.")
+        yield Finding("", said, "", "", grave=True)
     for effect in (Effect.NO_VERDICT, Effect.QUESTIONS_RESULT, Effect.INFORMATION):
         for notice in result.warnings:
             if notice.effect is effect:

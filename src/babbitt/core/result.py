@@ -243,6 +243,11 @@ class Result:
         return tuple(check for check in self.checks if not check.advisory)
 
     @property
+    def keeps_all_limits(self) -> bool:
+        """Whether it is solved and misses none of the limits that were checked, whatever questions it."""
+        return self.outcome.solved and all(one.ok for one in self.limits)
+
+    @property
     def governing_check(self) -> Check | None:
         """The limit with the least margin; None where nothing was held against a limit, or nothing was found."""
         if not self.outcome.solved:

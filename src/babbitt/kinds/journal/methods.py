@@ -31,10 +31,26 @@ class Iso7902(Method):
     name: ClassVar[str] = "iso7902"
 
     def solve(self, problem: DesignCase, progress: ProgressCallback = no_progress) -> tuple[Solution, ...]:
-        """Solve by the tables of characteristics and the heat balance of the standard."""
+        """Solve by the tables of characteristics and the heat balance of the standard.
+
+        A bearing that keeps its limits by less than films with temperatures of their own may differ, or whose
+        housing is cooled, is held against such a film, too.
+        """
         from babbitt.kinds.journal.iso7902 import check
 
-        return (Solution(problem, check(problem)),)
+        result = check(problem)
+        sure = tuple(one for one in result.warnings if one.code != "W191")
+        doubtful = problem.cooling is not None or sure != result.warnings
+        if problem.fuller_film is not None and doubtful and result.keeps_all_limits:
+            from babbitt.kinds.journal.film.check import beside_fuller_film
+
+            # What the film keeps is no doubt any more, and what it misses is known.
+            result = beside_fuller_film(replace(result, warnings=sure), problem.fuller_film)
+        return (Solution(problem, result),)
+
+    def only(self, problem: DesignCase, quantities: Collection[str]) -> DesignCase:
+        """The procedure of the standard alone: of many bearings margins are asked in place of a film of each."""
+        return replace(problem, fuller_film=None)
 
 
 @dataclass(frozen=True)

@@ -91,21 +91,14 @@ one temperature, over the root of U sqrt(η_eff).
 Assumption by measurement of the same bearings, 207 by ISO 7902 and 69 films of one temperature: none of their
 films with temperatures of their own is thinner than by its viscosity there, or by ``THINNER``."""
 
-LOADED_BY_PRESSURE = 4e-6
-"""K/Pa: by how much the oil that carries the load may be hotter than the one temperature, over p̄, where the supply
-presses more than ``PRESSED`` of Q₃ through the gap or delivers less than Q₃. About 7/(ρ c): what a film that keeps
-its heat warms by goes with p̄/(ρ c), whatever its oil and speed.
+LOADED_BY_PRESSURE, LOADED_SHORT_OF_OIL = 5e-6, 1e-5
+"""K/Pa: by how much the oil that carries the load may be hotter than the one temperature, over p̄; and the same of
+the film with the limited flow of a supply that delivers less than Q₃. A film that keeps its heat warms by about
+7/(ρ c) times p̄, whatever its oil and speed.
 
 Assumption by measurement of 378 bearings with 2.5 to 7 MPa and ISO VG 22 to 460 (docs/theory/procedure.md, set
-``heavy``): the films of none are thinner than by the viscosity at 3.9 K/MPa above."""
-
-LOADED_IN_WIDE_CLEARANCE, WIDE_CLEARANCE, WIDE_BEARING = 5e-6, 1.5, 0.8
-"""The same, whatever the supply, where the clearance is more than so many times the recommended one, and the width
-more than that share of the diameter.
-
-Assumption by searches, which climbed to bearings with B/D of 0.92 to 1, 1.6 to 2 times the recommended clearance
-and thin oil: their films are as thin as by 3.3 to 4.4 K/MPa, of supplies that press 0.18 to 0.48 of Q₃ and just
-deliver it."""
+``heavy``), the films of none are thinner than by the viscosity at 3.9 K/MPa above, and by searches that climbed to
+4.4 in wide clearances, and to 8.9 where feeds on both sides deliver three quarters of Q₃ under little pressure."""
 
 FASTEST_AND_LOADED, FASTEST_OF_NARROW, NARROW = 3e8, 1.5e8, 0.3
 """Pa m/s: the largest p̄ U of the bearings that were measured, and that of those narrower than a share of their
@@ -372,11 +365,7 @@ def loaded_temperature(check: Check, values: Mapping[str, float]) -> float:
     loaded: float = larger(above_inlet(values, rise), sheared)
     if "specific_load" not in values:
         return loaded
-    lacking = 1.0 if is_limited(check.quantity) else may_be_pressed(values)
-    recommended = values.get("recommended_relative_clearance", math.inf)
-    loose = values.get("relative_clearance", 0.0) > WIDE_CLEARANCE * recommended
-    wide = loose * (values.get("width_ratio", 0.0) > WIDE_BEARING)
-    by_pressure = larger(LOADED_BY_PRESSURE * lacking, LOADED_IN_WIDE_CLEARANCE * wide)
+    by_pressure = LOADED_SHORT_OF_OIL if is_limited(check.quantity) else LOADED_BY_PRESSURE
     return larger(loaded, one + by_pressure * values["specific_load"])
 
 

@@ -88,7 +88,12 @@ def iso7902_cases(bearing: JournalBearing, case: CaseFile) -> tuple[DesignCase, 
     """
     if unknown_to_iso7902(bearing, case):
         return ()
-    return tuple(_expanded(bearing, case, iso7902_case))
+    return tuple(_expanded(bearing, case, _beside_film))
+
+
+def _beside_film(inputs: Inputs, at: Point) -> DesignCase:
+    """Design case of ISO 7902, with the film of the bearing that has temperatures of its own."""
+    return replace(iso7902_case(inputs, at), fuller_film=film_case(inputs, at).with_own_temperatures())
 
 
 def unknown_to_iso7902(bearing: JournalBearing, case: CaseFile) -> str:

@@ -98,10 +98,13 @@ def film_check(case: FilmCase, watch: ProgressCallback = no_progress) -> Result:
 def film_solution(case: FilmCase, watch: ProgressCallback = no_progress) -> Solution:
     """Solve a film as `film_by_its_model`, and say what one with temperatures of its own misses of its limits."""
     found = film_by_its_model(case, watch)
-    told = tuple(warnings_of_fuller_film(case, found.result, lambda other: film_by_its_model(other).result))
-    if not told:
-        return found
-    return replace(found, result=replace(found.result, warnings=(*found.result.warnings, *told)))
+    return replace(found, result=beside_fuller_film(found.result, case.with_own_temperatures()))
+
+
+def beside_fuller_film(result: Result, film: FilmCase | None) -> Result:
+    """A result of one temperature with what a film with temperatures of its own misses of its limits."""
+    told = tuple(warnings_of_fuller_film(result, film, lambda other: film_by_its_model(other).result))
+    return replace(result, warnings=(*result.warnings, *told)) if told else result
 
 
 def film_by_its_model(case: FilmCase, watch: ProgressCallback = no_progress) -> Solution:

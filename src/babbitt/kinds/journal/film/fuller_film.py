@@ -14,7 +14,6 @@ from babbitt.kinds.journal.film.layout import load_vector
 from babbitt.kinds.journal.film.model import FilmCase
 from babbitt.kinds.journal.film.orbit_results import orbit_of
 from babbitt.kinds.journal.film.stable_equilibrium import converged_film, place_of
-from babbitt.reynolds.model import Cavitation
 
 __all__ = ["film_over_viscosity", "thinner_film", "thinner_orbit", "warnings_of_fuller_film"]
 
@@ -37,36 +36,27 @@ MISSED = {
 
 
 def warnings_of_fuller_film(
-    case: FilmCase, result: Result, solve: Callable[[FilmCase], Result]
+    result: Result, film: FilmCase | None, solve: Callable[[FilmCase], Result]
 ) -> Iterator[Notice]:
-    """What a film of one temperature that misses no limit misses once it has temperatures of its own.
+    """What a bearing of one temperature that misses no limit misses once its film has temperatures of its own.
 
     Parameters
     ----------
-    case : FilmCase
-        Nothing is asked of one without `fuller` model.
     result : Result
-        Of it, with its checks.
+        Of one temperature, with its checks.
+    film : FilmCase or None
+        With temperatures of its own (`FilmCase.with_own_temperatures`); of None nothing is asked.
     solve : callable
-        Result of another case.
+        Result of a film.
     """
-    unloaded = isinstance(case.duty, PrescribedLoad) and case.duty.load == 0.0
-    if case.fuller is None or unloaded or not result.outcome.solved or not all(one.ok for one in result.limits):
+    if film is None or not result.keeps_all_limits:
         return
     try:
-        told = tuple(_worse(result, solve(of_own_temperatures(case))))
+        told = tuple(_worse(result, solve(film)))
     except InputError as error:
         told = (Notice("W191", "no_thermal_film", {"outcome": error.message}),)
     if told:
         yield Notice("W191", "fuller", {"told": told})
-
-
-def of_own_temperatures(case: FilmCase) -> FilmCase:
-    """The case with a film that conserves its oil and has its own temperatures, and nothing besides it."""
-    return replace(
-        case, heat=case.fuller, fuller=None, cavitation=Cavitation.MASS_CONSERVING, changing_load=None,
-        asperities=None, tilt_coefficients=False, error_estimate=False, limiting_speeds=False, friction_factor=1.0,
-    )  # fmt: skip
 
 
 def _worse(result: Result, found: Result) -> Iterator[Notice]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import Enum
 
 from babbitt.core.notices import Notice
@@ -13,6 +13,7 @@ from babbitt.design.conditions import (
     Limits,
     LoadSpec,
     OilSupply,
+    PrescribedLoad,
     Proportions,
     Surfaces,
 )
@@ -233,6 +234,20 @@ class FilmCase:
     heat: HeatModel | None = None
     fuller: HeatModel | None = None
     asperities: AsperityContact | None = None
+
+    def with_own_temperatures(self) -> FilmCase | None:
+        """The case with a film that conserves its oil and has its own temperatures, and nothing besides it.
+
+        None where that is not known, as beside an unloaded journal.
+        """
+        unloaded = isinstance(self.duty, PrescribedLoad) and self.duty.load == 0.0
+        if self.fuller is None or unloaded:
+            return None
+        return replace(
+            self, heat=self.fuller, fuller=None, cavitation=Cavitation.MASS_CONSERVING, changing_load=None,
+            asperities=None, tilt_coefficients=False, error_estimate=False, limiting_speeds=False,
+            friction_factor=1.0,
+        )  # fmt: skip
 
     @property
     def assumed_of_lubricant(self) -> tuple[str, ...]:

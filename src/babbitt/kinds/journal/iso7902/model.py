@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from enum import Enum
+from typing import TYPE_CHECKING
 
 from babbitt.core.notices import Notice
 from babbitt.design.conditions import (
@@ -18,6 +19,9 @@ from babbitt.design.conditions import (
 from babbitt.kinds.journal.iso7902.supply import CircumferentialGroove, SupplyElement
 from babbitt.properties.lubricants import Lubricant
 from babbitt.properties.materials import BearingMetal, LoadCharacter
+
+if TYPE_CHECKING:
+    from babbitt.kinds.journal.film.model import FilmCase
 
 __all__ = [
     "Bearing",
@@ -119,7 +123,8 @@ class DesignCase:
     one of `oil_supply` and `cooling` carries the heat away, unless the effective temperature (K) is
     prescribed. `given` holds names and words of the case that these numbers came from (a fit, a material), for
     the report. `warnings` arose while the case was made and ride along to the result. `mean_alone` says that the
-    clearance has limits and that no other case of the bearing is at them.
+    clearance has limits and that no other case of the bearing is at them. `fuller_film` has temperatures of its
+    own and must keep the limits of the same bearing, too; None where it is not known, or not asked for.
     """
 
     name: str
@@ -143,3 +148,4 @@ class DesignCase:
     free_arcs: tuple[FreeArc, ...] = ()
     rotor_mass: float | None = None
     mean_alone: bool = False
+    fuller_film: FilmCase | None = field(default=None, compare=False)
