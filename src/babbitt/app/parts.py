@@ -205,6 +205,6 @@ class LongWork:
         finally:
             self._running = None
             self._idle(True)
-        self._said.text = ""
+        self._said.text = word("done")
         with self._box:
             self._show(found)

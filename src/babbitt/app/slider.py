@@ -57,19 +57,22 @@ class Slider:
         self.draw()
 
     def draw(self) -> None:
-        """Draw the sliders anew; a hand that held one holds none of these."""
+        """Draw the sliders anew; a hand that held one holds none of these.
+
+        What was picked comes back with a case that has it again.
+        """
         self._held = False
         self._box.clear()
         entries = {one.path: one for one in quantities(self.document.items)}
         if not entries:
             return
-        self._picked = [path for path in self._picked if path in entries] or first_picked(entries)
+        picked = [path for path in self._picked if path in entries] or first_picked(entries)
         with self._box:
             ui.select(
                 {path: path_name(path) for path in entries},
-                value=self._picked, multiple=True, label=word("pick_field"), on_change=self._pick,
+                value=picked, multiple=True, label=word("pick_field"), on_change=self._pick,
             ).props("dense use-chips").classes("w-full")  # fmt: skip
-            for path in self._picked:
+            for path in picked:
                 self._slider(entries[path])
 
     def _pick(self, event: Any) -> None:

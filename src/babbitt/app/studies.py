@@ -11,6 +11,7 @@ from babbitt.app.document import CaseDocument, path_in, with_changed
 from babbitt.app.form import Item, as_text, quantities
 from babbitt.app.progress import FileWatch
 from babbitt.app.units import from_si, split
+from babbitt.app.words import told
 from babbitt.case import CaseError, located
 from babbitt.case.with_units import case_text
 from babbitt.core.kind import find_kind
@@ -177,24 +178,26 @@ def _mean_of(given: Mapping[str, Any]) -> str:
     return f"{1e3 * bearing.mean_relative_clearance:.6g} permille"
 
 
-def sizes_of(study: Study) -> tuple[str, ...] | None:
+def sizes_of(study: Study) -> dict[str, str] | None:
     """Values that keep all limits, as a case file has them: ends and best of each interval, or choices.
 
-    None where the study does not say in which unit a case file has them.
+    Each with what it is, in words; empty for a choice. None where the study does not say in which unit a case file has them.
     """
     size = size_of(study)
     if size.choices:
-        return tuple(str(choice) for choice, one in size.choices.items() if one.permitted)
+        return {str(choice): "" for choice, one in size.choices.items() if one.permitted}
     asked = study.block.vary.get(size.path)
     if asked is None or asked.range is None:
         return None
     unit = str(asked.range[0]).partition(" ")[2]
-    found = [
-        f"{rounded(from_si(trial.value, unit), upward=upward)} {unit}".strip()
-        for one in size.intervals
-        for trial, upward in ((one.lower, True), (one.upper, False), (one.best, one.best is one.lower))
-    ]
-    return tuple(dict.fromkeys(found))
+    found: dict[str, list[str]] = {}
+    for one in size.intervals:
+        for trial, upward, role in (
+            (one.lower, True, "from"), (one.upper, False, "to"), (one.best, one.best is one.lower, "largest margin")
+        ):  # fmt: skip
+            text = f"{rounded(from_si(trial.value, unit), upward=upward)} {unit}".strip()
+            found.setdefault(text, []).append(told(role))
+    return {text: ", ".join(roles) for text, roles in found.items()}
 
 
 def _values(axis: Axis, kind: str) -> Any:

@@ -178,12 +178,13 @@ class StudiesView:
             show_table(table)
         show_figures(found.figures)
 
-    def _offer(self, size: Size, sizes: tuple[str, ...]) -> None:
+    def _offer(self, size: Size, sizes: dict[str, str]) -> None:
         """Buttons that put a value which keeps all limits into the case."""
         with ui.row().classes("items-center"):
             ui.label(word("take_size" if sizes else "no_size"))
-            for text in sizes:
-                ui.button(text, on_click=lambda _, text=text: self._take(size.path, text)).props("outline no-caps")
+            for text, role in sizes.items():
+                said = f"{text} ({role})" if role else text
+                ui.button(said, on_click=lambda _, text=text: self._take(size.path, text)).props("outline no-caps")
         if any(None in (one.below, one.above) for one in size.intervals):
             ui.label(word("scan_ends")).classes("small")
 

@@ -19,6 +19,9 @@ __all__ = ["TOLERANCE", "Interval", "Trial", "find_permitted"]
 TOLERANCE = 1e-4
 """Width of the bracket of an end over the end."""
 
+MARGIN_DIGITS = 6
+"""Of margins that are taken for equal."""
+
 LEAST = 1e-12
 """Size that a margin has at least in the search: a limit that is met exactly is kept."""
 
@@ -126,7 +129,9 @@ def find_permitted(scan: Sequence[Trial], tried: Callable[[float], Trial]) -> tu
         lower, below = (scan[first], None) if first == 0 else _end(tried, scan[first], scan[first - 1])
         last_of_scan = last == len(scan) - 1
         upper, above = (scan[last], None) if last_of_scan else _end(tried, scan[last], scan[last + 1])
-        best = max((lower, *scan[first : last + 1], upper), key=lambda one: one.margin)
+        # Of margins that are equal but for round-off, that of a value without remarks.
+        every = (lower, *scan[first : last + 1], upper)
+        best = max(every, key=lambda one: (round(one.margin, MARGIN_DIGITS), not one.remarks))
         intervals.append(Interval(lower, upper, below, above, best))
     return tuple(intervals)
 
