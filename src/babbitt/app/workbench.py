@@ -86,14 +86,16 @@ class Workbench:
         self._dark = ui.dark_mode(None)  # as the system has it
         Head(self.document, self._solver, self._replaced, self._darken)
         with ui.element("div").classes("bench"):
-            with ui.element("section").classes("case").props(f'aria-label="{word("form")}"'):
+            with ui.element("section").classes("case").props(f'aria-label="{word("form")}" id="form" tabindex="-1"'):
                 self._case()
             with ui.element("section").classes("bearing").props(f'aria-label="{word("bearing")}"'):
                 self._compiling = ui.label("").classes("small").props('role="status"')
                 self._drawing = DrawingView()
-            with ui.element("section").classes("more").props(f'aria-label="{word("more")}"'):
+            with ui.element("section").classes("more").props(f'aria-label="{word("more")}" id="more" tabindex="-1"'):
                 self._tabs()
-            with ui.element("section").classes("answer").props(f'aria-label="{word("results")}" id="answer"'):
+            with ui.element("section").classes("answer").props(
+                f'aria-label="{word("results")}" id="answer" tabindex="-1"'
+            ):
                 self._view = AnswerView(self._chosen)
         ui.on("turned", self._turned, args=["field", "angle"])
         ui.on("linked", self._linked)
