@@ -69,6 +69,11 @@ window.babbitt = {
     || control.closest("label")?.querySelector("[aria-label]")?.getAttribute("aria-label") || control.textContent;
   const like = (control) => `${control.getAttribute("role") ?? control.tagName} ${nameOf(control)}`;
   const alike = (area, wanted) => [...area.querySelectorAll(CONTROLS)].filter((one) => like(one) === wanted);
+  // A button that has hidden itself, as Cancel does, leaves the focus to the control before it.
+  const before = (control) => {
+    const controls = [...last.area.querySelectorAll(CONTROLS)];
+    return controls.slice(0, controls.indexOf(control)).findLast((one) => one.checkVisibility());
+  };
   document.addEventListener("focusin", (event) => {
     const area = event.target.closest("header, section");
     if (!area) return;
@@ -85,7 +90,8 @@ window.babbitt = {
   new MutationObserver(() => {
     if (!last || document.activeElement !== document.body) return;
     const found = alike(last.area, last.wanted);
-    const control = last.control.isConnected ? last.control : found[Math.min(last.place, found.length - 1)];
+    let control = last.control.isConnected ? last.control : found[Math.min(last.place, found.length - 1)];
+    if (control && !control.checkVisibility()) control = before(control);
     if (control && !control.disabled) control.focus({preventScroll: true});
   }).observe(document.documentElement,
     {childList: true, subtree: true, attributes: true, attributeFilter: ["disabled"]});
