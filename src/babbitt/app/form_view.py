@@ -123,10 +123,10 @@ class FormView:
 
     def _entry(self, entry: Entry) -> None:
         if entry.is_switch:
-            found = ui.switch(
+            switch = ui.switch(
                 entry.label, value=bool(entry.value), on_change=lambda e: self._take(entry.path, bool(e.value))
             )
-            _explain(found, entry.help)
+            _explain(switch, entry.help)
         elif entry.options:
             options = list(entry.options) if entry.is_required else [NONE, *entry.options]
             value = as_text(entry.value) if as_text(entry.value) in options else options[0]
