@@ -17,6 +17,20 @@ IN_BROWSER = [
 """Marks of these tests."""
 
 
+MOST_STEPS = 200
+"""Presses of a key within which everything is to be reached."""
+
+NAME = """() => {
+  const here = document.activeElement, copy = here.cloneNode(true);
+  copy.querySelectorAll("i").forEach((icon) => icon.remove());
+  return (here.getAttribute("aria-label") || here.labels?.[0]?.innerText || copy.textContent).trim();
+}"""
+"""What is focused, by its name."""
+
+MARKED = "() => document.querySelector('.q-menu .q-manual-focusable--focused')?.innerText ?? ''"
+"""The option that the arrow keys have come to."""
+
+
 def film_thickness(page):
     """Of the card, in µm."""
     said = page.locator(".card", has_text="Minimum film thickness").first.inner_text()
@@ -52,3 +66,29 @@ def opened(page, text):
         {"name": "case.yaml", "mimeType": "text/yaml", "buffer": text.encode()}
     )
     page.wait_for_selector(".verdict")
+
+
+def press_until(page, key, reached):
+    for _ in range(MOST_STEPS):
+        page.keyboard.press(key)
+        if reached():
+            return
+        page.wait_for_timeout(50)
+    raise AssertionError(f"{key} does not lead there")
+
+
+def reach(page, name):
+    press_until(page, "Tab", lambda: page.evaluate(NAME) == name)
+
+
+def option(page, name, wanted):
+    reach(page, name)
+    take(page, wanted)
+
+
+def take(page, wanted):
+    """An option of the list that is focused."""
+    page.keyboard.press("Enter")
+    page.wait_for_selector(".q-menu [role=option]")
+    press_until(page, "ArrowDown", lambda: page.evaluate(MARKED).startswith(wanted))
+    page.keyboard.press("Enter")

@@ -4,42 +4,16 @@ Once with the mouse, once on the keyboard alone.
 """
 
 import pytest
-from browsing import IN_BROWSER, film_thickness, tab, text_of, until
+from browsing import IN_BROWSER, NAME, film_thickness, option, press_until, reach, tab, text_of, until
 
 from babbitt.app.answer import read, solved
 
 pytestmark = IN_BROWSER
 
-MOST_STEPS = 200
-"""Presses of a key within which everything is to be reached."""
-
-NAME = """() => {
-  const here = document.activeElement, copy = here.cloneNode(true);
-  copy.querySelectorAll("i").forEach((icon) => icon.remove());
-  return (here.getAttribute("aria-label") || here.labels?.[0]?.innerText || copy.textContent).trim();
-}"""
-"""What is focused, by its name."""
-
-MARKED = "() => document.querySelector('.q-menu .q-manual-focusable--focused')?.innerText ?? ''"
-"""The option that the arrow keys have come to."""
-
 SCAN_ENDS = "a wider one may find more"
 """What the page says of values that are the largest of the scan alone."""
 
 PASSED = ("pass", "pass with remarks")
-
-
-def press_until(page, key, reached):
-    for _ in range(MOST_STEPS):
-        page.keyboard.press(key)
-        if reached():
-            return
-        page.wait_for_timeout(50)
-    raise AssertionError(f"{key} does not lead there")
-
-
-def reach(page, name):
-    press_until(page, "Tab", lambda: page.evaluate(NAME) == name)
 
 
 def type_in(page, name, text):
@@ -53,14 +27,6 @@ def menu(page, name, entry):
     page.keyboard.press("Enter")
     page.wait_for_selector("[role=menuitem]")
     press_until(page, "ArrowDown", lambda: page.evaluate(NAME) == entry)
-
-
-def option(page, name, wanted):
-    reach(page, name)
-    page.keyboard.press("Enter")
-    page.wait_for_selector(".q-menu [role=option]")
-    press_until(page, "ArrowDown", lambda: page.evaluate(MARKED).startswith(wanted))
-    page.keyboard.press("Enter")
 
 
 def drafts(page):

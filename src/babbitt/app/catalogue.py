@@ -11,10 +11,15 @@ from babbitt.app.form import Choice, Entry, Group, Item, Path
 from babbitt.app.maps import INK
 from babbitt.core.language import translated_if_known
 from babbitt.core.units import ZERO_CELSIUS
-from babbitt.properties.lubricants import lubricant
+from babbitt.properties.lubricants import catalogue, lubricant
+from babbitt.properties.materials import bearing_metals, structural_materials
 from babbitt.report import catalogue_tables
+from babbitt.study.size_choices import standard_choices
 
-__all__ = ["field_for", "metals", "oils", "viscosity_chart"]
+__all__ = ["FIELDS", "field_for", "metals", "oils", "suggestions", "viscosity_chart"]
+
+FIELDS = {"oil": ("lubricant", "oil"), "metal": ("bearing_metal",)}
+"""Names of the fields of a case that take an entry."""
 
 COLDEST, HOTTEST, STEPS = -10.0, 140.0, 31
 """Temperatures of the chart, degC."""
@@ -35,6 +40,23 @@ def oils() -> Table:
 def metals() -> Table:
     """The bearing metals with their limits."""
     return _spoken(catalogue_tables.METAL_HEADS, catalogue_tables.metal_rows(), words=2)
+
+
+def suggestions(path: Path) -> tuple[str, ...]:
+    """Names that a field takes: of the catalogue for oils, metals and other materials, else those that are usual.
+
+    >>> suggestions(("lubricant",))[0], "SnSb8Cu4" in suggestions(("materials", "bearing_metal"))
+    ('ISO VG 10', True)
+    >>> "C45" in suggestions(("materials", "journal")), suggestions(("name",))
+    (True, ())
+    """
+    if path[-1] in FIELDS["oil"]:
+        return tuple(one.name for one in catalogue())
+    if path[-1] in FIELDS["metal"]:
+        return tuple(one.name for one in bearing_metals())
+    if path[-2:-1] == ("materials",):
+        return tuple(one.name for one in structural_materials())
+    return standard_choices(".".join(map(str, path)))
 
 
 def _spoken(heads: Iterable[str], rows: Iterable[tuple[str, ...]], words: int = 1) -> Table:

@@ -7,15 +7,12 @@ from collections.abc import Callable
 from nicegui import ui
 
 from babbitt.app.answer import Table
-from babbitt.app.catalogue import field_for, metals, oils, viscosity_chart
+from babbitt.app.catalogue import FIELDS, field_for, metals, oils, viscosity_chart
 from babbitt.app.document import CaseDocument
 from babbitt.app.parts import show_table
 from babbitt.app.words import word
 
 __all__ = ["CatalogueView"]
-
-FIELDS = {"oil": ("lubricant", "oil"), "metal": ("bearing_metal",)}
-"""Names of the fields of a case that take an entry."""
 
 FIRST = ("ISO VG 32", "ISO VG 46", "ISO VG 68")
 """Oils of the chart to begin with."""

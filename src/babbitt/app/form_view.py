@@ -5,16 +5,17 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable
 from dataclasses import replace
+from html import escape
 from typing import Any
 
 from nicegui import ui
 
 from babbitt.app.answer import Fault
+from babbitt.app.catalogue import suggestions
 from babbitt.app.document import CaseDocument
 from babbitt.app.form import NONE, TEXT, Choice, Entry, Group, Item, Path, Rows, as_text, quantities, sections_of
 from babbitt.app.units import SYSTEMS, in_unit, is_number, shown_in, split
 from babbitt.app.words import field_name, sections, word
-from babbitt.study.size_choices import standard_choices
 
 __all__ = ["FormView"]
 
@@ -122,9 +123,10 @@ class FormView:
 
     def _entry(self, entry: Entry) -> None:
         if entry.is_switch:
-            ui.switch(
+            switch = ui.switch(
                 entry.label, value=bool(entry.value), on_change=lambda e: self._take(entry.path, bool(e.value))
-            ).tooltip(entry.help)
+            )
+            _explain(switch, entry.help)
         elif entry.options:
             options = list(entry.options) if entry.is_required else [NONE, *entry.options]
             value = as_text(entry.value) if as_text(entry.value) in options else options[0]
@@ -145,8 +147,11 @@ class FormView:
             entry.label, value=value, placeholder=entry.example,
             on_change=lambda e: self._take(entry.path, read(e.value or "")),
         )  # fmt: skip
-        found.set_autocomplete(list(standard_choices(".".join(map(str, entry.path)))))
         self._known(entry, found)
+        if names := suggestions(entry.path):
+            options = "".join(f"<option>{escape(name)}</option>" for name in names)
+            # The field looks for its list under this name, and has one itself on telephones alone.
+            ui.html(options, tag="datalist", sanitize=False).props(f'id="{found.html_id}-datalist"')
 
     def _quantity(self, entry: Entry) -> None:
         shown = number, chosen = self._number_and_unit(entry)
@@ -192,9 +197,7 @@ class FormView:
         if entry.symbol:
             control.props["prefix"] = f"{entry.symbol} ="
         allowed = word("allowed", range=entry.allowed) if entry.allowed else ""
-        hint = " ".join(filter(None, (entry.help, allowed)))
-        if hint:
-            control.tooltip(hint)
+        _explain(control, " ".join(filter(None, (entry.help, allowed))))
         self._inputs[entry.path] = control
 
     def _choice(self, choice: Choice) -> None:
@@ -211,7 +214,8 @@ class FormView:
             self._list(choice.items)
         says = word("given_as", label=choice.label) if TEXT in choice.ways else choice.label
         found = ui.select(options, value=value, label=says, on_change=chosen)
-        found.props("dense").tooltip(choice.help)
+        found.props("dense")
+        _explain(found, choice.help)
         self._inputs.setdefault(choice.path, found)
         if choice.items and choice.way != TEXT:
             with ui.column().classes("inner"):
@@ -223,7 +227,8 @@ class FormView:
 
     def _rows(self, rows: Rows) -> None:
         with ui.expansion(f"{rows.label} ({len(rows.rows)})", value=bool(rows.rows)).classes("inner") as box:
-            box.props("dense").tooltip(rows.help)
+            box.props("dense")
+            _explain(box, rows.help)
             for number, items in enumerate(rows.rows):
                 with ui.row().classes("row-head"):
                     ui.label(f"{number + 1}")
@@ -243,6 +248,13 @@ class FormView:
         self.document.change(path, value)
         if self.document.text != before:
             self._changed()
+
+
+def _explain(control: ui.element, says: str) -> None:
+    """Say what a control is for, above it: under it stands what is wrong with it."""
+    if says:
+        with control:
+            ui.tooltip(says).props('anchor="top middle" self="bottom middle"')
 
 
 def path_of(field: str) -> Path:

@@ -47,7 +47,8 @@ class Head:
     ) -> None:
         self.document, self._solver, self._replaced = document, solver, replaced
         with ui.header().classes("head"):
-            ui.link(word("skip"), "#answer").classes("skip")
+            for section in ("form", "results", "more"):  # page.js goes there without another address
+                ui.link(word(f"skip_{section}"), f"#{section}").classes("skip")
             ui.html(word("title"), tag="h1", sanitize=False).classes("title")
             with self._menu(word("new"), "note_add"):
                 for name, kind in kinds().items():

@@ -90,19 +90,25 @@ class Slider:
             found.props(f'aria-label="{says}" label')
             shown = ui.label(f"{value:g} {unit}").classes("number")
 
-        def moved(event: Any) -> None:
-            shown.text = f"{event.args:.6g} {unit}"
+        def moved_to(number: float) -> None:
+            shown.text = f"{number:.6g} {unit}"
             self._moved.add(entry.path)
-            self.document.slide(entry.path, f"{event.args:.6g} {unit}".strip())
+            self.document.slide(entry.path, f"{number:.6g} {unit}".strip())
             self._moving()
             self._await_stop()
+
+        def to(end: float) -> None:
+            found.value = end
+            moved_to(end)
 
         def held(event: Any) -> None:
             self._held = event.args == "start"
             self._await_stop()
 
-        found.on("update:model-value", moved, throttle=0.05, leading_events=False)
+        found.on("update:model-value", lambda e: moved_to(e.args), throttle=0.05, leading_events=False)
         found.on("pan", held)
+        for key, end in (("home", first), ("end", last)):
+            found.on(f"keydown.{key}.prevent", lambda _, end=end: to(end))
 
     def _await_stop(self) -> None:
         """Take the movement as ended when nothing moves for a while, by hand or by keys."""

@@ -86,14 +86,14 @@ class Workbench:
         self._dark = ui.dark_mode(None)  # as the system has it
         Head(self.document, self._solver, self._replaced, self._darken)
         with ui.element("div").classes("bench"):
-            with ui.element("section").classes("case").props(f'aria-label="{word("form")}"'):
+            with _section("case", "form"):
                 self._case()
-            with ui.element("section").classes("bearing").props(f'aria-label="{word("bearing")}"'):
+            with _section("bearing", "bearing"):
                 self._compiling = ui.label("").classes("small").props('role="status"')
                 self._drawing = DrawingView()
-            with ui.element("section").classes("more").props(f'aria-label="{word("more")}"'):
+            with _section("more", "more"):
                 self._tabs()
-            with ui.element("section").classes("answer").props(f'aria-label="{word("results")}" id="answer"'):
+            with _section("answer", "results"):
                 self._view = AnswerView(self._chosen)
         ui.on("turned", self._turned, args=["field", "angle"])
         ui.on("linked", self._linked)
@@ -342,6 +342,12 @@ class Workbench:
         with box:
             for table in found:
                 show_table(table)
+
+
+def _section(style: str, name: str) -> ui.element:
+    """A part of the page, which the links that skip can go to by its name."""
+    part = ui.element("section").classes(style)
+    return part.props(f'aria-label="{word(name)}" id="{name}" tabindex="-1"')
 
 
 def _figures_shown(found: Any) -> None:

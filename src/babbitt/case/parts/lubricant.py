@@ -42,6 +42,12 @@ _AT_40, _AT_100 = 313.15, 373.15
 USUAL_AT_50 = (0.1e-6, 1e5 * 1e-6)
 """m2/s at 50 degC, the range of all viscosities in a case; outside, constants of a law were mistaken."""
 
+LUBRICANT = (
+    "The lubricant: a name of the catalogue such as ISO VG 46, or viscosities of a data sheet. "
+    "`babbitt list lubricants` lists all names, and so does the workbench under Oils and metals."
+)
+"""What a case field for a lubricant is for."""
+
 ViscosityIndex = Annotated[float, si("1", "-100", "400")]
 
 

@@ -9,7 +9,7 @@ from pydantic import Field
 
 from babbitt.case.part import Part
 from babbitt.case.parts.cooling import Cooling
-from babbitt.case.parts.lubricant import LubricantInput
+from babbitt.case.parts.lubricant import LUBRICANT, LubricantInput
 from babbitt.case.parts.materials import Materials
 from babbitt.case.parts.supply import Supply
 
@@ -19,7 +19,7 @@ SharedPart = TypeVar("SharedPart", Supply, Cooling, Materials)
 class SharedInputs(Part):
     """Lubricant, supply, cooling and materials: of a bearing, or of all bearings of a machine."""
 
-    lubricant: LubricantInput | None = Field(None, description="The lubricant.")
+    lubricant: LubricantInput | None = Field(None, description=LUBRICANT)
     supply: Supply | None = Field(None, description="Oil fed under pressure. Without it the housing cools.")
     cooling: Cooling | None = Field(None, description="Heat given to the surroundings through the housing.")
     materials: Materials | None = Field(None, description="Materials of bearing and journal.")

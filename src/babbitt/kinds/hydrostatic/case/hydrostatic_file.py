@@ -14,7 +14,7 @@ from babbitt.case.case_file import CaseFile
 from babbitt.case.grouped_digits import about_grouped_digits
 from babbitt.case.part import Issue, exactly_one, is_given, not_read, refused, rule
 from babbitt.case.parts.fields import Name, Prose
-from babbitt.case.parts.lubricant import LubricantInput
+from babbitt.case.parts.lubricant import LUBRICANT, LubricantInput
 from babbitt.core.notices import Notice
 from babbitt.core.solution import Calculation
 from babbitt.core.units import si
@@ -55,7 +55,7 @@ class HydrostaticFile(FilmChoices, CaseFile):
         (), max_length=60, description="One for every recess in their order, where they are not alike."
     )
     supply: HydrostaticSupply = Field(description="Oil before the restrictors.")
-    lubricant: LubricantInput | None = Field(None, description="The lubricant, in place of oil by its numbers.")
+    lubricant: LubricantInput | None = Field(None, description=f"{LUBRICANT} In place of oil by its numbers.")
     oil: HydrostaticOil = Field(HydrostaticOil(), description="The oil by its numbers, in place of a lubricant.")
     film_temperature: Annotated[float, si("K", "-30 degC", "250 degC")] | None = Field(
         None,

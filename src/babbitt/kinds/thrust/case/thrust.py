@@ -16,7 +16,7 @@ from babbitt.case.method_choices import MethodChoices, MethodInput
 from babbitt.case.method_mapping import MethodMapping
 from babbitt.case.part import Issue, exactly_one, not_read, rule
 from babbitt.case.parts.fields import Name, Prose
-from babbitt.case.parts.lubricant import LubricantInput
+from babbitt.case.parts.lubricant import LUBRICANT, LubricantInput
 from babbitt.case.parts.supply import SuppliedAt
 from babbitt.core.notices import InputError, Notice
 from babbitt.core.solution import Calculation
@@ -93,7 +93,7 @@ class ThrustBearingInputs(ThrustFilmChoices):
         "run backward."
     )
     lubricant: LubricantInput | None = Field(
-        None, description="The lubricant; needed unless the viscosity of the films is given."
+        None, description=f"{LUBRICANT} Needed unless the viscosity of the films is given."
     )
     supply: SuppliedAt | None = Field(None, description="Fresh oil; needed with oil of kind heat_balance.")
     oil: ThrustOil = Field(

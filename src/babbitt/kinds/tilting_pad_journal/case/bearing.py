@@ -14,7 +14,7 @@ from babbitt.case.load_components import load_or_components
 from babbitt.case.part import Issue, Part, exactly_one, is_given, named_once, rule
 from babbitt.case.parts.choices import FilmLimitsInput
 from babbitt.case.parts.fields import Name, Prose
-from babbitt.case.parts.lubricant import LubricantInput
+from babbitt.case.parts.lubricant import LUBRICANT, LubricantInput
 from babbitt.case.parts.position import PositionInput
 from babbitt.case.parts.supply import GaugePressure, OilTemperature, SupplyFlow
 from babbitt.case.parts.surfaces import SurfacesInput
@@ -125,7 +125,7 @@ class TiltingPadJournalCase(PadFilmChoices, CaseFile):
         "that has limits; a preload stays what it is.",
     )
     groove_pressure: GaugePressure = Field(0.0, description="Gauge pressure of the oil between the pads.")
-    lubricant: LubricantInput = Field(description="The lubricant.")
+    lubricant: LubricantInput = Field(description=LUBRICANT)
     supply: PadOilSupply = Field(PadOilSupply(), description="Fresh oil.")
     feed: Literal["flooded", "leading_edge_groove", "spray_bar"] = Field(
         "flooded",
