@@ -181,7 +181,8 @@ def _mean_of(given: Mapping[str, Any]) -> str:
 def sizes_of(study: Study) -> dict[str, str] | None:
     """Values that keep all limits, as a case file has them: ends and best of each interval, or choices.
 
-    Each with what it is, in words; empty for a choice. None where the study does not say in which unit a case file has them.
+    Each with what it is, in words; empty for a choice. None where the study does not say in which unit a case file
+    has them.
     """
     size = size_of(study)
     if size.choices:
@@ -192,9 +193,12 @@ def sizes_of(study: Study) -> dict[str, str] | None:
     unit = str(asked.range[0]).partition(" ")[2]
     found: dict[str, list[str]] = {}
     for one in size.intervals:
-        for trial, upward, role in (
-            (one.lower, True, "from"), (one.upper, False, "to"), (one.best, one.best is one.lower, "largest margin")
-        ):  # fmt: skip
+        offered = (
+            (one.lower, True, "from"),
+            (one.upper, False, "to"),
+            (one.best, one.best is one.lower, "largest margin"),
+        )
+        for trial, upward, role in offered:
             text = f"{rounded(from_si(trial.value, unit), upward=upward)} {unit}".strip()
             found.setdefault(text, []).append(told(role))
     return {text: ", ".join(roles) for text, roles in found.items()}
