@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from babbitt.numerics.roots import find_root
@@ -37,6 +38,8 @@ SEARCH_STEP = 1.25
 """Ratio of the speeds at which the search looks."""
 LARGEST_STEP = 0.5
 """Of the excess beside a crossing; more is a jump (`stability_excess` goes from -2 to 2)."""
+LARGEST_RISE = 0.05
+"""Of the excess between two speeds of which it falls beside a crossing; more, and it goes to and fro."""
 
 
 @dataclass(frozen=True)
@@ -95,14 +98,18 @@ def crossing(excess: Callable[[float], float], speed: float, blur: float = 0.0) 
     """Speed at which a function turns from positive to negative: above a stable speed, below an unstable one.
 
     No speed where there is none in sight, or the function has no value on the way. Values up to ``blur`` count as
-    zero, and where there is such a blur a function that jumps past zero has no crossing: it goes to and fro there.
+    zero. Where there is such a blur a function that jumps past zero, or goes to and fro on the way there, has no
+    crossing.
     All are rounded far below what a grid leaves open: where they jump, round-off would decide which of the
     neighbouring crossings is found.
     """
 
+    looked: dict[float, float] = {}
+
     def seen(at: float) -> float:
         value = round(excess(at), EXCESS_DECIMALS)
-        return 0.0 if abs(value) <= blur else value
+        looked[at] = 0.0 if abs(value) <= blur else value
+        return looked[at]
 
     here = seen(speed)
     if math.isnan(here):
@@ -120,7 +127,9 @@ def crossing(excess: Callable[[float], float], speed: float, blur: float = 0.0) 
             if not root.converged:
                 return Threshold()
             beside = (seen(root.value * (1.0 - SPEED_TOLERANCE)), seen(root.value * (1.0 + SPEED_TOLERANCE)))
-            if blur > 0.0 and not max(map(abs, beside)) <= LARGEST_STEP:
+            way = [looked[at] for at in sorted(looked) if min(near, far) <= at <= max(near, far)]
+            rises = max(after - before for before, after in pairwise(way))
+            if blur > 0.0 and (not max(map(abs, beside)) <= LARGEST_STEP or rises > LARGEST_RISE):
                 return Threshold(jumps=True)
             return Threshold(root.value)
         near, here = far, there
