@@ -22,7 +22,7 @@ from babbitt.reynolds.model import DRAFT, Cavitation, JournalFilm, grooved_bore
 from babbitt.reynolds.stability.rotor import RIGID, critical_mass_of_rotor, growth_rates, stable_masses_of_rotor
 from babbitt.reynolds.stability.routh import NO_MASS, StableMasses, stable_masses, whirl_frequency
 from babbitt.reynolds.stability.whirl_checks import JUMPS, STABLE, missing_thresholds
-from babbitt.reynolds.stability.whirl_limits import ElasticWhirl, Threshold, Whirl, crossing
+from babbitt.reynolds.stability.whirl_limits import ElasticWhirl, Threshold, Whirl, crossing, stability_excess
 
 entries = st.integers(-100, 100).map(lambda tenths: 0.1 * tenths)
 direct = st.integers(2, 100).map(lambda tenths: 0.1 * tenths)
@@ -167,6 +167,7 @@ def test_a_threshold_is_not_told_where_films_are_missing_beside_it():
     assert crossing(excess, 100.0).speed == pytest.approx(115.0, rel=1e-4)
     assert crossing(with_a_hole, 100.0) == Threshold()
     assert crossing(lambda speed: math.nan, 100.0) == Threshold()
+    assert math.isnan(stability_excess(math.nan))  # a film that is not found is not stable
 
 
 def test_a_threshold_is_sought_as_finely_as_its_function_is_known():

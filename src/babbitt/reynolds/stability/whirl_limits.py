@@ -87,8 +87,11 @@ def stability_excess(reserve: float) -> float:
     Parameters
     ----------
     reserve : float
-        `babbitt.reynolds.stability.routh.StableMasses.reserve` of its mass.
+        `babbitt.reynolds.stability.routh.StableMasses.reserve` of its mass; no number where no film is found, and
+        none comes of it.
     """
+    if math.isnan(reserve):
+        return math.nan
     if 0.0 < reserve < math.inf:
         return math.atan(math.log(reserve))
     return math.copysign(2.0, reserve - 1.0)
