@@ -188,6 +188,13 @@ def test_a_critical_mass_kept_by_little_is_questioned(margin, questioned):
     assert bool(list(warnings_about_margins((mass,), {}, (), alike))) is questioned
 
 
+@pytest.mark.parametrize(("pressure", "questioned"), [(71e6, False), (72e6, True), (101e6, False)])
+def test_a_film_that_may_press_too_hard_is_questioned(pressure, questioned):
+    """88 MPa passed without a metal; with temperatures of its own the film has 108 (C116). Beyond 100 is W142."""
+    found = list(warnings_about_margins((), {"maximum_pressure": pressure}, (), alike))
+    assert bool(found) is questioned
+
+
 FILMS = """
 kind: journal
 name: A

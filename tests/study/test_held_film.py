@@ -102,7 +102,7 @@ def test_the_margin_of_a_temperature_is_in_kelvin_and_codes_stand_beside_the_ver
     (lines, *_) = study_tables(study)
     place = {name: at for at, (name, _) in enumerate(lines.columns)}
     for load, row in zip(loads, lines.rows, strict=True):
-        (result,) = solve(journal(load=load)).results
+        (result,) = solve(journal(load=load), only=()).results
         governing = result.governing_check
         margin = row[place["margin"]]
         if governing.code == "C104":
