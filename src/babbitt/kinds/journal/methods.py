@@ -40,11 +40,11 @@ class Iso7902(Method):
 
         result = check(problem)
         sure = tuple(one for one in result.warnings if one.code != "W191")
-        doubtful = problem.cooling is not None or sure != result.warnings
-        if problem.fuller_film is not None and doubtful and result.keeps_all_limits:
+        questioned = problem.cooling is not None or sure != result.warnings
+        if problem.fuller_film is not None and questioned and result.keeps_all_limits:
             from babbitt.kinds.journal.film.check import beside_fuller_film
 
-            # What the film keeps is no doubt any more, and what it misses is known.
+            # What the film keeps is not questioned any more, and what it misses is known.
             result = beside_fuller_film(replace(result, warnings=sure), problem.fuller_film)
         return (Solution(problem, result),)
 
