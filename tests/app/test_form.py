@@ -141,6 +141,27 @@ def test_a_part_that_is_not_given_can_be_chosen():
     assert supply.is_given
 
 
+@pytest.mark.parametrize(
+    ("given", "way", "shown"),
+    [
+        ("{kind: relative, mean: 1.5 permille}", "radial", {"mean": "90 um"}),
+        ("{kind: radial, mean: 90 um}", "relative", {"mean": "1.5 permille"}),
+        (
+            "{kind: radial, mean: 60 um, minimum: 50 um, maximum: 70 um}",
+            "diametral",
+            {"mean": "120 um", "minimum": "100 um", "maximum": "140 um"},
+        ),
+        ("H7/e8", "diametral", {"mean": "116.5 um", "minimum": "72 um", "maximum": "161 um"}),
+        ("{kind: radial, mean: 90 um}", "fit", {}),
+        ("{kind: radial, mean: about 90}", "relative", {}),
+    ],
+)
+def test_a_clearance_given_in_another_way_is_the_same_gap(given, way, shown):
+    document = CaseDocument(f"kind: journal\ndiameter: 120 mm\nclearance: {given}\n")
+    document.choose(("clearance",), way)
+    assert document.given["clearance"] == {"kind": way, **shown}
+
+
 def test_every_section_names_fields_of_some_kind():
     known = {item.path[0] for text in TEMPLATES.values() for item in form_of(CaseDocument(text).given)}
     headings = sections_of(form_of(CaseDocument(TEMPLATES["journal"]).given), sections(), word("section_other"))

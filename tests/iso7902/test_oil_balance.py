@@ -101,6 +101,14 @@ def test_a_search_that_does_not_end_at_a_balance_is_no_balance(monkeypatch):
     assert system.outcome is Outcome.NOT_CONVERGED
 
 
+def test_the_film_beside_iso7902_is_fed_through_the_line_at_the_pressure_of_the_header():
+    (system,) = machine(orifices(A=4), bearing("A")).calculations()
+    ((one,), (line,)) = system.problem.calculations, system.problem.system.lines
+    design = network.fed(one, line, 0.8e5).solution.problem
+    assert (design.oil_supply.pressure, len(design.oil_supply.tubes)) == (0.8e5, 1)
+    assert design.fuller_film.oil_supply == design.oil_supply
+
+
 def test_equal_orifices_to_equal_bearings_share_equally():
     result = answer(machine(orifices(A=4, B=4), bearing("A"), bearing("B"))).results[0]
     assert row(result, "line_share") == pytest.approx((0.5, 0.5), rel=1e-12)

@@ -112,6 +112,14 @@ def test_what_its_film_keeps_is_not_questioned():
     assert not said(solved(text), "W191")
 
 
+def test_what_questions_that_film_is_told_with_its_numbers():
+    full, text = "method: {kind: film, thermal: full}\n", THIN.replace("55 kN", "40 kN")
+    least = 1e6 * solved(text + full).minimum_film_thickness / 1.01
+    text += f"limits: {{minimum_film_thickness: {least:.3f} um}}\n"
+    ((of_film,), (message,)) = said(solved(text + full), "W172"), said(solved(text), "W191")
+    assert message.endswith(f"the film is questioned (W172): {of_film}")
+
+
 def test_a_bearing_whose_housing_is_cooled_is_held_against_its_film():
     """The housing takes 46 % of the heat: the oil leaves cold, and the bush stays hot."""
     text = COOLED + "limits: {temperature: 100.4 degC}\n"

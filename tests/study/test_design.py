@@ -7,12 +7,15 @@ import math
 import pytest
 
 import babbitt as bb
+from babbitt import parse_case
 from babbitt.core.check_text import distance, margin
 from babbitt.core.limited_flow import limited
 from babbitt.core.notices import Effect, InputError
 from babbitt.core.quantities import displayed_in
 from babbitt.core.result import Verdict
 from babbitt.report.design_figure import design_figures
+from babbitt.solving import solve
+from babbitt.study.best_designs import texts_of_best
 from babbitt.study.design import designs_of
 from babbitt.study.study import open_study
 
@@ -97,6 +100,16 @@ def test_the_usual_distance_from_mixed_friction_rules_out_thin_oils_where_others
         >= speed * 0.06
         > max(3.0, speed / max(result.transition_speed for result in study.case(second.row).solve().results))
     )
+
+
+def test_the_texts_of_the_proposals_are_the_cases_that_were_computed(found):
+    texts = texts_of_best(found._study)
+    assert list(texts) == ["proposal-1", "proposal-2"]
+    for text, (one, _) in zip(texts.values(), found.answer.proposals, strict=True):
+        results = solve(parse_case(text)).results
+        assert [result.minimum_film_thickness for result in results] == pytest.approx(
+            [line["minimum_film_thickness"] for line in one.lines], rel=1e-9
+        )
 
 
 def test_what_passes_with_remarks_is_shown_with_their_codes_and_its_file_passes_so(run, tmp_path):

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from film_bearings import film
 
+from babbitt import parse_case
 from babbitt.core.result import Outcome
 from babbitt.core.solution import Calculation
 from babbitt.kinds.journal.film.check import film_check
@@ -29,6 +30,22 @@ CASE = DesignCase(
 )
 
 
+NEAR_ITS_LIMIT = """
+kind: journal
+name: A
+diameter: 100 mm
+width: 80 mm
+clearance: {kind: relative, mean: 1.5 permille}
+span: 150 deg
+supply_element: {kind: pocket, width: 55 mm, place: both_sides}
+lubricant: ISO VG 32
+supply: {temperature: 45 degC, pressure: 0.3 MPa}
+materials: {bearing_metal: CuSn8P, bearing: C10, journal: C45}
+load: 55 kN
+speed: 2500 rpm
+"""
+
+
 def test_each_point_is_the_check_of_that_case():
     loads = [10e3, 20e3, 30e3]
     swept = sweep_design(Calculation(CASE, METHODS["iso7902"]), "duty.load", loads)
@@ -37,6 +54,14 @@ def test_each_point_is_the_check_of_that_case():
         alone = check(varied(CASE, "duty.load", load))
         assert swept["minimum_film_thickness"][place] == alone.minimum_film_thickness
         assert swept.outcomes[place] is alone.outcome
+
+
+def test_a_point_is_not_held_against_the_film_of_the_bearing_as_it_is(monkeypatch):
+    """Figures of a report took a minute, and the film had the load, speed and clearance of the case."""
+    (calculation,) = parse_case(NEAR_ITS_LIMIT).calculations()
+    assert calculation.problem.fuller_film is not None
+    monkeypatch.setattr("babbitt.kinds.journal.film.check.beside_fuller_film", None)
+    assert sweep_design(calculation, "duty.load", [54e3, 55e3]).solved.all()
 
 
 def test_more_load_thins_the_film_and_more_speed_thickens_it():

@@ -9,6 +9,7 @@ from typing import Any
 
 from babbitt.app.form import Item, Path, form_of
 from babbitt.case.document import DocumentError, read_document
+from babbitt.case.parts.clearance import restated
 from babbitt.case.with_units import case_text
 
 __all__ = ["CaseDocument", "path_in", "with_changed"]
@@ -70,6 +71,14 @@ class CaseDocument:
         """Put a value in a field; None takes the field away."""
         self.write(case_text(with_changed(self.given, path, value)))
 
+    def choose(self, path: Path, way: str) -> None:
+        """Give a part in another way; a clearance remains the same gap."""
+        chosen = {"kind": way}
+        if path[-1] == "clearance" and self.has(path):
+            bearing = self._at(path[:-1])
+            chosen = restated(bearing.get("clearance"), way, bearing.get("diameter"))
+        self.change(path, chosen)
+
     def slide(self, path: Path, value: Any) -> None:
         """Put a value in a field while it moves: the way back leads to where the movement began."""
         if self._before is None:
@@ -86,13 +95,17 @@ class CaseDocument:
 
     def has(self, path: Path) -> bool:
         """Whether the case gives something at a path."""
+        try:
+            self._at(path)
+        except (LookupError, TypeError):
+            return False
+        return True
+
+    def _at(self, path: Path) -> Any:
         place: Any = self.given
         for step in path:
-            try:
-                place = place[step]
-            except (LookupError, TypeError):
-                return False
-        return True
+            place = place[step]
+        return place
 
     def may_turn(self, field: str) -> bool:
         """Whether a hand may turn a field: one of the case itself, or within something that it gives."""

@@ -206,8 +206,12 @@ class FormView:
         value = choice.way if choice.way in options else next(iter(options))
 
         def chosen(event: Any) -> None:
-            way = event.value
-            self._take(choice.path, None if way == NONE else "" if way == TEXT else {"kind": way})
+            way, before = event.value, self.document.text
+            if way in (NONE, TEXT):
+                self.document.change(choice.path, None if way == NONE else "")
+            else:
+                self.document.choose(choice.path, way)
+            self._told(before)
             self.draw()
 
         if choice.way == TEXT:  # what is asked for stands before the other ways to give it
@@ -246,6 +250,10 @@ class FormView:
     def _take(self, path: Path, value: Any) -> None:
         before = self.document.text
         self.document.change(path, value)
+        self._told(before)
+
+    def _told(self, before: str) -> None:
+        """Tell of a change of the document since it was another text."""
         if self.document.text != before:
             self._changed()
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 from nicegui import ui
@@ -28,6 +29,7 @@ from babbitt.app.studies import (
 from babbitt.app.words import path_name, word
 from babbitt.case.with_units import case_text
 from babbitt.core.notices import InputError
+from babbitt.study.best_designs import texts_of_best
 from babbitt.study.size import Size, size_of
 
 __all__ = ["StudiesView"]
@@ -174,6 +176,12 @@ class StudiesView:
                 ui.button(word(says), on_click=lambda _, e=ending: self._download(e)).props("flat dense no-caps")
         if found.study.kind == "size" and (sizes := sizes_of(found.study)) is not None:
             self._offer(size_of(found.study), sizes)
+        if designs := texts_of_best(found.study):
+            with ui.row().classes("items-center"):
+                ui.label(word("take_design"))
+                for name, text in designs.items():
+                    number = name.rpartition("-")[2]
+                    ui.button(number, on_click=partial(self._put, text, number)).props("outline no-caps")
         for table in found.tables:
             show_table(table)
         show_figures(found.figures)
@@ -189,9 +197,13 @@ class StudiesView:
             ui.label(word("scan_ends")).classes("small")
 
     def _take(self, path: str, text: str) -> None:
-        self.document.write(case_text(with_value(self.document.given, path, text)))
+        self._put(case_text(with_value(self.document.given, path, text)), text)
+
+    def _put(self, text: str, name: str) -> None:
+        """Put another case on the page and say what of it is new."""
+        self.document.write(text)
         self._changed()
-        ui.notify(word("taken", name=text))
+        ui.notify(word("taken", name=name))
 
     async def _download(self, ending: str) -> None:
         ui.notify(word("working"))

@@ -27,6 +27,7 @@ __all__ = [
     "recommendation",
     "require_designs",
     "require_stored_designs",
+    "texts_of_best",
     "verdict_said",
     "write_designs",
 ]
@@ -97,12 +98,21 @@ def write_designs(study: Study, folder: Path | None = None) -> tuple[Path, ...]:
     folder.mkdir(parents=True, exist_ok=True)
     for earlier in _designs_in(folder):
         earlier.unlink()
+    texts, asked = texts_of_best(study), study.description["name"]
     for name, (row, said) in rows.items():
+        heads = "".join(f"# {line}\n" for line in (f"Row {row} of the study of {asked}", *said))
+        replace_synced(folder / f"{name}.yaml", sealed(f"{heads}{texts[name]}"))
+    return tuple(folder / f"{name}.yaml" for name in rows)
+
+
+def texts_of_best(study: Study) -> dict[str, str]:
+    """The best designs of a study as texts of cases, by their names, which end with the number in its table."""
+    texts = {}
+    for name, (row, _) in (_best_rows(study) or {}).items():
         case = case_of(study, row)
         assert case.origin is not None, "it was read just now"
-        heads = "".join(f"# {line}\n" for line in (f"Row {row} of the study of {case.name}", *said))
-        replace_synced(folder / f"{name}.yaml", sealed(f"{heads}{case_text(case.origin.given)}"))
-    return tuple(folder / f"{name}.yaml" for name in rows)
+        texts[name] = case_text(case.origin.given)
+    return texts
 
 
 def _best_rows(study: Study) -> dict[str, tuple[int, tuple[str, ...]]] | None:

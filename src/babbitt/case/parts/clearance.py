@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Annotated, Any, Literal
 
-from pydantic import Discriminator, Field
+from pydantic import Discriminator, Field, TypeAdapter, ValidationError
 
 from babbitt.case.part import Issue, Part, refused, rule
 from babbitt.case.parts.fields import Name
 from babbitt.case.shorthand import Shorthand
+from babbitt.core.notices import InputError
 from babbitt.core.units import QuantityError, bare_number, read, si, written
 from babbitt.properties.fits import Clearance, Deviations, SizeLimits
 
@@ -197,6 +198,47 @@ ClearanceInput = Annotated[
     Discriminator("kind"),
     Shorthand(_fit, "an ISO 286 fit such as H7/e8"),
 ]
+
+
+_STATED = {"radial": ("um", 0.5), "diametral": ("um", 1.0), "relative": ("permille", None)}
+"""Kinds that state a gap by its values, with their unit and what of the diametral clearance they state."""
+
+
+def restated(given: Any, kind: str, diameter: Any) -> dict[str, str]:
+    """The clearance of a case as another kind, of the same gap.
+
+    Parameters
+    ----------
+    given, diameter : object
+        As they stand in the case.
+    kind : str
+        One of ``CLEARANCE_KINDS``.
+
+    Returns
+    -------
+    dict
+        The kind alone where the clearance or the diameter cannot be read, and for tolerances and sizes, which no
+        clearance tells.
+
+    Examples
+    --------
+    >>> restated({"kind": "relative", "mean": "1.5 permille"}, "radial", "120 mm")
+    {'kind': 'radial', 'mean': '90 um'}
+    """
+    if kind not in _STATED:
+        return {"kind": kind}
+    unit, share = _STATED[kind]
+    try:
+        clearance: ClearanceInput = TypeAdapter[ClearanceInput](ClearanceInput).validate_python(given)
+        size = read(diameter, "m")
+        gap = clearance.at_20_degrees(size)
+    except (ValidationError, QuantityError, InputError):
+        return {"kind": kind}
+    values = {"mean": gap.mean}
+    if clearance.has_limits:
+        values |= {"minimum": gap.minimum, "maximum": gap.maximum}
+    factor = 1.0 / size if share is None else share
+    return {"kind": kind} | {name: written(factor * value, unit) for name, value in values.items()}
 
 
 LIMITS = ("clearance.minimum", "clearance.maximum")

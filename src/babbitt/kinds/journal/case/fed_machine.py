@@ -30,7 +30,7 @@ def oil_system_calculation(case: SeveralBearings, calculations: Sequence[Calcula
         problem: Any = one.problem
         supply = problem.oil_supply
         behind = replace(supply, tubes=(*line.ducts, *supply.tubes))
-        fed.append(replace(one, problem=replace(problem, oil_supply=behind)))
+        fed.append(replace(one, problem=problem.fed_by(behind)))
     assumed = [
         f"Discharge coefficient of the orifice of {given.bearing}: {given.discharge_coefficient:g} (assumption)."
         for given in case.oil_system.lines

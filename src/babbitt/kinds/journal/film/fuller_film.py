@@ -68,7 +68,8 @@ def _worse(result: Result, found: Result) -> Iterator[Notice]:
     yield from missed
     new = tuple(code for code in found.questioning_codes if code not in result.questioning_codes)
     if new and not missed:
-        yield Notice("W191", "questioned", {"codes": new})
+        remarks = tuple(one for one in found.warnings if one.code in new)
+        yield Notice("W191", "questioned", {"remarks": remarks, "codes": new})
 
 
 def _missed(check: Check) -> Notice:

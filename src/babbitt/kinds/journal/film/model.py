@@ -249,6 +249,10 @@ class FilmCase:
             friction_factor=1.0,
         )  # fmt: skip
 
+    def fed_by(self, supply: OilSupply) -> FilmCase:
+        """The bearing with another supply."""
+        return replace(self, oil_supply=supply)
+
     @property
     def assumed_of_lubricant(self) -> tuple[str, ...]:
         """What is assumed of the oil, so far as these films use it."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import Enum
 from typing import TYPE_CHECKING
 
@@ -149,3 +149,8 @@ class DesignCase:
     rotor_mass: float | None = None
     mean_alone: bool = False
     fuller_film: FilmCase | None = field(default=None, compare=False)
+
+    def fed_by(self, supply: OilSupply) -> DesignCase:
+        """The bearing with another supply, and the film that it is held against."""
+        film = self.fuller_film
+        return replace(self, oil_supply=supply, fuller_film=None if film is None else film.fed_by(supply))

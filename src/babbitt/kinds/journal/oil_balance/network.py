@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -90,26 +91,24 @@ def balanced(problem: OilSystemProblem) -> Balance:
         Where a bearing has no film at a pressure that the search looks at.
     """
     pump, lines = problem.system.pump, problem.system.lines
-    seen: dict[float, tuple[FedBearing, ...]] = {}
+    searched = [one.only(()) for one in problem.calculations]
 
-    def at(pressure: float) -> tuple[FedBearing, ...]:
-        if pressure not in seen:
-            pairs = zip(problem.calculations, lines, strict=True)
-            seen[pressure] = tuple(fed(one, line, pressure) for one, line in pairs)
-        return seen[pressure]
+    def at(pressure: float, calculations: Sequence[Calculation]) -> tuple[FedBearing, ...]:
+        return tuple(fed(one, line, pressure) for one, line in zip(calculations, lines, strict=True))
 
     def excess(pressure: float) -> float:
-        taken = sum(one.supplied for one in at(pressure)) if pressure > 0.0 else 0.0
+        taken = sum(one.supplied for one in at(pressure, searched)) if pressure > 0.0 else 0.0
         return taken - pump.delivery(pressure)
 
     relief = pump.relief_pressure
     left = -excess(relief)
     if left >= 0.0:
-        return Balance(relief, at(relief), pump.delivery(relief), left, 0.0)
+        return Balance(relief, at(relief, problem.calculations), pump.delivery(relief), left, 0.0)
     root = find_root(excess, 0.0, relief, relative=PRESSURE_TOLERANCE)
     header, delivery = root.value, pump.delivery(root.value)
-    error = abs(excess(header)) / delivery if root.converged else math.inf
-    return Balance(header, at(header), delivery, 0.0, error)
+    bearings = at(header, problem.calculations)
+    missed = sum(one.supplied for one in bearings) - delivery
+    return Balance(header, bearings, delivery, 0.0, abs(missed) / delivery if root.converged else math.inf)
 
 
 def fed(calculation: Calculation, line: Line, pressure: float) -> FedBearing:
@@ -121,7 +120,7 @@ def fed(calculation: Calculation, line: Line, pressure: float) -> FedBearing:
     """
     problem: Any = calculation.problem
     supply: OilSupply = problem.oil_supply
-    solution = calculation.method.solve_one(replace(problem, oil_supply=replace(supply, pressure=pressure)))
+    solution = calculation.method.solve_one(problem.fed_by(replace(supply, pressure=pressure)))
     values = solution.result.values
     if not solution.result.outcome.solved or "side_flow" not in values:
         raise UnsolvedBearingError(solution, pressure)

@@ -60,7 +60,7 @@ def _wanted(calculation: Calculation, line: Line, margin: float, most: float) ->
     problem: Any = calculation.problem
     supply = problem.oil_supply
     alone = replace(supply, tubes=supply.tubes[len(line.ducts) :])
-    bare = replace(calculation, problem=replace(problem, oil_supply=alone))
+    bare = replace(calculation, problem=problem.fed_by(alone)).only(())
     unfed = Line(line.bearing, None, None)
 
     def surplus(pressure: float) -> float:

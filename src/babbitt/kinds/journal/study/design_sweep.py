@@ -43,6 +43,7 @@ def sweep_design(calculation: Calculation, path: str, points: Iterable[float]) -
         If the design has no such number.
     """
     taken = [float(point) for point in points]
+    calculation = calculation.only(())  # what else a result is held against was made for the design as it is
     results: list[Result | None] = []
     refused: dict[int, str] = {}
     for place, point in enumerate(taken):
