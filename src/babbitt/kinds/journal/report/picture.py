@@ -44,6 +44,9 @@ ALIKE = 0.995
 NARROWEST = 0.02
 """Half the angle of a feed as drawn, rad, at least."""
 
+ABOVE, BELOW = 0.94, -0.78
+"""Where the sizes begin, over half the height: below where the highest pressure stands at the upper left."""
+
 DOWN = -0.5 * math.pi
 
 
@@ -112,10 +115,11 @@ def film_picture(solution: Solution) -> Picture | None:
     film: FilmSolution = solution.state.solution
     field = field_of(film, case.load_angle - math.pi)
     picture = _empty(solution)
-    _sizes(picture, solution.result.values, 0.5 * PLAY * case.bearing.diameter / film.film.clearance)
     radius = _bore(film, field.theta)
     largest = solution.result.values.get("maximum_pressure", 0.0)
-    _pressure(picture, field.theta, field.mid_plane_pressure, largest)
+    pressed = _pressure(picture, field.theta, field.mid_plane_pressure, largest)
+    enlargement = 0.5 * PLAY * case.bearing.diameter / film.film.clearance
+    _sizes(picture, solution.result.values, enlargement, place=BELOW if 90.0 < pressed < 180.0 else ABOVE)
     around = np.union1d(field.theta, np.linspace(field.theta[0], field.theta[-1], 181))
     _bush(picture, np.interp(around, field.theta, radius), around)
     for number, feed in enumerate(case.bearing.feeds):
@@ -144,12 +148,15 @@ def _empty(solution: Solution, position: Sequence[str] = ("eccentricity_ratio", 
 
 
 def _sizes(
-    picture: Picture, values: Mapping[str, float], factor: float, clearance: str = "operating_relative_clearance"
+    picture: Picture,
+    values: Mapping[str, float],
+    factor: float,
+    clearance: str = "operating_relative_clearance",
+    place: float = ABOVE,
 ) -> None:
-    """Diameter, width and clearance, and by how much the film is drawn thicker than it is."""
-    top = 0.94 * picture.reach
-    picture.notes(-0.98 * picture.reach, top, named(values, "diameter", "width", clearance))
-    picture.notes(0.98 * picture.reach, top, (enlarged("film", factor),), "end")
+    """Diameter, width and clearance from a share of the reach down, and by how much the film is enlarged."""
+    picture.notes(-0.98 * picture.reach, place * picture.reach, named(values, "diameter", "width", clearance))
+    picture.notes(0.98 * picture.reach, ABOVE * picture.reach, (enlarged("film", factor),), "end")
 
 
 def _bore(solution: FilmSolution, theta: Array) -> Array:
@@ -173,11 +180,14 @@ def _bush(picture: Picture, radius: Array, theta: Array) -> None:
     picture.outline(bore, "bore")
 
 
-def _pressure(picture: Picture, theta: Array, pressure: Array, largest: float) -> None:
-    """That of the mid-plane outward from the bush, the highest as `HIGHEST`; elsewhere may be a larger one."""
+def _pressure(picture: Picture, theta: Array, pressure: Array, largest: float) -> float:
+    """That of the mid-plane outward from the bush, the highest as `HIGHEST`; elsewhere may be a larger one.
+
+    Returns where it is highest, in degrees from 0 to 360; NaN where there is none.
+    """
     highest = float(pressure.max())
     if not highest > 0.0:
-        return
+        return math.nan
     base = 1.0 + PLAY + BACK
     angles = np.linspace(theta[0], theta[-1], 361)
     outer = base + 0.9 * HIGHEST * np.interp(angles, theta, np.maximum(pressure, 0.0)) / highest
@@ -190,6 +200,7 @@ def _pressure(picture: Picture, theta: Array, pressure: Array, largest: float) -
     beside = outer[top] + 0.12
     where = " (z = 0)" if highest < ALIKE * largest else ""
     picture.text(beside * x[top], beside * y[top], quantity.with_unit(highest) + where)
+    return math.degrees(float(angles[top])) % 360.0
 
 
 def _feed(picture: Picture, theta: Array, radius: Array, feed: FeedSize, field: str) -> None:
