@@ -5,6 +5,7 @@ import pytest
 from babbitt import parse_case
 from babbitt.core.notices import Effect
 from babbitt.core.result import Verdict
+from babbitt.kinds.journal.compare.comparison import compare
 from babbitt.solving import solve
 
 BEARING = """
@@ -110,6 +111,62 @@ def test_the_mean_passes_without_a_word_only_where_the_limits_of_the_clearance_p
     assert told == missed
     assert mean.values["outlet_temperature"] == every[1].values["outlet_temperature"]
     assert mean.verdict is (Verdict.REMARKS if missed else Verdict.PASS)
+
+
+WARM_FIT = """
+kind: journal
+name: A
+diameter: 125 mm
+width: 50 mm
+clearance: H7/f7
+span: 360 deg
+supply_element: {kind: slot, length: 30 mm, width: 12.5 mm, place: side}
+lubricant: ISO VG 32
+supply: {temperature: 40 degC, pressure: 0.3 MPa}
+materials: {bearing_metal: SnSb8Cu4, bearing: EN-GJL-250, journal: C45}
+specific_load: 2.6 MPa
+surface_speed: 15 m/s
+"""
+WIDE_FIT = """
+kind: journal
+name: A
+diameter: 100 mm
+width: 69 mm
+clearance: {kind: relative, mean: 2.35 permille, minimum: 1.88 permille, maximum: 2.82 permille}
+span: 360 deg
+supply_element: {kind: slot, length: 36 mm, width: 10 mm, place: side}
+lubricant: ISO VG 46
+supply: {temperature: 44 degC, pressure: 0.34 MPa}
+materials:
+  bearing_metal: CuPb10Sn10
+  bearing: {thermal_expansion: 19.6e-6 1/K}
+  journal: {thermal_expansion: 15.2e-6 1/K}
+specific_load: 3.95 MPa
+surface_speed: 4.29 m/s
+"""
+
+
+@pytest.mark.parametrize(("text", "verdict"), [(WARM_FIT, Verdict.FAIL), (WIDE_FIT, Verdict.REMARKS)])
+def test_a_mean_that_its_own_film_confirms_is_held_at_the_limits_of_the_clearance_too(text, verdict):
+    """They passed cleanly; of the second the film alone at the largest clearance misses a limit."""
+    every = solve(parse_case(text + "clearance_cases: all\n")).results
+    (mean,) = solve(parse_case(text + "clearance_cases: mean\n")).results
+    (calculation,) = parse_case(text + "clearance_cases: mean\n").calculations()
+    assert calculation.only(()).solve()[0].result.questioning_codes == ("W191",)
+    assert max((one.verdict for one in every), key=list(Verdict).index) is verdict
+    ((noted,),) = (notice.values["missed"] for notice in notices(mean, "W174"))
+    (worst,) = (one for one in every if one.verdict is verdict)
+    assert noted.values["clearance"] == worst.values["relative_clearance"]
+    assert mean.verdict is Verdict.REMARKS
+
+
+def test_films_in_a_comparison_are_of_the_mean_clearance_alone():
+    """Beside ISO 7902 they passed cleanly where `method: film` is questioned."""
+    case = parse_case(WARM_FIT + "clearance_cases: mean\n")
+    (found,) = compare(case)
+    films = [one.solution.result for one in found.methods if one.solution.result.method == "film"]
+    assert films
+    assert all(notices(one, "W174") for one in films)
 
 
 @pytest.mark.parametrize(("family", "questioned"), [("copper-lead", True), ("tin-based", False)])

@@ -10,6 +10,7 @@ from babbitt.core.result import Bound, Check
 from babbitt.core.units import written
 from babbitt.design.bounds import NO_BOUNDS, Bounds, bounds_of, certain, undecided
 from babbitt.design.conditions import CheckedProblem, surface_speed
+from babbitt.design.warnings import PLAIN_BEARING_UP_TO
 from babbitt.properties.materials import (
     BearingMetal,
     ExperienceLimit,
@@ -263,6 +264,20 @@ def validity_checks(values: Mapping[str, float]) -> Iterator[Check]:
         source = "film limit of the surfaces (no speed of transition is known)"
         film, needed = values["minimum_film_thickness"], values["transition_film_thickness"]
         yield Check("C111", "minimum_film_thickness", film, needed, AT_LEAST, source)
+
+
+def pressure_check(case: CheckedProblem, values: Mapping[str, float]) -> Iterator[Check]:
+    """The largest pressure of the film of a plain bearing against what plain bearings know, without a metal."""
+    if case.bearing.metal is None:
+        source = "yield strength of the hardest white metals, about (assumption); no bearing metal is given"
+        pressure = values["maximum_pressure"]
+        yield Check("C116", "maximum_pressure", pressure, PLAIN_BEARING_UP_TO, Bound.AT_MOST, source)
+
+
+def pressure_not_checked(case: CheckedProblem) -> Iterator[Notice]:
+    """Say why the largest pressure of the film was not compared, where a bearing metal is given."""
+    if case.bearing.metal is not None:
+        yield Notice("C116", values={"metal": case.bearing.metal.name})
 
 
 def clearance_check(case: CheckedProblem, values: Mapping[str, float]) -> Check:

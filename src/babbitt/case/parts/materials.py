@@ -93,7 +93,8 @@ class Metal(Part):
     @rule
     def _name_is_known(self) -> Iterator[Issue]:
         if not self._is_own():
-            yield from refused(("name",), lambda: bearing_metal(self.name))
+            own = "a metal of one's own has its family or one of its limits beside the name"
+            yield from (replace(issue, hint=own) for issue in refused(("name",), lambda: bearing_metal(self.name)))
 
     def in_the_catalogue(self) -> BearingMetal | None:
         """The metal of the catalogue of that name; None for one of one's own."""

@@ -10,6 +10,7 @@ from babbitt.core.progress import ProgressCallback, no_progress
 from babbitt.core.solution import Method, Solution
 
 if TYPE_CHECKING:
+    from babbitt.core.result import Result
     from babbitt.kinds.journal.film.coefficients_over_speed import SpeedRun
     from babbitt.kinds.journal.film.model import FilmCase
     from babbitt.kinds.journal.grooved_long_bearing.model import SegmentCase
@@ -34,23 +35,31 @@ class Iso7902(Method):
         """Solve by the tables of characteristics and the heat balance of the standard.
 
         A bearing that keeps its limits by less than films with temperatures of their own may differ, or whose
-        housing is cooled, is held against such a film, too.
+        housing is cooled, is held against such a film, too; so is one that passes at its mean clearance, at the
+        limits of that.
         """
-        from babbitt.kinds.journal.iso7902 import check
+        from babbitt.kinds.journal.iso7902.limits_of_clearance import beside_limits
 
-        result = check(problem)
-        sure = tuple(one for one in result.warnings if one.code != "W191")
-        questioned = problem.cooling is not None or sure != result.warnings
-        if problem.fuller_film is not None and questioned and result.keeps_all_limits:
-            from babbitt.kinds.journal.film.check import beside_fuller_film
-
-            # What the film keeps is not questioned any more, and what it misses is known.
-            result = beside_fuller_film(replace(result, warnings=sure), problem.fuller_film)
-        return (Solution(problem, result),)
+        return (Solution(problem, beside_limits(problem, _held_against_film)),)
 
     def only(self, problem: DesignCase, quantities: Collection[str]) -> DesignCase:
         """The procedure of the standard alone: of many bearings margins are asked in place of a film of each."""
         return replace(problem, fuller_film=None)
+
+
+def _held_against_film(problem: DesignCase) -> Result:
+    """The procedure of the standard at one clearance, and what the film of the bearing misses of its limits."""
+    from babbitt.kinds.journal.iso7902.procedure import check_at_clearance
+
+    result = check_at_clearance(problem)
+    sure = tuple(one for one in result.warnings if one.code != "W191")
+    questioned = problem.cooling is not None or sure != result.warnings
+    if problem.fuller_film is None or not questioned or not result.keeps_all_limits:
+        return result
+    from babbitt.kinds.journal.film.check import beside_fuller_film
+
+    # What the film keeps is not questioned any more, and what it misses is known.
+    return beside_fuller_film(replace(result, warnings=sure), problem.fuller_film)
 
 
 @dataclass(frozen=True)

@@ -70,6 +70,9 @@ METAL_PRESSED = 0.25
 Assumption: searches among clean passes of narrow bearings with hot thick oil found bushes above the outlet by 8.7,
 8.8, 9.8 and 9.2 K times U sqrt(η_eff) where Q_p is 0.32, 0.33, 0.45 and 0.50 of Q₃, none below a quarter."""
 
+MOST_TOLD = 5.0
+"""Margin beyond which its number, and a temperature that asks for it, say nothing more."""
+
 MEGA_ROOT = 1e3
 """Root of Pa in MPa, in which the rise over the root of p̄ U is given."""
 
@@ -105,10 +108,10 @@ FASTEST_AND_LOADED, FASTEST_OF_NARROW, NARROW = 3e8, 1.5e8, 0.3
 """Pa m/s: the largest p̄ U of the bearings that were measured, and that of those narrower than a share of their
 diameter. A search found narrow ones beyond it with 1.6 times ``TURBULENT_SOONER`` and films of 0.45."""
 
-PRESSES_HARDER = 1.4
+PRESSES_HARDER = 1.6
 """Largest pressure of films with temperatures of their own, which are thinner, over that of one temperature.
 
-Assumption: a search among clean passes under 13 to 17 MPa without a metal found 1.26 at the most."""
+Assumption: searches among clean passes without a metal found 1.26 under 13 to 17 MPa, and 1.55 at the most."""
 
 GROWN = 0.25
 """Share of the clearance that growth may take at the one temperature: the loaded film is hotter, so is the
@@ -343,6 +346,8 @@ def _about_film(check: Check, values: Mapping[str, float], thinner: float) -> No
         return Notice("W191", "film", {
             "margin": check.margin, "check": check.code, "asked": least_margin(values),
         })  # fmt: skip
+    if not holds_anywhere(thinner - 1.0 <= MOST_TOLD):
+        return Notice("W191", "hot_film", {"margin": check.margin, "check": check.code, "most": MOST_TOLD})
     return Notice("W191", "loaded_film", {
         "margin": check.margin, "check": check.code, "loaded": loaded_temperature(check, values),
         "asked": thinner - 1.0,

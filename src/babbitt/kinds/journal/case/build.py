@@ -130,7 +130,8 @@ def film_cases(bearing: JournalBearing, case: CaseFile, thermal: str | None = No
     thermal : str, optional
         ``global``, ``adiabatic`` or ``full`` in place of what the bearing says.
     """
-    return tuple(_expanded(bearing, case, partial(film_case, thermal=thermal)))
+    seen = bearing.model_copy(update={"method": "film"})
+    return tuple(_expanded(seen, case, partial(film_case, thermal=thermal)))
 
 
 def long_films_of(bearing: JournalBearing, case: CaseFile) -> tuple[LongFilmCase, ...]:

@@ -9,19 +9,22 @@ from time import perf_counter
 
 from babbitt.core.notices import Notice
 from babbitt.core.progress import ProgressCallback, no_progress
-from babbitt.core.result import Bound, Check, Matrix, Result
+from babbitt.core.result import Check, Matrix, Result
 from babbitt.core.solution import Solution
 from babbitt.design.bounds import certain, undecided
-from babbitt.design.checks import checks_not_made, clearance_check, limit_checks
+from babbitt.design.checks import (
+    checks_not_made,
+    clearance_check,
+    limit_checks,
+    pressure_check,
+    pressure_not_checked,
+)
 from babbitt.design.conditions import PrescribedLoad, contact_film
 from babbitt.design.failure import failure_of
 from babbitt.design.feeding import Arrival
 from babbitt.design.heat_balance import Equilibrium
 from babbitt.design.oil import usable_viscosity
-from babbitt.design.warnings import (
-    PLAIN_BEARING_UP_TO,
-    warnings_about_supply,
-)
+from babbitt.design.warnings import warnings_about_supply
 from babbitt.kinds.journal.film.assumptions import film_assumptions, film_settings
 from babbitt.kinds.journal.film.fuller_film import thinner_orbit, warnings_of_fuller_film
 from babbitt.kinds.journal.film.grid_error import grid_errors
@@ -292,16 +295,7 @@ def _missing_speeds(
 def film_limits(case: FilmCase, values: dict[str, float]) -> Iterator[Check]:
     """Those of every method; a film that was solved as turbulent need not be laminar."""
     yield from (one for one in limit_checks(case, values) if one.code != "C110" or case.turbulence is None)
-    if case.bearing.metal is None:
-        source = "yield strength of the hardest white metals, about (assumption); no bearing metal is given"
-        pressure = values["maximum_pressure"]
-        yield Check("C116", "maximum_pressure", pressure, PLAIN_BEARING_UP_TO, Bound.AT_MOST, source)
-
-
-def pressure_not_checked(case: FilmCase) -> Iterator[Notice]:
-    """Say why the largest pressure of the film was not compared, where a bearing metal is given."""
-    if case.bearing.metal is not None:
-        yield Notice("C116", values={"metal": case.bearing.metal.name})
+    yield from pressure_check(case, values)
 
 
 def _about_margins_on_orbit(

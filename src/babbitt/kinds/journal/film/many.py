@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from babbitt.core.quantities import AXES
 from babbitt.core.result import Check, Outcome, Result, Verdict
-from babbitt.design.checks import checks_not_made, clearance_check
+from babbitt.design.checks import checks_not_made, clearance_check, pressure_not_checked
 from babbitt.design.conditions import PrescribedLoad, contact_film
 from babbitt.design.feeding import Arrival
 from babbitt.design.oil import properties_at
@@ -25,7 +25,7 @@ from babbitt.design.screening import recommended_relative_clearance
 from babbitt.design.values import cooling_values, duty_values, heat_values, limit_values, oil_values, supply_values
 from babbitt.design.verdict_lanes import by_verdict
 from babbitt.kinds.journal.film.bore import RoundBore
-from babbitt.kinds.journal.film.check import METHOD, film_limits, pressure_not_checked
+from babbitt.kinds.journal.film.check import METHOD, film_limits
 from babbitt.kinds.journal.film.isothermal import FilmState, friction_of, resolution_of
 from babbitt.kinds.journal.film.layout import feeds_itself, film_of, load_vector
 from babbitt.kinds.journal.film.model import WHOLE_TURN, FilmCase, Search

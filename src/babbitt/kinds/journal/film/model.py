@@ -253,6 +253,10 @@ class FilmCase:
         """The bearing with another supply."""
         return replace(self, oil_supply=supply)
 
+    def at_clearance(self, relative: float) -> FilmCase:
+        """The bearing with another clearance over diameter at 20 °C."""
+        return replace(self, bearing=replace(self.bearing, relative_clearance=relative))
+
     @property
     def assumed_of_lubricant(self) -> tuple[str, ...]:
         """What is assumed of the oil, so far as these films use it."""

@@ -6,10 +6,16 @@ from collections.abc import Iterator, Mapping
 
 from babbitt.core.notices import Notice
 from babbitt.core.result import Bound, Check
-from babbitt.design.checks import checks_not_made, clearance_check, limit_checks
+from babbitt.design.checks import (
+    checks_not_made,
+    clearance_check,
+    limit_checks,
+    pressure_check,
+    pressure_not_checked,
+)
 from babbitt.kinds.journal.iso7902.model import DesignCase
 
-__all__ = ["checks_not_made", "checks_of", "whirl_not_checked"]
+__all__ = ["checks_not_made", "checks_of", "pressure_not_checked", "whirl_not_checked"]
 
 
 def checks_of(case: DesignCase, values: Mapping[str, float]) -> tuple[Check, ...]:
@@ -21,7 +27,8 @@ def checks_of(case: DesignCase, values: Mapping[str, float]) -> tuple[Check, ...
     values : Mapping[str, float]
         Named results in SI, with the limits among them.
     """
-    return (*limit_checks(case, values), _whirl_screening(values), clearance_check(case, values))
+    limits = *limit_checks(case, values), *pressure_check(case, values)
+    return (*limits, _whirl_screening(values), clearance_check(case, values))
 
 
 def whirl_not_checked(case: DesignCase) -> Iterator[Notice]:

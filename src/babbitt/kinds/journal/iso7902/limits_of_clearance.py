@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from typing import Any
 
@@ -11,7 +11,16 @@ from babbitt.core.result import Result, Verdict
 from babbitt.design.conditions import PrescribedLoad
 from babbitt.kinds.journal.iso7902.model import DesignCase
 
-__all__ = ["about_missed_limits", "at_limits"]
+__all__ = ["at_limits", "beside_limits"]
+
+
+def beside_limits(case: DesignCase, solve: Callable[[DesignCase], Result]) -> Result:
+    """Solve a bearing at its clearance, and say what stands against limits of which it passes the mean alone."""
+    found = solve(case)
+    if not (case.mean_alone and found.verdict is Verdict.PASS):
+        return found
+    missed = _about_missed_limits((limit, solve(other)) for limit, other in at_limits(case))
+    return replace(found, warnings=(*found.warnings, *missed))
 
 
 def at_limits(case: DesignCase) -> Iterator[tuple[Any, DesignCase]]:
@@ -23,10 +32,10 @@ def at_limits(case: DesignCase) -> Iterator[tuple[Any, DesignCase]]:
     if bearing.clearance_tolerance is None or not isinstance(case.duty, PrescribedLoad):
         return
     for limit in bearing.clearance_tolerance:
-        yield limit, replace(case, bearing=replace(bearing, relative_clearance=limit), mean_alone=False)
+        yield limit, case.at_clearance(limit)
 
 
-def about_missed_limits(found: Iterable[tuple[float, Result]]) -> Iterator[Notice]:
+def _about_missed_limits(found: Iterable[tuple[float, Result]]) -> Iterator[Notice]:
     """Warn of clearances at which a bearing misses limits that it keeps at the mean, or is questioned.
 
     Parameters

@@ -154,3 +154,13 @@ class DesignCase:
         """The bearing with another supply, and the film that it is held against."""
         film = self.fuller_film
         return replace(self, oil_supply=supply, fuller_film=None if film is None else film.fed_by(supply))
+
+    def at_clearance(self, relative: float) -> DesignCase:
+        """The bearing with a clearance over diameter at 20 °C, and the film that it is held against."""
+        film = self.fuller_film
+        return replace(
+            self,
+            bearing=replace(self.bearing, relative_clearance=relative),
+            mean_alone=False,
+            fuller_film=None if film is None else film.at_clearance(relative),
+        )

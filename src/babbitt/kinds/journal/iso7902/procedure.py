@@ -9,7 +9,7 @@ from functools import partial
 from time import perf_counter
 
 from babbitt.core.notices import Notice
-from babbitt.core.result import Check, Result, Verdict
+from babbitt.core.result import Check, Result
 from babbitt.core.units import ZERO_CELSIUS
 from babbitt.design.conditions import contact_film
 from babbitt.design.failure import failure_of
@@ -24,9 +24,14 @@ from babbitt.design.values import (
     oil_values,
     supply_values,
 )
-from babbitt.kinds.journal.iso7902.checks import checks_not_made, checks_of, whirl_not_checked
+from babbitt.kinds.journal.iso7902.checks import (
+    checks_not_made,
+    checks_of,
+    pressure_not_checked,
+    whirl_not_checked,
+)
 from babbitt.kinds.journal.iso7902.film import Film, SuppliedFilm, curves_of, film_at, supplied_film
-from babbitt.kinds.journal.iso7902.limits_of_clearance import about_missed_limits, at_limits
+from babbitt.kinds.journal.iso7902.limits_of_clearance import beside_limits
 from babbitt.kinds.journal.iso7902.model import DesignCase
 from babbitt.kinds.journal.iso7902.screening import Transition, orlov_relative_clearance, transition
 from babbitt.kinds.journal.iso7902.supply_capacity import (
@@ -61,15 +66,11 @@ def check(case: DesignCase) -> Result:
     friction, flows, heat balance iterated on the effective temperature. The characteristics are solutions of the
     Reynolds equation by this package, not the tables of the standard.
     """
-    found = _check(case)
-    if not (case.mean_alone and found.verdict is Verdict.PASS):
-        return found
-    missed = about_missed_limits((limit, _check(other)) for limit, other in at_limits(case))
-    return replace(found, warnings=(*found.warnings, *missed))
+    return beside_limits(case, check_at_clearance)
 
 
-def _check(case: DesignCase) -> Result:
-    """The procedure at the clearance of the case."""
+def check_at_clearance(case: DesignCase) -> Result:
+    """`check` at the clearance of the case, whatever its limits."""
     if case.effective_temperature is not None:
         return check_at_temperature(case, case.effective_temperature)
     start = perf_counter()
@@ -196,6 +197,7 @@ def result_of(
     values["wall_time"] = perf_counter() - start
     not_checked = (
         *checks_not_made(case, values),
+        *pressure_not_checked(case),
         *whirl_not_checked(case),
         *capacity_not_checked(case, found.film),
     )

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 
+from babbitt.core.limited_flow import limited
 from babbitt.core.notices import Notice
 from babbitt.core.result import Check
 from babbitt.design.oil import usable_viscosity
@@ -14,6 +15,7 @@ from babbitt.design.warnings import (
     RIGID_FILM_UP_TO,
     warnings_about_film,
     warnings_about_hole,
+    warnings_about_pressure,
     warnings_about_running,
     warnings_about_supply,
 )
@@ -107,6 +109,9 @@ def warnings_about_validity(case: DesignCase, values: Mapping[str, float]) -> It
 
 def _of_method(case: DesignCase, values: Mapping[str, float]) -> Iterator[Notice]:
     yield from warnings_about_validity(case, values)
+    yield from warnings_about_pressure(
+        larger(values["maximum_pressure"], values.get(limited("maximum_pressure"), 0.0))
+    )
     least, most = STANDARD_WIDTH_RATIOS
     if not least <= case.bearing.part_width_ratio <= most:
         part = "half" if case.bearing.parts > 1 else "whole"
