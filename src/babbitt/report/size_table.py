@@ -14,6 +14,7 @@ from babbitt.report.study_values import (
     Scale,
     StudyTable,
     bearing_text,
+    check_title,
     input_scale,
     reason_text,
 )
@@ -94,7 +95,9 @@ def _remarks(size: Size, scale: Scale) -> Iterator[StudyTable]:
     note = translated(
         "Values of the scan, from the first to the last of a kind; babbitt explain says what a code means."
     )
-    yield StudyTable(translated("Remarks on permitted values"), heads, rows, 2, (note,))
+    codes = dict.fromkeys(code for one, _ in runs for code in one)
+    meanings = "; ".join(map(check_title, codes))
+    yield StudyTable(translated("Remarks on permitted values"), heads, rows, 2, (note, meanings))
 
 
 def _tried(title: str, first: str, trials: Mapping[str, Trial]) -> StudyTable:

@@ -52,5 +52,6 @@ def find(name: str, entries: Mapping[str, Entry], what: str, names: tuple[str, .
     suggestion = f"nearest: {', '.join(near)}" if near else "no similar name"
     raise InputError(
         "E005",
-        f"no {what} named {name[:60]!r} in the catalogue ({suggestion}); `babbitt list materials` shows all names",
+        f"no {what} named {name[:60]!r} in the catalogue ({suggestion}); `babbitt list materials` shows all "
+        "names, and so does the workbench under Oils and metals",
     )

@@ -11,11 +11,10 @@ from babbitt.design.checks import (
     clearance_check,
     limit_checks,
     pressure_check,
-    pressure_not_checked,
 )
 from babbitt.kinds.journal.iso7902.model import DesignCase
 
-__all__ = ["checks_not_made", "checks_of", "pressure_not_checked", "whirl_not_checked"]
+__all__ = ["checks_not_made", "checks_of", "whirl_not_checked"]
 
 
 def checks_of(case: DesignCase, values: Mapping[str, float]) -> tuple[Check, ...]:

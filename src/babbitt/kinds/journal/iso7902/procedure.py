@@ -27,7 +27,6 @@ from babbitt.design.values import (
 from babbitt.kinds.journal.iso7902.checks import (
     checks_not_made,
     checks_of,
-    pressure_not_checked,
     whirl_not_checked,
 )
 from babbitt.kinds.journal.iso7902.film import Film, SuppliedFilm, curves_of, film_at, supplied_film
@@ -197,7 +196,6 @@ def result_of(
     values["wall_time"] = perf_counter() - start
     not_checked = (
         *checks_not_made(case, values),
-        *pressure_not_checked(case),
         *whirl_not_checked(case),
         *capacity_not_checked(case, found.film),
     )

@@ -64,6 +64,10 @@ def limited_lines(
         "starved_minimum_film_thickness",
         "starved_operating_relative_clearance * diameter / 2 * (1 - starved_eccentricity_ratio)",
     )
+    if found:  # else the mean pressure is that of this film, too
+        ratio = sheet["starved_maximum_pressure"] / sheet["specific_load"]
+        yield sheet.read("starved_peak_pressure_ratio", "starved_eccentricity_ratio", *arguments, value=ratio)
+        yield sheet.line("starved_maximum_pressure", "starved_peak_pressure_ratio * specific_load")
     yield from friction
     if found:  # else the load is that of this film, which no result names
         yield sheet.line("starved_friction_power", "starved_friction_coefficient * load * surface_speed")

@@ -32,6 +32,7 @@ JOURNAL_WORDS = (
     local("full_attitude_angle", "β_360", "rad", "Attitude angle of the full bearing at ε", 3, ANGLE),
     local("sheared_arc", "I", "1", "Integral of dφ/(1 + ε cos φ) over the arc"),
     local("peak_pressure_ratio", "p_max*", "1", "Maximum over mean pressure"),
+    local("starved_peak_pressure_ratio", "p_max,st*", "1", "Maximum over mean pressure"),
     local("hole_diameter", "d_H", "m", "Diameter of the supply hole", 4, MILLI),
     local("pocket_width", "b_P", "m", "Width of the pocket", 4, MILLI),
     local("groove_width", "b_G", "m", "Width of the groove", 4, MILLI),
