@@ -94,6 +94,31 @@ def test_with_the_mouse(page):
     check(page, "ISO VG 100", clearance, began.value.path().read_bytes())
 
 
+def test_a_value_that_was_found_for_another_case_is_not_taken(page):
+    """It went into whatever case stood on the page, its load and its limits being others."""
+    tab(page, "Studies")
+    option(page, "What is asked", "size")
+    page.get_by_role("button", name="Run the study").click()
+    page.get_by_text("Take into the case:").wait_for()
+    page.get_by_label("Diameter", exact=True).fill("90")
+    until(page, lambda: "90 mm" in drafts(page))
+    before = text_of(page)
+    tab(page, "Studies")
+    page.locator(".more button", has_text="kN").last.click()
+    page.locator(".q-notification", has_text="The case has changed since").wait_for()
+    assert text_of(page) == before
+
+
+def test_another_case_takes_away_what_was_found_for_the_one_before(page):
+    tab(page, "Studies")
+    option(page, "What is asked", "size")
+    page.get_by_role("button", name="Run the study").click()
+    page.get_by_text("Take into the case:").wait_for()
+    page.get_by_role("button", name="New").click()
+    page.get_by_role("menuitem", name="one journal bearing").click()
+    page.get_by_text("Take into the case:").wait_for(state="detached")
+
+
 def test_on_the_keyboard_alone(page):
     type_in(page, "Diameter", "125")
     until(page, lambda: "125 mm" in drafts(page))

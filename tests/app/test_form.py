@@ -152,7 +152,14 @@ def test_a_part_that_is_not_given_can_be_chosen():
             {"mean": "120 um", "minimum": "100 um", "maximum": "140 um"},
         ),
         ("H7/e8", "diametral", {"mean": "116.5 um", "minimum": "72 um", "maximum": "161 um"}),
+        ("H7/e8", "limits", {"bore": ["120 mm", "120.035 mm"], "journal": ["119.874 mm", "119.928 mm"]}),
+        (
+            "{kind: limits, bore: [120 mm, 120.035 mm], journal: [119.874 mm, 119.928 mm]}",
+            "deviations",
+            {"bore": ["0 um", "35 um"], "journal": ["-126 um", "-72 um"]},
+        ),
         ("{kind: radial, mean: 90 um}", "fit", {}),
+        ("{kind: radial, mean: 90 um}", "limits", {}),
         ("{kind: radial, mean: about 90}", "relative", {}),
     ],
 )
@@ -160,6 +167,27 @@ def test_a_clearance_given_in_another_way_is_the_same_gap(given, way, shown):
     document = CaseDocument(f"kind: journal\ndiameter: 120 mm\nclearance: {given}\n")
     document.choose(("clearance",), way)
     assert document.given["clearance"] == {"kind": way, **shown}
+
+
+def test_a_fit_in_short_is_that_of_its_classes():
+    document = CaseDocument("kind: journal\ndiameter: 120 mm\nclearance: {kind: fit, bore: H7, journal: e8}\n")
+    document.choose(("clearance",), "")
+    assert document.given["clearance"] == "H7/e8"
+
+
+def test_a_switch_that_is_not_given_stands_as_its_default():
+    document = CaseDocument(TEMPLATES["journal"])
+    document.change(("method",), "film")
+    switches = {entry.path: entry for entry in entries(form_of(document.given)) if entry.is_switch}
+    assert switches["method", "limiting_speeds"].value is None
+    assert switches["method", "limiting_speeds"].is_on
+    assert not switches["method", "error_estimate"].is_on
+
+
+def test_lists_are_read_as_lists_before_they_are_given():
+    document = CaseDocument("kind: journal\ndiameter: 120 mm\nclearance: {kind: limits}\n")
+    of_sizes = [entry for entry in entries(form_of(document.given)) if entry.path[-1] in ("bore", "journal")]
+    assert [entry.is_list for entry in of_sizes] == [True, True]
 
 
 def test_every_section_names_fields_of_some_kind():

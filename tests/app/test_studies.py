@@ -23,6 +23,7 @@ from babbitt.app.studies import (
 from babbitt.case import parse_case
 from babbitt.case.with_units import case_text
 from babbitt.core.kind import kinds
+from babbitt.core.result import Verdict
 from babbitt.core.units import KINDS
 from babbitt.report.study_content import study_tables
 from babbitt.study.fields import annotations_of, numeric_field
@@ -175,6 +176,19 @@ def test_the_sizes_that_a_study_found_keep_all_limits(tmp_path):
     lower = min(float(text.split()[0]) for text in sizes)
     (result,) = solved(case_text(with_value(document.given, axis.path, f"{0.99 * lower} permille"))).results
     assert not all(check.ok for check in result.limits)
+
+
+def test_the_size_says_how_its_scan_steps_and_offers_a_value_without_remarks(tmp_path):
+    """A wide range at equal distances; its end passes with the largest margin, and with remarks."""
+    document = CaseDocument(TEMPLATES["journal"])
+    axis = replace(axes_of(document, "size")["clearance.mean"], first="0.5 permille", last="12 permille")
+    found = studied(asked_text(document.given, block_of("size", [axis])), str(tmp_path / "progress"))
+    assert any("at equal distances" in note for table in found.tables for note in table.remarks)
+    roles = {role: text for text, said in sizes_of(found.study).items() for role in said.split(", ")}
+    text = roles["largest margin without remarks"]
+    assert text != roles["largest margin"]
+    (result,) = solved(case_text(with_value(document.given, axis.path, text))).results
+    assert result.verdict is Verdict.PASS
 
 
 def test_sizes_are_offered_only_in_the_unit_in_which_they_were_asked_for(tmp_path):

@@ -55,14 +55,16 @@ def test_limits_of_the_clearance_that_nothing_solves_are_named(limits, code, eff
 
 def test_near_limits_are_an_information_where_the_mean_is_asked_for():
     limits = "mean: 1.3 permille, minimum: 1.26 permille, maximum: 1.34 permille"
-    found = answer("mean: 1.3 permille", limits, "clearance_cases: mean\nmethod: film\n")
-    assert [one.effect for one in notices(found, "W183")] == [Effect.INFORMATION]
+    found = answer("mean: 1.3 permille", limits, "clearance_cases: mean\nmethod: long_film\n")
+    (of_limits,) = (one for one in notices(found, "W183") if one.variant == "limits_of_clearance")
+    assert of_limits.effect is Effect.INFORMATION
     assert not notices(found, "W174")
 
 
-def test_limits_that_iso_7902_solves_are_not_called_unused():
-    limits = "mean: 1.3 permille, minimum: 1.2 permille, maximum: 1.4 permille"
-    found = answer("mean: 1.3 permille", limits, "clearance_cases: mean\n")
+@pytest.mark.parametrize(("method", "least", "most"), [("iso7902", 1.2, 1.4), ("film", 1.26, 1.34)])
+def test_limits_that_the_method_solves_are_not_called_unused(method, least, most):
+    limits = f"mean: 1.3 permille, minimum: {least} permille, maximum: {most} permille"
+    found = answer("mean: 1.3 permille", limits, f"clearance_cases: mean\nmethod: {method}\n")
     assert not notices(found, "W183")
     assert not notices(found, "W174")
     assert found.verdict is Verdict.PASS
@@ -157,6 +159,50 @@ def test_a_mean_that_its_own_film_confirms_is_held_at_the_limits_of_the_clearanc
     ((noted,),) = (notice.values["missed"] for notice in notices(mean, "W174"))
     (worst,) = (one for one in every if one.verdict is verdict)
     assert noted.values["clearance"] == worst.values["relative_clearance"]
+    assert mean.verdict is Verdict.REMARKS
+
+
+WHIRLING = """
+kind: journal
+name: A
+diameter: 100 mm
+width: 60 mm
+clearance: {kind: relative, mean: 1.6 permille, minimum: 1.5311 permille, maximum: 1.672 permille}
+span: 360 deg
+supply_element: {kind: pocket, width: 40 mm, place: both_sides}
+lubricant: ISO VG 32
+supply: {temperature: 45 degC, pressure: 0.2 MPa}
+materials: {bearing_metal: SnSb8Cu4, bearing: EN-GJL-250, journal: C45}
+load: 4 kN
+speed: 6000 rpm
+rotor_mass: 565 kg
+method: {kind: film, thermal: full}
+"""
+HELD = """
+kind: journal
+name: A
+diameter: 100 mm
+width: 60 mm
+clearance: H7/e8
+span: 360 deg
+supply_element: {kind: pocket, width: 40 mm, place: both_sides}
+lubricant: ISO VG 46
+supply: {temperature: 45 degC, pressure: 0.2 MPa}
+materials: {bearing_metal: SnSb8Cu4, bearing: EN-GJL-250, journal: C45}
+limits: {minimum_film_thickness: 12 um}
+speed: 1500 rpm
+eccentricity_ratio: 0.7
+"""
+
+
+@pytest.mark.parametrize(("text", "code"), [(WHIRLING, "C115"), (HELD, "C101")])
+def test_near_limits_of_a_film_and_those_at_a_given_eccentricity_are_solved_too(text, code):
+    """Both passed cleanly; of the first the rotor whirls at the largest clearance, 1.045 times the mean."""
+    every = solve(parse_case(text + "clearance_cases: all\n")).results
+    (mean,) = solve(parse_case(text + "clearance_cases: mean\n")).results
+    (worst,) = (one for one in every if one.verdict is Verdict.FAIL)
+    ((noted,),) = (notice.values["missed"] for notice in notices(mean, "W174"))
+    assert noted.values == {"clearance": worst.values["relative_clearance"], "checks": (code,)}
     assert mean.verdict is Verdict.REMARKS
 
 

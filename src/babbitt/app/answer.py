@@ -342,7 +342,9 @@ def findings_of(result: Result) -> Iterable[Finding]:
     for group in (*findings.missed_limits([result]), *findings.lacking([result])):
         yield _gathered(group, group.message, grave=True)
     if result.outcome.solved and not (result.limits or result.lacking):
-        said = translated("Nothing is held against a limit, so that there is no verdict.")
+        said = translated(
+            "Nothing is held against a limit (recommendations change no verdict), so that there is no verdict."
+        )
         yield Finding("", said, "", "", grave=True)
     for effect in (Effect.NO_VERDICT, Effect.QUESTIONS_RESULT, Effect.INFORMATION):
         for notice in result.warnings:
@@ -350,7 +352,8 @@ def findings_of(result: Result) -> Iterable[Finding]:
                 yield _finding(notice.code, notice.message, grave=effect is not Effect.INFORMATION)
     for group in findings.missed_advice([result]):
         said = f"{group.message}. {translated('A missed recommendation changes no verdict.')}"
-        yield _gathered(group, said, grave=False)
+        missed = replace(group, title=f"{group.title}: {translated('missed')}")
+        yield _gathered(missed, said, grave=False)
     for notice in result.not_checked:
         yield replace(_finding(notice.code, notice.message, grave=False), remedy="")
 

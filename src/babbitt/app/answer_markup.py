@@ -74,7 +74,7 @@ def _card(card: Card, before: Card | None) -> Element:
         bar = _within(made, "bar", attributes={"role": "img", "aria-label": _used(card)})
         _within(bar, "used", attributes={"style": f"width: {100.0 * used:.0f}%"})
         line = _within(made, "line small")
-        _within(line, "word", told(card.word))
+        _within(line, "word", word("advice_missed") if card.word == "missed" else told(card.word))
         _within(line, "", f"{card.limit} ({card.margin})")
     return made
 

@@ -72,8 +72,8 @@ class CaseDocument:
         self.write(case_text(with_changed(self.given, path, value)))
 
     def choose(self, path: Path, way: str) -> None:
-        """Give a part in another way; a clearance remains the same gap."""
-        chosen = {"kind": way}
+        """Give a part in another way, in words where it is empty; a clearance remains the same gap."""
+        chosen: Any = {"kind": way} if way else ""
         if path[-1] == "clearance" and self.has(path):
             bearing = self._at(path[:-1])
             chosen = restated(bearing.get("clearance"), way, bearing.get("diameter"))

@@ -47,7 +47,9 @@ class Entry:
         Everyday units of a quantity, the most usual first; none of one without dimension.
     options : tuple of str
         All that it may be, where it is a choice of words.
-    is_switch, is_required : bool
+    is_switch, is_list, is_required : bool
+    is_on : bool
+        How a switch stands that is not given.
     allowed, example : str
         Range and example, for hints.
     """
@@ -60,6 +62,8 @@ class Entry:
     units: tuple[str, ...] = ()
     options: tuple[str, ...] = ()
     is_switch: bool = False
+    is_on: bool = False
+    is_list: bool = False
     is_number: bool = False
     is_required: bool = False
     allowed: str = ""
@@ -243,6 +247,8 @@ def _entry(
         units=_usual_first(everyday, example.partition(" ")[2]),
         options=words,
         is_switch=types == {"boolean"},
+        is_on=field.get("default") is True,
+        is_list=types == {"array"} or isinstance(value, list),
         is_number=bool(types & {"integer", "number"}) and not words and not everyday,
         is_required=is_required,
         allowed=field.get("x-allowed", ""),

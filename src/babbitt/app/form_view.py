@@ -123,9 +123,8 @@ class FormView:
 
     def _entry(self, entry: Entry) -> None:
         if entry.is_switch:
-            switch = ui.switch(
-                entry.label, value=bool(entry.value), on_change=lambda e: self._take(entry.path, bool(e.value))
-            )
+            is_on = entry.is_on if entry.value is None else bool(entry.value)
+            switch = ui.switch(entry.label, value=is_on, on_change=lambda e: self._take(entry.path, bool(e.value)))
             _explain(switch, entry.help)
         elif entry.options:
             options = list(entry.options) if entry.is_required else [NONE, *entry.options]
@@ -135,8 +134,8 @@ class FormView:
                 on_change=lambda e: self._take(entry.path, e.value or None),
             )  # fmt: skip
             self._known(entry, found)
-        elif isinstance(entry.value, list):
-            self._text(entry, ", ".join(map(as_text, entry.value)), lambda text: _listed(text))
+        elif entry.is_list:
+            self._text(entry, ", ".join(map(as_text, entry.value or ())), _listed)
         elif entry.units:
             self._quantity(entry)
         else:
@@ -207,8 +206,8 @@ class FormView:
 
         def chosen(event: Any) -> None:
             way, before = event.value, self.document.text
-            if way in (NONE, TEXT):
-                self.document.change(choice.path, None if way == NONE else "")
+            if way == NONE:
+                self.document.change(choice.path, None)
             else:
                 self.document.choose(choice.path, way)
             self._told(before)

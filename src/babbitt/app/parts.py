@@ -16,6 +16,7 @@ from babbitt.core.notices import InputError
 
 __all__ = [
     "LongWork",
+    "forget",
     "icon_button",
     "on_request",
     "outdate",
@@ -106,6 +107,12 @@ def outdate() -> None:
         box.classes(add="outdated")
 
 
+def forget() -> None:
+    """Take away what was computed of the case of a page: there is another one."""
+    for box in ElementFilter(kind=ui.column, marker=OF_CASE):
+        box.clear()
+
+
 def on_request(says: str, work: Callable[[ui.column], Any]) -> ui.column:
     """A button, and under it what it asked for."""
     button = ui.button(says).props("outline no-caps")
@@ -169,6 +176,11 @@ class LongWork:
         self._timer = ui.timer(LOOK, self._look, active=False)
         self._idle(True)
         context.client.on_delete(self._end)
+
+    def forget(self) -> None:
+        """Take away what came of the last question."""
+        self._box.clear()
+        self._said.text = ""
 
     def _idle(self, is_idle: bool) -> None:
         self._start.set_enabled(is_idle)

@@ -18,7 +18,8 @@ from babbitt.core.kind import find_kind
 from babbitt.core.notices import InputError
 from babbitt.report.size_table import rounded
 from babbitt.report.text import plain_text
-from babbitt.study.size import size_of
+from babbitt.study.permitted import Interval, Trial
+from babbitt.study.size import Size, size_of
 from babbitt.study.size_choices import standard_choices
 from babbitt.study.study import Study
 
@@ -197,11 +198,24 @@ def sizes_of(study: Study) -> dict[str, str] | None:
             (one.lower, True, "from"),
             (one.upper, False, "to"),
             (one.best, one.best is one.lower, "largest margin"),
+            *_without_remarks(size, one),
         )
         for trial, upward, role in offered:
             text = f"{rounded(from_si(trial.value, unit), upward=upward)} {unit}".strip()
             found.setdefault(text, []).append(told(role))
     return {text: ", ".join(roles) for text, roles in found.items()}
+
+
+def _without_remarks(size: Size, interval: Interval) -> Iterator[tuple[Trial, bool, str]]:
+    """The value of the scan with the largest margin among those without remarks, where the largest has some."""
+    if not interval.best.remarks:
+        return
+    clean = [
+        one for one in size.scan
+        if one.permitted and not one.remarks and interval.lower.value <= one.value <= interval.upper.value
+    ]  # fmt: skip
+    if clean:
+        yield max(clean, key=lambda one: one.margin), True, "largest margin without remarks"
 
 
 def _values(axis: Axis, kind: str) -> Any:

@@ -58,6 +58,7 @@ class StudiesView:
         self._known: dict[str, Axis] = {}
         self._axes: dict[str, Axis] = {}
         self._study: Any = None
+        self._computed: set[str] = set()
         self._box = ui.column().classes("w-full")
         self.work = LongWork(solver, word("run_study"), self._asked, self._show)
         ui.button(word("keep_study"), on_click=self._keep).props("flat dense no-caps").tooltip(
@@ -93,6 +94,7 @@ class StudiesView:
 
     def _asks(self, event: Any) -> None:
         self._kind, self._axes = event.value, {}
+        self.work.forget()
         self.draw()
 
     def _fields(self) -> None:
@@ -157,6 +159,7 @@ class StudiesView:
         return self.document.text if block is None else asked_text(self.document.given, block)
 
     def _asked(self) -> Question | None:
+        self._computed = {self.document.text}
         return studied, (self._text(),)
 
     def _keep(self) -> None:
@@ -197,11 +200,18 @@ class StudiesView:
             ui.label(word("scan_ends")).classes("small")
 
     def _take(self, path: str, text: str) -> None:
+        axes = self._axes
         self._put(case_text(with_value(self.document.given, path, text)), text)
+        self._axes = axes  # the range that was asked for stays beside its answer
+        self.draw()
 
     def _put(self, text: str, name: str) -> None:
-        """Put another case on the page and say what of it is new."""
+        """Put another case on the page and say what of it is new; what was computed of another one stays away."""
+        if self.document.text not in self._computed:
+            ui.notify(word("outdated"), type="warning")
+            return
         self.document.write(text)
+        self._computed.add(self.document.text)
         self._changed()
         ui.notify(word("taken", name=name))
 

@@ -25,7 +25,16 @@ from babbitt.app.head import Head
 from babbitt.app.in_language import InLanguage
 from babbitt.app.link import case_of, link_of
 from babbitt.app.maps_view import MapsView
-from babbitt.app.parts import LongWork, on_request, outdate, show_faults, show_figures, show_table, tell_ended
+from babbitt.app.parts import (
+    LongWork,
+    forget,
+    on_request,
+    outdate,
+    show_faults,
+    show_figures,
+    show_table,
+    tell_ended,
+)
 from babbitt.app.published_view import PublishedView
 from babbitt.app.service import Service
 from babbitt.app.slider import Slider
@@ -199,6 +208,7 @@ class Workbench:
 
     def _replaced(self) -> None:
         self._is_picked = False
+        forget()
         self._all_anew()
 
     def _all_anew(self) -> None:
@@ -306,7 +316,7 @@ class Workbench:
     def _show(self) -> None:
         if not (self.found.bearings or self.found.faults):
             return
-        self._view.show(self.found, self.place, self._designs.of(self.place))
+        self._view.show(self.found, self.place, self._designs.of(self.place, self.document.given.get("kind")))
         if self.found.faults:
             self._fade()
             return

@@ -14,7 +14,7 @@ from babbitt.core.language import translated
 from babbitt.report.drawing import GREY, INK, Sheet
 from babbitt.report.study_values import Scale
 from babbitt.study.permitted import Trial
-from babbitt.study.size import LOGARITHMIC_FROM, Size, size_of
+from babbitt.study.size import Size, size_of
 from babbitt.study.study import Study
 
 if TYPE_CHECKING:
@@ -95,7 +95,7 @@ def size_figure(size: Size, scale: Scale) -> Figure:
     margins = [100.0 * max(one.margin, LEAST_MARGIN) for one in shown]
     panel.plot([scale.shown(one.value) for one in shown], margins, color=INK, zorder=3)
     first, last = size.scan[0].value, size.scan[-1].value
-    if first > 0.0 and last >= LOGARITHMIC_FROM * first:
+    if size.scans_ratios:
         panel.set_xscale("log")
         panel.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
     for codes, place in _governing(shown):

@@ -21,7 +21,7 @@ from babbitt.report.study_values import (
 from babbitt.report.text import plain_text
 from babbitt.study.appraisal import ALL_LIMITS, RECOMMENDED
 from babbitt.study.permitted import Trial
-from babbitt.study.size import LOGARITHMIC_FROM, Size, size_of
+from babbitt.study.size import Size, size_of
 from babbitt.study.study import Study
 
 __all__ = ["rounded", "size_scale", "size_tables"]
@@ -131,7 +131,7 @@ def _limits(size: Size) -> str:
 
 def _scanned(size: Size, scale: Scale) -> str:
     first, last = size.scan[0].value, size.scan[-1].value
-    step = "equal ratios" if first > 0.0 and last >= LOGARITHMIC_FROM * first else "equal distances"
+    step = "equal ratios" if size.scans_ratios else "equal distances"
     return translated(
         "Scanned at {number} values from {first} to {last} at {step}; what is narrower than a step may be missed.",
         number=len(size.scan),

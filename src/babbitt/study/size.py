@@ -96,6 +96,12 @@ class Size:
         return f"{self.name}: {self.path} permitted: {permitted}\n  .intervals, .scan, .choices"
 
     @property
+    def scans_ratios(self) -> bool:
+        """Whether the values of the scan stand at equal ratios: steps of equal distances are alike."""
+        values = [one.value for one in self.scan]
+        return len(values) > 2 and not math.isclose(values[1] - values[0], values[-1] - values[-2], rel_tol=1e-3)
+
+    @property
     def permitted(self) -> bool:
         """Whether any value or choice is permitted."""
         return any(one.permitted for one in self.scan)

@@ -12,7 +12,7 @@ from babbitt.case.parts.fields import Name
 from babbitt.case.shorthand import Shorthand
 from babbitt.core.notices import InputError
 from babbitt.core.units import QuantityError, bare_number, read, si, written
-from babbitt.properties.fits import Clearance, Deviations, SizeLimits
+from babbitt.properties.fits import Clearance, Deviations, SizeLimits, tolerance_limits
 
 RelativeValue = Annotated[float, si("1", "0.01 permille", "50 permille")]
 RadialValue = Annotated[float, si("m", "0.05 um", "500 mm", sample="60 um")]
@@ -200,11 +200,14 @@ ClearanceInput = Annotated[
 ]
 
 
+ROUND_OFF = 1e-6
+"""Of deviations in um: differences of sizes."""
+
 _STATED = {"radial": ("um", 0.5), "diametral": ("um", 1.0), "relative": ("permille", None)}
 """Kinds that state a gap by its values, with their unit and what of the diametral clearance they state."""
 
 
-def restated(given: Any, kind: str, diameter: Any) -> dict[str, str]:
+def restated(given: Any, kind: str, diameter: Any) -> Any:
     """The clearance of a case as another kind, of the same gap.
 
     Parameters
@@ -212,33 +215,71 @@ def restated(given: Any, kind: str, diameter: Any) -> dict[str, str]:
     given, diameter : object
         As they stand in the case.
     kind : str
-        One of ``CLEARANCE_KINDS``.
+        One of ``CLEARANCE_KINDS``; empty for a fit in short.
 
     Returns
     -------
-    dict
-        The kind alone where the clearance or the diameter cannot be read, and for tolerances and sizes, which no
-        clearance tells.
+    dict or str
+        The kind alone where the clearance or the diameter cannot be read, and where the clearance does not tell:
+        it tells no tolerance classes, and sizes only where it is given by tolerances.
 
     Examples
     --------
     >>> restated({"kind": "relative", "mean": "1.5 permille"}, "radial", "120 mm")
     {'kind': 'radial', 'mean': '90 um'}
+    >>> restated("H7/e8", "deviations", "120 mm")
+    {'kind': 'deviations', 'bore': ['0 um', '35 um'], 'journal': ['-126 um', '-72 um']}
     """
-    if kind not in _STATED:
-        return {"kind": kind}
-    unit, share = _STATED[kind]
     try:
         clearance: ClearanceInput = TypeAdapter[ClearanceInput](ClearanceInput).validate_python(given)
         size = read(diameter, "m")
-        gap = clearance.at_20_degrees(size)
+        stated = _stated(clearance, kind, size)
     except (ValidationError, QuantityError, InputError):
-        return {"kind": kind}
-    values = {"mean": gap.mean}
-    if clearance.has_limits:
-        values |= {"minimum": gap.minimum, "maximum": gap.maximum}
-    factor = 1.0 / size if share is None else share
-    return {"kind": kind} | {name: written(factor * value, unit) for name, value in values.items()}
+        stated = None
+    if stated is None:
+        return {"kind": kind} if kind else ""
+    return {"kind": kind} | stated if kind else stated
+
+
+def _stated(clearance: ClearanceInput, kind: str, size: float) -> Any:
+    """What a clearance is as another kind, at a diameter in m; None where it does not tell."""
+    if kind in _STATED:
+        unit, share = _STATED[kind]
+        gap, factor = clearance.at_20_degrees(size), 1.0 / size if share is None else share
+        values = {"mean": gap.mean}
+        if clearance.has_limits:
+            values |= {"minimum": gap.minimum, "maximum": gap.maximum}
+        return {name: _exact(factor * value, unit) for name, value in values.items()}
+    if isinstance(clearance, FitClearance) and not kind:
+        return f"{clearance.bore}/{clearance.journal}"
+    if kind not in ("limits", "deviations") or (both := _sizes(clearance, size)) is None:
+        return None
+    of_both = zip(("bore", "journal"), both, strict=True)
+    if kind == "limits":
+        return {name: [_exact(one, "mm") for one in (part.minimum, part.maximum)] for name, part in of_both}
+    return {name: [_exact(one - size, "um") for one in (part.minimum, part.maximum)] for name, part in of_both}
+
+
+def _exact(value: float, unit: str) -> str:
+    """An SI value to a nanometre, so that the way back leads to where it began."""
+    number = f"{value * {'um': 1e6, 'mm': 1e3, 'permille': 1e3}[unit]:.7g}"
+    return f"{'0' if abs(float(number)) < ROUND_OFF else number} {unit}"
+
+
+def _sizes(clearance: ClearanceInput, diameter: float) -> tuple[SizeLimits, SizeLimits] | None:
+    """Limits of size of bore and journal, m; None of a clearance that is not given by them."""
+    match clearance:
+        case LimitsClearance():
+            return SizeLimits(*clearance.bore), SizeLimits(*clearance.journal)
+        case DeviationsClearance():
+            return (
+                Deviations(*clearance.bore).limits(diameter), Deviations(*clearance.journal).limits(diameter)
+            )  # fmt: skip
+        case FitClearance():
+            classes = (clearance.bore, clearance.journal)
+            bore, journal = (tolerance_limits(one, diameter).limits(diameter) for one in classes)
+            return bore, journal
+    return None
 
 
 LIMITS = ("clearance.minimum", "clearance.maximum")

@@ -38,9 +38,11 @@ class Iso7902(Method):
         housing is cooled, is held against such a film, too; so is one that passes at its mean clearance, at the
         limits of that.
         """
-        from babbitt.kinds.journal.iso7902.limits_of_clearance import beside_limits
+        from babbitt.kinds.journal.limits_of_clearance import warnings_about_limits
 
-        return (Solution(problem, beside_limits(problem, _held_against_film)),)
+        result = _held_against_film(problem)
+        told = tuple(warnings_about_limits(problem, result, _held_against_film))
+        return (Solution(problem, replace(result, warnings=(*result.warnings, *told))),)
 
     def only(self, problem: DesignCase, quantities: Collection[str]) -> DesignCase:
         """The procedure of the standard alone: of many bearings margins are asked in place of a film of each."""
@@ -75,8 +77,9 @@ class Film(Method):
         return (film_solution(problem, progress),)
 
     def only(self, problem: FilmCase, quantities: Collection[str]) -> FilmCase:
-        """The film without the speed at which the rotor whirls, where that is not asked for."""
-        return problem if WHIRL_SPEEDS & set(quantities) else replace(problem, whirl_speed=False)
+        """The film at its clearance alone, without the speed at which the rotor whirls unless it is asked for."""
+        asked = replace(problem, mean_alone=False)
+        return asked if WHIRL_SPEEDS & set(quantities) else replace(asked, whirl_speed=False)
 
     def coefficients_over_speed(self, problem: FilmCase, speeds: Iterable[float]) -> SpeedRun:
         """Solve at several speeds, the heat balance anew at each."""

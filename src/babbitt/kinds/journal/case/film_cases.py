@@ -82,6 +82,7 @@ def film_case(inputs: Inputs, at: Point, thermal: str | None = None) -> FilmCase
             *warnings_about_numbers(inputs, point),
         ),
         kind=bearing.kind,
+        mean_alone=at.is_mean_alone,
         turbulence=LAWS_OF_TURBULENCE[bearing.turbulence],
         pressure_viscosity=bearing.pressure_viscosity.law() if bearing.pressure_viscosity is not None else None,
         heat=heat_model(inputs, thermal),

@@ -52,7 +52,7 @@ def iso7902_case(inputs: Inputs, at: Point) -> DesignCase:
         effective_temperature=bearing.effective_temperature,
         free_arcs=free_arcs(bearing, point),
         rotor_mass=bearing.rotor_mass,
-        mean_alone=at.tolerance is not None and not at.name.clearance,
+        mean_alone=at.is_mean_alone,
         load_angle=bearing.load_angle if is_given(bearing, "load_angle") else None,
     )
 

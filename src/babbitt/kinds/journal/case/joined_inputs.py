@@ -65,6 +65,11 @@ class Point:
     tolerance: tuple[float, float] | None
     mean: float
 
+    @property
+    def is_mean_alone(self) -> bool:
+        """Whether the clearance has limits at which the bearing is not solved."""
+        return self.tolerance is not None and not self.name.clearance
+
 
 def inputs(bearing: JournalBearing, shared: SingleBearing | SeveralBearings) -> Inputs:
     """Join a bearing with what it shares."""

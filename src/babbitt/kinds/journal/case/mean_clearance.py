@@ -14,15 +14,15 @@ FAR_FROM_THE_MEAN = 1.05
 
 Assumption: the load number goes with the square of the clearance, and differs there by a tenth. At 1.2 the least
 clearance of bearings near their limits was 5 to 16 K hotter than the mean.
-ISO 7902 is solved at the limits itself (`babbitt.kinds.journal.iso7902.limits_of_clearance`): of H7/d8, 1.37 at
-120 mm, the least clearance misses limits of the temperature that the mean keeps."""
+ISO 7902, and films whose limits are nearer, are solved at the limits
+(`babbitt.kinds.journal.limits_of_clearance`): of H7/d8, 1.37 at 120 mm, the least clearance misses limits of the
+temperature that the mean keeps; a critical mass goes with 1.05 of the clearance by 5 %."""
 
 
 def warnings_about_mean_clearance(bearing: JournalBearing, asked_for: bool) -> Iterator[Notice]:
     """Question limits of the clearance at which nothing is solved.
 
-    Near limits are an information where the case asks for the mean alone, and nothing is where ISO 7902 carries
-    a load: it passes at the mean only with a word on the limits.
+    Near limits are an information where the case asks for the mean alone by a method that does not solve them.
     """
     clearance = bearing.clearance.at_20_degrees(bearing.diameter).relative(bearing.diameter)
     least, mean, most = clearance.minimum, clearance.mean, clearance.maximum
@@ -31,7 +31,7 @@ def warnings_about_mean_clearance(bearing: JournalBearing, asked_for: bool) -> I
         yield Notice("W174", "far", {"least": least, "mean": mean, "most": most})
     elif least < most and not asked_for:
         yield Notice("W174", "unsolved", {"least": least, "mean": mean, "most": most})
-    elif solves_limits and bearing.eccentricity_ratio is None:
+    elif bearing.method in ("iso7902", "film") and bearing.position is None:
         return
     elif getattr(bearing.clearance, "minimum", None) is not None:
         yield Notice("W183", "limits_of_clearance", {"fields": ("clearance.minimum", "clearance.maximum")})

@@ -21,10 +21,10 @@ from babbitt.kinds.journal.iso7902.film import (
     starved_film_at,
     supplied_film,
 )
-from babbitt.kinds.journal.iso7902.limits_of_clearance import at_limits
 from babbitt.kinds.journal.iso7902.model import DesignCase
 from babbitt.kinds.journal.iso7902.procedure import METHOD, Design, design_of, result_of
 from babbitt.kinds.journal.iso7902.supply_capacity import gets_less
+from babbitt.kinds.journal.limits_of_clearance import at_limits
 from babbitt.numerics.lanes import chooser, in_branches, lanes_of
 from babbitt.numerics.scalar_or_array import Array
 

@@ -30,7 +30,6 @@ from babbitt.kinds.journal.iso7902.checks import (
     whirl_not_checked,
 )
 from babbitt.kinds.journal.iso7902.film import Film, SuppliedFilm, curves_of, film_at, supplied_film
-from babbitt.kinds.journal.iso7902.limits_of_clearance import beside_limits
 from babbitt.kinds.journal.iso7902.model import DesignCase
 from babbitt.kinds.journal.iso7902.screening import Transition, orlov_relative_clearance, transition
 from babbitt.kinds.journal.iso7902.supply_capacity import (
@@ -43,6 +42,7 @@ from babbitt.kinds.journal.iso7902.supply_capacity import (
     worse_of,
 )
 from babbitt.kinds.journal.iso7902.warnings import all_warnings
+from babbitt.kinds.journal.limits_of_clearance import warnings_about_limits
 
 METHOD = "iso7902"
 
@@ -65,7 +65,9 @@ def check(case: DesignCase) -> Result:
     friction, flows, heat balance iterated on the effective temperature. The characteristics are solutions of the
     Reynolds equation by this package, not the tables of the standard.
     """
-    return beside_limits(case, check_at_clearance)
+    found = check_at_clearance(case)
+    told = tuple(warnings_about_limits(case, found, check_at_clearance))
+    return replace(found, warnings=(*found.warnings, *told))
 
 
 def check_at_clearance(case: DesignCase) -> Result:
