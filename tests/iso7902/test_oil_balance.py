@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import pytest
 
 from babbitt.case import CaseError, case_from_dict
 from babbitt.core.result import Outcome, Verdict
+from babbitt.kinds.journal.methods import Iso7902
 from babbitt.kinds.journal.oil_balance import network
 from babbitt.kinds.journal.oil_balance.model import Line, Pump, orifice_duct
 from babbitt.kinds.journal.report.oil_balance import sentences
@@ -107,6 +109,21 @@ def test_the_film_beside_iso7902_is_fed_through_the_line_at_the_pressure_of_the_
     design = network.fed(one, line, 0.8e5).solution.problem
     assert (design.oil_supply.pressure, len(design.oil_supply.tubes)) == (0.8e5, 1)
     assert design.fuller_film.oil_supply == design.oil_supply
+
+
+def test_a_film_that_does_not_tell_what_it_draws_is_not_called_missing(monkeypatch):
+    """As full films beside a groove all around, of which only the sum of the flows is known."""
+    own = Iso7902.solve
+
+    def without_flow(self, problem):
+        (found,) = own(self, problem)
+        values = {name: value for name, value in found.result.values.items() if name != "side_flow"}
+        return (replace(found, result=replace(found.result, values=values)),)
+
+    monkeypatch.setattr(Iso7902, "solve", without_flow)
+    (system, _) = solve(machine(orifices(A=4), bearing("A"))).results
+    assert system.outcome is Outcome.NOT_CONVERGED
+    assert "does not tell what it draws by its own pressure" in system.failure.message
 
 
 def test_equal_orifices_to_equal_bearings_share_equally():

@@ -26,9 +26,8 @@ def oil_balance_solutions(problem: OilSystemProblem) -> tuple[Solution, ...]:
     try:
         found = balanced(problem)
     except UnsolvedBearingError as error:
-        failure = Notice(
-            "S004", "oil_balance", {"bearing": error.solution.result.name, "pressure": error.pressure}
-        )
+        variant = "need_unknown" if error.solution.result.outcome.solved else "oil_balance"
+        failure = Notice("S004", variant, {"bearing": error.solution.result.name, "pressure": error.pressure})
         return (_solution(problem, Outcome.NOT_CONVERGED, failure), error.solution)
     if found.error > BALANCED:
         ended = math.isfinite(found.error)

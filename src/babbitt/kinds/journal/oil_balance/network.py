@@ -21,7 +21,7 @@ PRESSURE_TOLERANCE = 1e-14
 
 
 class UnsolvedBearingError(PicklableError):
-    """A bearing has no film at a pressure of the header."""
+    """A bearing has no film at a pressure of the header, or one that does not tell what it draws by itself."""
 
     def __init__(self, solution: Solution, pressure: float) -> None:
         super().__init__(f"{solution.result.name} at {pressure} Pa")
