@@ -200,9 +200,6 @@ ClearanceInput = Annotated[
 ]
 
 
-ROUND_OFF = 1e-6
-"""Of deviations in um: differences of sizes."""
-
 _STATED = {"radial": ("um", 0.5), "diametral": ("um", 1.0), "relative": ("permille", None)}
 """Kinds that state a gap by its values, with their unit and what of the diametral clearance they state."""
 
@@ -261,9 +258,9 @@ def _stated(clearance: ClearanceInput, kind: str, size: float) -> Any:
 
 
 def _exact(value: float, unit: str) -> str:
-    """An SI value to a nanometre, so that the way back leads to where it began."""
-    number = f"{value * {'um': 1e6, 'mm': 1e3, 'permille': 1e3}[unit]:.7g}"
-    return f"{'0' if abs(float(number)) < ROUND_OFF else number} {unit}"
+    """An SI value in a unit with seven digits, so that the way back leads to where it began."""
+    factor = {"um": 1e6, "mm": 1e3, "permille": 1e3}[unit]
+    return f"{round(factor * value, 6) + 0.0:.7g} {unit}"  # a difference of sizes that is round-off is 0, not -0
 
 
 def _sizes(clearance: ClearanceInput, diameter: float) -> tuple[SizeLimits, SizeLimits] | None:

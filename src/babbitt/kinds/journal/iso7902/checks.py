@@ -6,12 +6,7 @@ from collections.abc import Iterator, Mapping
 
 from babbitt.core.notices import Notice
 from babbitt.core.result import Bound, Check
-from babbitt.design.checks import (
-    checks_not_made,
-    clearance_check,
-    limit_checks,
-    pressure_check,
-)
+from babbitt.design.checks import checks_not_made, clearance_check, limit_checks, pressure_check
 from babbitt.kinds.journal.iso7902.model import DesignCase
 
 __all__ = ["checks_not_made", "checks_of", "whirl_not_checked"]

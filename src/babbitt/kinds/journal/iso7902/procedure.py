@@ -24,11 +24,7 @@ from babbitt.design.values import (
     oil_values,
     supply_values,
 )
-from babbitt.kinds.journal.iso7902.checks import (
-    checks_not_made,
-    checks_of,
-    whirl_not_checked,
-)
+from babbitt.kinds.journal.iso7902.checks import checks_not_made, checks_of, whirl_not_checked
 from babbitt.kinds.journal.iso7902.film import Film, SuppliedFilm, curves_of, film_at, supplied_film
 from babbitt.kinds.journal.iso7902.model import DesignCase
 from babbitt.kinds.journal.iso7902.screening import Transition, orlov_relative_clearance, transition
