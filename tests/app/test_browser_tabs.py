@@ -55,6 +55,21 @@ def test_a_study_is_cancelled_and_the_page_goes_on(page):
     page.get_by_text("Study of kind corners").wait_for()
 
 
+def test_another_case_ends_the_study_of_the_one_before(page):
+    opened(page, film())
+    tab(page, "Studies")
+    choose(page, "What is asked", "tolerance")
+    page.get_by_label("Samples").fill("100000")
+    page.get_by_role("button", name="Run the study").click()
+    cancel = page.get_by_role("button", name="Cancel").first
+    cancel.wait_for()
+    opened(page, film(load="9 kN"))
+    cancel.wait_for(state="hidden")
+    said = page.locator(".more [role=status]")
+    until(page, lambda: not "".join(said.all_inner_texts()).strip())
+    assert page.locator(".more .q-table").count() == 0
+
+
 def test_a_study_that_is_impossible_says_why(page):
     tab(page, "Studies")
     page.get_by_label("load from").fill("8 kg")

@@ -1,9 +1,11 @@
 """The form of every kind: drawn from the schema, and what is set in it is read back as the same case."""
 
+import json
+
 import pytest
 
 from babbitt.app.document import CaseDocument, with_changed
-from babbitt.app.form import NONE, Choice, Entry, Group, Rows, as_text, form_of, quantities, sections_of
+from babbitt.app.form import NONE, TEXT, Choice, Entry, Group, Rows, as_text, form_of, quantities, sections_of
 from babbitt.app.form_view import path_of
 from babbitt.app.link import case_of, link_of
 from babbitt.app.slider import Slider
@@ -171,8 +173,29 @@ def test_a_clearance_given_in_another_way_is_the_same_gap(given, way, shown):
 
 def test_a_fit_in_short_is_that_of_its_classes():
     document = CaseDocument("kind: journal\ndiameter: 120 mm\nclearance: {kind: fit, bore: H7, journal: e8}\n")
-    document.choose(("clearance",), "")
+    document.choose(("clearance",), TEXT)
     assert document.given["clearance"] == "H7/e8"
+    document.choose(("clearance",), "fit")
+    assert document.given["clearance"] == {"kind": "fit", "bore": "H7", "journal": "e8"}
+    document.choose(("lubricant",), TEXT)
+    assert document.given["lubricant"] == ""
+
+
+def test_sizes_of_a_large_bearing_come_back_as_they_were():
+    given = {"kind": "deviations", "bore": ["0 um", "35.5 um"], "journal": ["-72.25 um", "-60.75 um"]}
+    document = CaseDocument(json.dumps({"kind": "journal", "diameter": "1200 mm", "clearance": given}))
+    document.choose(("clearance",), "limits")
+    document.choose(("clearance",), "deviations")
+    assert document.given["clearance"] == given
+
+
+def test_a_gap_needs_no_diameter_to_be_given_on_the_other_one():
+    document = CaseDocument("kind: journal\nclearance: {kind: radial, mean: 45 um}\n")
+    document.choose(("clearance",), "relative")
+    assert document.given["clearance"] == {"kind": "relative"}
+    document.change(("clearance",), {"kind": "radial", "mean": "45 um"})
+    document.choose(("clearance",), "diametral")
+    assert document.given["clearance"] == {"kind": "diametral", "mean": "90 um"}
 
 
 def test_a_switch_that_is_not_given_stands_as_its_default():

@@ -194,8 +194,10 @@ def test_the_size_says_how_its_scan_steps_and_offers_a_value_without_remarks(tmp
 def test_sizes_are_offered_only_in_the_unit_in_which_they_were_asked_for(tmp_path):
     """A case with a size of its own may list plain numbers; then nothing says how a case file would have them."""
     given = CaseDocument(TEMPLATES["journal"]).given
-    listed = {"kind": "size", "vary": {"load": ["6 kN", "12 kN", "24 kN"]}}
-    assert sizes_of(studied(asked_text(given, listed), str(tmp_path / "progress")).study) is None
+    listed = {"kind": "size", "vary": {"load": ["6 kN", "12 kN", "20 kN"]}}
+    found = studied(asked_text(given, listed), str(tmp_path / "progress"))
+    assert sizes_of(found.study) is None
+    assert any("at uneven steps" in note for table in found.tables for note in table.remarks)
 
 
 def test_a_study_of_a_fit_begins_with_its_mean_clearance():

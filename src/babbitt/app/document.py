@@ -7,8 +7,8 @@ import itertools
 from collections.abc import Mapping
 from typing import Any
 
-from babbitt.app.form import Item, Path, form_of
-from babbitt.case.document import DocumentError, read_document
+from babbitt.app.form import TEXT, Item, Path, form_of
+from babbitt.app.rewriting import mapping_in, rewritten
 from babbitt.case.parts.clearance import restated
 from babbitt.case.with_units import case_text
 
@@ -42,8 +42,13 @@ class CaseDocument:
     def given(self) -> dict[str, Any]:
         """What it says, read once for each text; empty for a text that is no mapping."""
         if self._read[0] != self.text:
-            self._read = (self.text, _mapping_in(self.text))
+            self._read = (self.text, mapping_in(self.text))
         return self._read[1]
+
+    @property
+    def without_study(self) -> dict[str, Any]:
+        """What it says but for the study that is asked of it."""
+        return with_changed(self.given, ("study",), None)
 
     @property
     def items(self) -> tuple[Item, ...]:
@@ -69,18 +74,34 @@ class CaseDocument:
 
     def change(self, path: Path, value: Any) -> None:
         """Put a value in a field; None takes the field away."""
-        self.write(case_text(with_changed(self.given, path, value)))
+        self._give(with_changed(self.given, path, value))
+
+    def take(self, text: str) -> None:
+        """Take the values of another text; lines and comments remain, unless it is another kind of case."""
+        given = mapping_in(text)
+        if given.get("kind") == self.given.get("kind"):
+            self._give(given)
+        else:
+            self.write(text)
+
+    def _give(self, given: Mapping[str, Any]) -> None:
+        self.keep()
+        self.write(rewritten(self.text, given))
 
     def choose(self, path: Path, way: str) -> None:
-        """Give a part in another way, in words where it is empty; a clearance remains the same gap."""
-        chosen: Any = {"kind": way} if way else ""
+        """Give a part in another way, `TEXT` in words; a clearance remains the same gap."""
+        kind = "" if way == TEXT else way
+        chosen: Any = {"kind": kind} if kind else ""
         if path[-1] == "clearance" and self.has(path):
             bearing = self._at(path[:-1])
-            chosen = restated(bearing.get("clearance"), way, bearing.get("diameter"))
+            chosen = restated(bearing.get("clearance"), kind, bearing.get("diameter"))
         self.change(path, chosen)
 
     def slide(self, path: Path, value: Any) -> None:
-        """Put a value in a field while it moves: the way back leads to where the movement began."""
+        """Put a value in a field while it moves: the way back leads to where the movement began.
+
+        The text is written anew, which is quick; its comments are back when the movement ends.
+        """
         if self._before is None:
             self._before = self.text
         self._texts[self._place] = case_text(with_changed(self.given, path, value))
@@ -91,7 +112,7 @@ class CaseDocument:
         self._before = None
         if before is not None:
             self._texts[self._place] = before
-            self.write(moved)
+            self.write(rewritten(before, mapping_in(moved)))
 
     def has(self, path: Path) -> bool:
         """Whether the case gives something at a path."""
@@ -130,14 +151,6 @@ def path_in(text: str) -> Path:
     ('grooves', 0, 'angle')
     """
     return tuple(int(step) if step.isdecimal() else step for step in text.split("."))
-
-
-def _mapping_in(text: str) -> dict[str, Any]:
-    try:
-        found = read_document(text).plain()
-    except DocumentError:
-        return {}
-    return found if isinstance(found, dict) else {}
 
 
 def with_changed(given: Mapping[str, Any], path: Path, value: Any) -> dict[str, Any]:

@@ -19,7 +19,19 @@ from babbitt.case.schema import shipped_schema
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.units import KINDS
 
-__all__ = ["Choice", "Entry", "Group", "Item", "Path", "Rows", "as_text", "form_of", "quantities", "sections_of"]
+__all__ = [
+    "Choice",
+    "Entry",
+    "Group",
+    "Item",
+    "Path",
+    "Rows",
+    "as_text",
+    "form_of",
+    "list_text",
+    "quantities",
+    "sections_of",
+]
 
 Path = tuple[str | int, ...]
 Schema = Mapping[str, Any]
@@ -142,6 +154,15 @@ def as_text(value: Any) -> str:
     if value is None or isinstance(value, Mapping | list):
         return ""
     return str(value)
+
+
+def list_text(value: Any) -> str:
+    """Values of a case as one types them behind each other; a single one where a list is asked for stands alone.
+
+    >>> list_text(["0 um", "35 um"]), list_text("120 mm"), list_text(None)
+    ('0 um, 35 um', '120 mm', '')
+    """
+    return ", ".join(map(as_text, value if isinstance(value, list) else [value]))
 
 
 def quantities(items: tuple[Item, ...]) -> Iterator[Entry]:

@@ -13,7 +13,20 @@ from nicegui import ui
 from babbitt.app.answer import Fault
 from babbitt.app.catalogue import suggestions
 from babbitt.app.document import CaseDocument
-from babbitt.app.form import NONE, TEXT, Choice, Entry, Group, Item, Path, Rows, as_text, quantities, sections_of
+from babbitt.app.form import (
+    NONE,
+    TEXT,
+    Choice,
+    Entry,
+    Group,
+    Item,
+    Path,
+    Rows,
+    as_text,
+    list_text,
+    quantities,
+    sections_of,
+)
 from babbitt.app.units import SYSTEMS, in_unit, is_number, shown_in, split
 from babbitt.app.words import field_name, sections, word
 
@@ -135,7 +148,7 @@ class FormView:
             )  # fmt: skip
             self._known(entry, found)
         elif entry.is_list:
-            self._text(entry, ", ".join(map(as_text, entry.value or ())), _listed)
+            self._text(entry, list_text(entry.value), _listed)
         elif entry.units:
             self._quantity(entry)
         else:

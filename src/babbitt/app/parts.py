@@ -108,9 +108,11 @@ def outdate() -> None:
 
 
 def forget() -> None:
-    """Take away what was computed of the case of a page: there is another one."""
+    """Take away what was computed of the case of a page, and what is being computed: there is another one."""
     for box in ElementFilter(kind=ui.column, marker=OF_CASE):
         box.clear()
+    for work in ElementFilter(kind=LongWork, marker=OF_CASE):
+        work.forget()
 
 
 def on_request(says: str, work: Callable[[ui.column], Any]) -> ui.column:
@@ -137,7 +139,7 @@ def on_request(says: str, work: Callable[[ui.column], Any]) -> ui.column:
     return box
 
 
-class LongWork:
+class LongWork(ui.element):
     """Work of minutes: a button that begins it, how far it is, a button that ends it, and what came of it.
 
     Parameters
@@ -163,10 +165,19 @@ class LongWork:
         show: Callable[[Any], None],
         place: Callable[[], ui.column] = answer_box,
     ) -> None:
+        super().__init__("div")
+        if place is answer_box:
+            self.mark(OF_CASE)
         self._solver, self._question, self._show = solver, question, show
         self._running: Any = None
         self._file = ""
-        with ui.row().classes("items-center w-full") as self.row:
+        with self.classes("nicegui-column w-full"):
+            self._draw(says, place)
+        self._idle(True)
+        context.client.on_delete(self._end)
+
+    def _draw(self, says: str, place: Callable[[], ui.column]) -> None:
+        with ui.row().classes("items-center w-full"):
             self._start = ui.button(says, on_click=self._begin).props("outline no-caps")
             self._cancel = ui.button(word("cancel"), on_click=self._end).props("flat no-caps")
             self._bar = ui.linear_progress(value=0.0, show_value=False).classes("grow progress")
@@ -174,11 +185,12 @@ class LongWork:
             self._said = ui.label("").classes("small").props('role="status"')
         self._box = place()
         self._timer = ui.timer(LOOK, self._look, active=False)
-        self._idle(True)
-        context.client.on_delete(self._end)
 
     def forget(self) -> None:
-        """Take away what came of the last question."""
+        """Take away what came of the last question, and end the work at it."""
+        self._end()
+        self._running = None
+        self._timer.active = False
         self._box.clear()
         self._said.text = ""
 
@@ -212,7 +224,8 @@ class LongWork:
                 self._running = self._solver.start(function, *given, self._file, longest=LONGEST_STUDY)
                 found = await outcome_of(self._running)
         except (Ended, InputError) as error:
-            self._said.text = tell_ended(error, LONGEST_STUDY)
+            if self._running is not None:
+                self._said.text = tell_ended(error, LONGEST_STUDY)
             return
         finally:
             self._running = None

@@ -215,7 +215,8 @@ def _without_remarks(size: Size, interval: Interval) -> Iterator[tuple[Trial, bo
         if one.permitted and not one.remarks and interval.lower.value <= one.value <= interval.upper.value
     ]  # fmt: skip
     if clean:
-        yield max(clean, key=lambda one: one.margin), True, "largest margin without remarks"
+        best = max(clean, key=lambda one: one.margin)
+        yield best, best.value == interval.lower.value, "largest margin without remarks"
 
 
 def _values(axis: Axis, kind: str) -> Any:

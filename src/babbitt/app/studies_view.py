@@ -58,7 +58,7 @@ class StudiesView:
         self._known: dict[str, Axis] = {}
         self._axes: dict[str, Axis] = {}
         self._study: Any = None
-        self._computed: set[str] = set()
+        self._computed: list[dict[str, Any]] = []  # cases of which a value that was found may be taken
         self._box = ui.column().classes("w-full")
         self.work = LongWork(solver, word("run_study"), self._asked, self._show)
         ui.button(word("keep_study"), on_click=self._keep).props("flat dense no-caps").tooltip(
@@ -159,12 +159,12 @@ class StudiesView:
         return self.document.text if block is None else asked_text(self.document.given, block)
 
     def _asked(self) -> Question | None:
-        self._computed = {self.document.text}
+        self._computed = [self.document.without_study]
         return studied, (self._text(),)
 
     def _keep(self) -> None:
         """Put the study into the case, so that `babbitt study` computes it."""
-        self.document.write(self._text())
+        self.document.take(self._text())
         self._kind = "own"
         self._changed()
 
@@ -184,7 +184,7 @@ class StudiesView:
                 ui.label(word("take_design"))
                 for name, text in designs.items():
                     number = name.rpartition("-")[2]
-                    ui.button(number, on_click=partial(self._put, text, number)).props("outline no-caps")
+                    ui.button(number, on_click=partial(self._take_design, text, number)).props("outline no-caps")
         for table in found.tables:
             show_table(table)
         show_figures(found.figures)
@@ -200,18 +200,28 @@ class StudiesView:
             ui.label(word("scan_ends")).classes("small")
 
     def _take(self, path: str, text: str) -> None:
-        axes = self._axes
-        self._put(case_text(with_value(self.document.given, path, text)), text)
-        self._axes = axes  # the range that was asked for stays beside its answer
-        self.draw()
+        """Put a value into the case; the range that was asked for stays beside its answer."""
+        if self._may_take():
+            axes = self._axes
+            self._put(case_text(with_value(self.document.given, path, text)), text)
+            self._axes = axes
+            self.draw()
+
+    def _take_design(self, text: str, name: str) -> None:
+        if self._may_take():
+            self._put(text, name)
+
+    def _may_take(self) -> bool:
+        """Whether the case is one of which something was found; what was computed of another one stays away."""
+        may = self.document.without_study in self._computed
+        if not may:
+            ui.notify(word("outdated"), type="warning")
+        return may
 
     def _put(self, text: str, name: str) -> None:
-        """Put another case on the page and say what of it is new; what was computed of another one stays away."""
-        if self.document.text not in self._computed:
-            ui.notify(word("outdated"), type="warning")
-            return
-        self.document.write(text)
-        self._computed.add(self.document.text)
+        """Put another case on the page and say what of it is new."""
+        self.document.take(text)
+        self._computed.append(self.document.without_study)
         self._changed()
         ui.notify(word("taken", name=name))
 

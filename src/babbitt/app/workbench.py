@@ -17,7 +17,7 @@ from babbitt.app.answer_view import AnswerView, DrawingView, ResultsView
 from babbitt.app.catalogue_view import CatalogueView
 from babbitt.app.coefficients_view import CoefficientsView
 from babbitt.app.designs_view import DesignsView
-from babbitt.app.document import CaseDocument, path_in, with_changed
+from babbitt.app.document import CaseDocument, path_in
 from babbitt.app.figures import all_figures
 from babbitt.app.form import Path
 from babbitt.app.form_view import FormView
@@ -281,7 +281,7 @@ class Workbench:
 
     def _outdate(self) -> None:
         """Mark what was computed of another case; the study that is asked of a case does not change it."""
-        case = with_changed(self.document.given, ("study",), None) | {"shown in": self._system()}
+        case = self.document.without_study | {"shown in": self._system()}
         if case != self._computed:
             self._computed = case
             outdate()

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
+from functools import cache
 from typing import Any
 
 from babbitt.case.field_types import expanded, quantity_in
 from babbitt.case.part import Part
+from babbitt.case.scalars import scalar
 from babbitt.core.units import Kind, read
 
 __all__ = ["FEW_DIGITS", "case_text", "quantity_text", "short_quantity", "with_units"]
@@ -73,7 +75,7 @@ def case_text(given: Mapping[str, Any]) -> str:
     """
     import yaml
 
-    dumper = getattr(yaml, "CSafeDumper", yaml.SafeDumper)
+    dumper = _dumper()
 
     def field(name: str, value: Any) -> str:
         inside = None if isinstance(value, dict | list) else False
@@ -89,6 +91,21 @@ def case_text(given: Mapping[str, Any]) -> str:
         )
 
     return "".join(field(name, value) for name, value in given.items())
+
+
+@cache
+def _dumper() -> Any:
+    """Writes a word in quotation marks where this language reads another value than YAML 1.1 does, such as 1e5."""
+    import yaml
+
+    class Dumper(getattr(yaml, "CSafeDumper", yaml.SafeDumper)):  # type: ignore[misc]
+        pass
+
+    def word(dumper: Any, text: str) -> Any:
+        return dumper.represent_scalar("tag:yaml.org,2002:str", text, None if scalar(text) == text else "'")
+
+    Dumper.add_representer(str, word)
+    return Dumper
 
 
 def _field(cls: type[Part], name: str, given: Any, value: Any) -> Any:

@@ -95,7 +95,7 @@ def size_figure(size: Size, scale: Scale) -> Figure:
     margins = [100.0 * max(one.margin, LEAST_MARGIN) for one in shown]
     panel.plot([scale.shown(one.value) for one in shown], margins, color=INK, zorder=3)
     first, last = size.scan[0].value, size.scan[-1].value
-    if size.scans_ratios:
+    if size.steps == "ratios":
         panel.set_xscale("log")
         panel.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
     for codes, place in _governing(shown):

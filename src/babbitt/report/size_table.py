@@ -29,6 +29,9 @@ __all__ = ["rounded", "size_scale", "size_tables"]
 DIGITS = 4
 """Significant digits of an end, rounded into the interval."""
 
+STEPS = {"distances": "equal distances", "ratios": "equal ratios", "": "uneven steps"}
+"""How the values of a scan stand, in words."""
+
 LIMITS = {
     ALL_LIMITS: "within all limits",
     RECOMMENDED: "within all limits and recommendations",
@@ -131,13 +134,12 @@ def _limits(size: Size) -> str:
 
 def _scanned(size: Size, scale: Scale) -> str:
     first, last = size.scan[0].value, size.scan[-1].value
-    step = "equal ratios" if size.scans_ratios else "equal distances"
     return translated(
         "Scanned at {number} values from {first} to {last} at {step}; what is narrower than a step may be missed.",
         number=len(size.scan),
         first=_plain(scale.shown(first)),
         last=f"{_plain(scale.shown(last))} {scale.unit}".rstrip(),
-        step=translated(step),
+        step=translated(STEPS[size.steps]),
     )
 
 

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from babbitt.case.case_file import CaseFile
 from babbitt.case.loading import case_from_dict
@@ -96,10 +97,12 @@ class Size:
         return f"{self.name}: {self.path} permitted: {permitted}\n  .intervals, .scan, .choices"
 
     @property
-    def scans_ratios(self) -> bool:
-        """Whether the values of the scan stand at equal ratios: steps of equal distances are alike."""
-        values = [one.value for one in self.scan]
-        return len(values) > 2 and not math.isclose(values[1] - values[0], values[-1] - values[-2], rel_tol=1e-3)
+    def steps(self) -> str:
+        """How the values of the scan stand: at equal ``distances`` or ``ratios``; empty where they do neither."""
+        values = np.array([one.value for one in self.scan])
+        if _are_alike(np.diff(values)):
+            return "distances"
+        return "ratios" if (values > 0.0).all() and _are_alike(values[1:] / values[:-1]) else ""
 
     @property
     def permitted(self) -> bool:
@@ -111,6 +114,10 @@ class Size:
         """Of the values that are not permitted the one with the largest margin; None where none has a margin."""
         missed = [one for one in self.scan if not one.permitted and math.isfinite(one.margin)]
         return max(missed, key=lambda one: one.margin, default=None)
+
+
+def _are_alike(steps: NDArray[np.float64]) -> bool:
+    return bool(np.allclose(steps, steps[:1], rtol=1e-3, atol=0.0))
 
 
 def default_scan(case: CaseFile, block: StudyBlock) -> StudyBlock:

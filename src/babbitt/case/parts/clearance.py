@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from typing import Annotated, Any, Literal
 
@@ -217,8 +218,8 @@ def restated(given: Any, kind: str, diameter: Any) -> Any:
     Returns
     -------
     dict or str
-        The kind alone where the clearance or the diameter cannot be read, and where the clearance does not tell:
-        it tells no tolerance classes, and sizes only where it is given by tolerances.
+        The kind alone where the clearance or a diameter that it needs cannot be read, and where the clearance does
+        not tell: classes only where it is given by them, sizes only where it is given by tolerances.
 
     Examples
     --------
@@ -229,7 +230,7 @@ def restated(given: Any, kind: str, diameter: Any) -> Any:
     """
     try:
         clearance: ClearanceInput = TypeAdapter[ClearanceInput](ClearanceInput).validate_python(given)
-        size = read(diameter, "m")
+        size = math.nan if diameter is None else read(diameter, "m")  # some kinds tell each other without
         stated = _stated(clearance, kind, size)
     except (ValidationError, QuantityError, InputError):
         stated = None
@@ -239,28 +240,32 @@ def restated(given: Any, kind: str, diameter: Any) -> Any:
 
 
 def _stated(clearance: ClearanceInput, kind: str, size: float) -> Any:
-    """What a clearance is as another kind, at a diameter in m; None where it does not tell."""
+    """What a clearance is as another kind, at a diameter in m, NaN if unknown; None where it does not tell."""
     if kind in _STATED:
         unit, share = _STATED[kind]
         gap, factor = clearance.at_20_degrees(size), 1.0 / size if share is None else share
+        if math.isnan(factor * gap.mean):
+            return None
         values = {"mean": gap.mean}
         if clearance.has_limits:
             values |= {"minimum": gap.minimum, "maximum": gap.maximum}
         return {name: _exact(factor * value, unit) for name, value in values.items()}
-    if isinstance(clearance, FitClearance) and not kind:
-        return f"{clearance.bore}/{clearance.journal}"
-    if kind not in ("limits", "deviations") or (both := _sizes(clearance, size)) is None:
+    if isinstance(clearance, FitClearance) and kind in ("", "fit"):
+        bore, journal = clearance.bore, clearance.journal
+        return {"bore": bore, "journal": journal} if kind else f"{bore}/{journal}"
+    if kind not in ("limits", "deviations") or math.isnan(size) or (both := _sizes(clearance, size)) is None:
         return None
-    of_both = zip(("bore", "journal"), both, strict=True)
-    if kind == "limits":
-        return {name: [_exact(one, "mm") for one in (part.minimum, part.maximum)] for name, part in of_both}
-    return {name: [_exact(one - size, "um") for one in (part.minimum, part.maximum)] for name, part in of_both}
+    less, unit = (0.0, "mm") if kind == "limits" else (size, "um")
+    return {
+        name: [_exact(one - less, unit) for one in (part.minimum, part.maximum)]
+        for name, part in zip(("bore", "journal"), both, strict=True)
+    }
 
 
 def _exact(value: float, unit: str) -> str:
-    """An SI value in a unit with seven digits, so that the way back leads to where it began."""
+    """An SI value in a unit with six decimals, so that the way back leads to where it began."""
     factor = {"um": 1e6, "mm": 1e3, "permille": 1e3}[unit]
-    return f"{round(factor * value, 6) + 0.0:.7g} {unit}"  # a difference of sizes that is round-off is 0, not -0
+    return f"{round(factor * value, 6) + 0.0:.12g} {unit}"  # a difference of sizes that is round-off is 0, not -0
 
 
 def _sizes(clearance: ClearanceInput, diameter: float) -> tuple[SizeLimits, SizeLimits] | None:
@@ -277,6 +282,19 @@ def _sizes(clearance: ClearanceInput, diameter: float) -> tuple[SizeLimits, Size
             bore, journal = (tolerance_limits(one, diameter).limits(diameter) for one in classes)
             return bore, journal
     return None
+
+
+FAR_FROM_THE_MEAN = 1.05
+"""Factor between the mean clearance and a limit from which films are questioned that are solved at the mean alone.
+
+Assumption: the load number goes with the square of the clearance, and differs there by a tenth. At 1.2 the least
+clearance of bearings near their limits was 5 to 16 K hotter than the mean; of H7/d8, 1.37 at 120 mm, it misses
+limits of the temperature that the mean keeps; a critical mass goes with 1.05 of the clearance by 5 %."""
+
+
+def has_far_limits(least: float, mean: float, most: float) -> bool:
+    """Whether a limit of a clearance is far from its mean."""
+    return mean > FAR_FROM_THE_MEAN * least or most > FAR_FROM_THE_MEAN * mean
 
 
 LIMITS = ("clearance.minimum", "clearance.maximum")
