@@ -265,6 +265,26 @@ def test_films_are_balanced_too():
     assert bearings[0].eccentricity_ratio > bearings[1].eccentricity_ratio
 
 
+def test_a_balance_at_mean_clearances_is_held_at_their_limits_too():
+    """It passed cleanly at 250 kPa in the header; at the largest clearance 8 kPa are left, and A starves."""
+
+    def found(clearance):
+        given = {"width": "80 mm", "speed": "2000 rpm", "span": "360 deg", "clearance": clearance,
+                 "supply_element": {"kind": "pocket", "width": "56 mm", "place": "opposite"}}  # fmt: skip
+        pump = {"flow": "3 L/min", "relief_pressure": "0.25 MPa"}
+        supply = {"temperature": "45 degC"}
+        case = machine(orifices(A=5), bearing("A", **given), pump=pump, supply=supply, clearance_cases="mean")
+        return answer(case).results[0]
+
+    system = found("H7/d8")
+    assert system.verdict is Verdict.REMARKS
+    ((missed,),) = (one.values["missed"] for one in system.warnings if one.code == "W174")
+    assert (missed.values["at"].variant, missed.values["told"][0].values["check"]) == ("all_greatest", "C601")
+    largest = found({"kind": "diametral", "mean": "209 um"})  # (35 + 174) um
+    assert largest.verdict is Verdict.FAIL
+    assert missed.values["told"][0].values["value"] == pytest.approx(largest.least_supply_ratio, rel=1e-9)
+
+
 @pytest.mark.parametrize(
     ("changed", "words"),
     [
@@ -274,13 +294,16 @@ def test_films_are_balanced_too():
         ({"oil_system": {"pump": {"flow": "9 L/min"}, "lines": orifices(A=4, B=4)}}, "relief_pressure"),
         ({"supply": {"temperature": "50 degC", "pressure": "0.2 MPa"}}, "follows from the oil system"),
         ({"clearance_cases": "all"}, "one clearance of each bearing"),
+        ({"bearings": [bearing("A"), bearing("B", clearance="H7/d8", clearance_cases="all")]},
+         r"bearings\[1 'B'\].clearance_cases: an oil system has one clearance"),
         ({"bearings": [bearing("A"), bearing("B", operating_points=[{"name": "x", "load": "5 kN"}], load=None)]},
          "one operating point"),
     ],
 )  # fmt: skip
 def test_what_an_oil_system_does_not_know_is_refused(changed, words):
-    if "bearings" in changed:
-        del changed["bearings"][1]["load"]
+    for one in changed.get("bearings", ()):
+        if "operating_points" in one:
+            del one["load"]
     with pytest.raises(CaseError, match=words):
         machine(orifices(A=4, B=4), bearing("A"), bearing("B"), **changed)
 

@@ -85,6 +85,16 @@ def test_three_hundred_films_are_those_of_one_bearing(one_by_one):
             **HEATED,
             "limits": {"minimum_film_thickness": "20 um", "specific_load": "3 MPa"},
         },
+        {
+            "clearance": {
+                "kind": "relative",
+                "mean": "1.5 permille",
+                "minimum": "1.46 permille",
+                "maximum": "1.54 permille",
+            },
+            "clearance_cases": "mean",
+            "rotor_mass": "2 t",
+        },
     ],
 )
 def test_directions_conditions_and_limits_are_those_of_one_bearing(one_by_one, changes):

@@ -176,6 +176,25 @@ def test_clearance_cases_take_the_limits():
     assert held == [True, False, True]
 
 
+@pytest.mark.parametrize(
+    ("clearance", "asked", "code"),
+    [
+        ({"kind": "radial", "mean": "148 um", "minimum": "140 um", "maximum": "160 um"}, True, "W174"),
+        ({"kind": "radial", "mean": "148 um", "minimum": "145 um", "maximum": "151 um"}, True, "W183"),
+        ({"kind": "radial", "mean": "148 um", "minimum": "145 um", "maximum": "151 um"}, False, "W174"),
+        ({"kind": "deviations", "bore": ["0 um", "40 um"], "journal": ["-290 um", "-260 um"]}, True, "W174"),
+        ({"kind": "radial", "mean": "148 um"}, True, None),
+    ],
+)
+def test_limits_of_clearances_that_are_not_solved_are_named(clearance, asked, code):
+    """Those of sizes were not, and the mean that a case asks for was never questioned."""
+    given = pad_case({"pads.clearance": clearance}, **({"clearance_cases": "mean"} if asked else {}))
+    (found,) = case_from_dict(given).calculations()
+    told = {one.code: one.values["fields"] for one in found.problem.warnings if one.code in ("W174", "W183")}
+    named = [one for one, fields in told.items() if any(field.startswith("pads.clearance") for field in fields)]
+    assert named == ([code] if code else [])
+
+
 def test_operating_points_change_what_they_give():
     points = [
         {"name": "half", "load": "5 kN"},

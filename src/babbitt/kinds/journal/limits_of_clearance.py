@@ -1,85 +1,122 @@
-"""What stands against the limits of a clearance whose mean alone is solved and passes."""
+"""What stands against the limits of a clearance at whose mean a bearing keeps all limits."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
+from dataclasses import replace
 from typing import Any, Protocol, Self, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
 
 from babbitt.core.notices import Notice
 from babbitt.core.result import Result, Verdict
-from babbitt.design.conditions import PrescribedEccentricity, PrescribedLoad
+from babbitt.core.solution import Calculation
+from babbitt.kinds.journal.missed_limit import missed_limit
+from babbitt.numerics.lanes import chooser
 
-__all__ = ["BearingWithClearance", "at_limits", "warnings_about_limits"]
+__all__ = ["HasClearanceLimits", "for_values", "held_at_limits", "many_held_at_limits", "with_missed"]
+
+Index = NDArray[np.intp]
+ByVerdict = Iterable[tuple[Index, Result, Verdict]]
+
+WITHIN_LIMITS = (Verdict.PASS, Verdict.REMARKS)
 
 
-class BearingWithClearance(Protocol):
-    """A bearing that may be solved at another clearance."""
+class HasClearanceLimits(Protocol):
+    """A bearing whose clearance may have limits at which no other case of it is."""
 
     @property
-    def mean_alone(self) -> bool:
-        """Whether its clearance has limits, and no other case of the bearing is at them."""
+    def clearance_limits(self) -> tuple[Any, Any] | None:
+        """The least and the greatest clearance over diameter at 20 °C; None where there are none to be solved."""
 
-    @property
-    def bearing(self) -> Any:
-        """With `clearance_tolerance`."""
-
-    @property
-    def duty(self) -> Any:
-        """What it carries."""
-
-    def at_clearance(self, relative: float) -> Self:
-        """The same with another clearance over diameter at 20 °C, alone."""
+    def at_clearance(self, relative: Any) -> Self:
+        """The same with another clearance over diameter at 20 °C, and without limits of it."""
 
 
-CaseT = TypeVar("CaseT", bound=BearingWithClearance)
+def for_values(calculation: Calculation) -> Calculation:
+    """The calculation as far as its values go: nothing else is solved against which its limits are held."""
+    asked = calculation.only(())
+    problem: Any = asked.problem
+    if getattr(problem, "clearance_limits", None) is None:
+        return asked
+    return replace(asked, problem=replace(problem, clearance_limits=None))
 
 
-def warnings_about_limits(case: CaseT, found: Result, solve: Callable[[CaseT], Result]) -> Iterator[Notice]:
-    """What stands against the limits of a clearance at whose mean a bearing passes.
+CaseT = TypeVar("CaseT", bound=HasClearanceLimits)
+
+
+def held_at_limits(case: CaseT, found: Result, solve: Callable[[CaseT], Result]) -> Result:
+    """A result within its limits, with a warning of the limits of the clearance that are not, or are questioned.
 
     Parameters
     ----------
-    case : BearingWithClearance
+    case : HasClearanceLimits
     found : Result
-        At its clearance.
+        At its own clearance.
     solve : callable
         Result of the bearing at another clearance.
     """
-    if case.mean_alone and found.verdict is Verdict.PASS:
-        yield from _about_missed_limits((limit, solve(other)) for limit, other in at_limits(case))
+    if not found.within_limits:
+        return found
+    missed = tuple(
+        notice
+        for which, limit in zip(("least", "greatest"), case.clearance_limits or (), strict=False)
+        for notice in _missed(Notice("W174", which, {"clearance": limit}), solve(case.at_clearance(limit)), found)
+    )
+    return with_missed(found, missed)
 
 
-def at_limits(case: CaseT) -> Iterator[tuple[Any, CaseT]]:
-    """The least and the greatest relative clearance at 20 °C, and the bearing with each.
-
-    Nothing at a prescribed place of the journal, which no other clearance need have.
-    """
-    tolerance = case.bearing.clearance_tolerance
-    if tolerance is not None and isinstance(case.duty, PrescribedLoad | PrescribedEccentricity):
-        yield from ((limit, case.at_clearance(limit)) for limit in tolerance)
+def with_missed(found: Result, missed: tuple[Notice, ...]) -> Result:
+    """A result with a warning of the limits of its clearance against which something stands."""
+    if not missed:
+        return found
+    return replace(found, warnings=(*found.warnings, Notice("W174", "missed", {"missed": missed})))
 
 
-def _about_missed_limits(found: Iterable[tuple[float, Result]]) -> Iterator[Notice]:
-    """Warn of clearances at which a bearing misses limits that it keeps at the mean, or is questioned.
+def many_held_at_limits(
+    case: CaseT, count: int, solve: Callable[[CaseT, int], ByVerdict]
+) -> Iterator[tuple[Index, Result, Verdict]]:
+    """The same of many bearings in lanes; left out are those that `held_at_limits` would warn of.
 
     Parameters
     ----------
-    found : iterable of (float, Result)
-        Relative clearances, and what the bearing comes to there.
+    case : HasClearanceLimits
+        Its numbers that differ from bearing to bearing are `Lanes`.
+    count : int
+        Bearings.
+    solve : callable
+        Bearings at the clearance of a case by their verdict (`babbitt.design.verdict_lanes.by_verdict`).
     """
-    missed = tuple(notice for clearance, result in found for notice in _missed(clearance, result))
-    if missed:
-        yield Notice("W174", "missed", {"missed": missed})
+    at_limits = [tuple(solve(case.at_clearance(limit), count)) for limit in case.clearance_limits or ()]
+    for index, result, verdict in solve(case, count):
+        sure = np.ones(index.size, bool)
+        if verdict in WITHIN_LIMITS:
+            for found in at_limits:
+                sure &= np.isin(index, list(_as_good(found, result)))
+        if sure.any():
+            lanes = np.flatnonzero(sure)
+            yield index[lanes], chooser(result)(lanes), verdict
 
 
-def _missed(clearance: float, result: Result) -> Iterator[Notice]:
+def _as_good(found: ByVerdict, than: Result) -> Iterator[int]:
+    """Bearings that keep their limits and are questioned by nothing more than another result."""
+    known = set(than.questioning_codes)
+    for index, result, verdict in found:
+        if verdict in WITHIN_LIMITS and known.issuperset(result.questioning_codes):
+            yield from index.tolist()
+
+
+def _missed(at: Notice, result: Result, mean: Result) -> Iterator[Notice]:
+    """What stands against a clearance and not against the mean."""
     if not result.outcome.solved:
-        yield Notice("W174", "no_film", {"clearance": clearance})
+        yield Notice("W174", "no_film", {"at": at})
         return
-    codes = tuple(dict.fromkeys(one.code for one in result.limits if not one.ok))
-    if codes:
-        yield Notice("W174", "misses", {"clearance": clearance, "checks": codes})
+    told = tuple(missed_limit(one) for one in result.limits if not one.ok)
+    remarks = tuple(code for code in result.questioning_codes if code not in mean.questioning_codes)
+    if told:
+        yield Notice("W174", "misses", {"at": at, "told": told})
     elif result.verdict is Verdict.NO_VERDICT:
-        yield Notice("W174", "no_verdict", {"clearance": clearance})
-    elif result.verdict is Verdict.REMARKS:
-        yield Notice("W174", "questioned", {"clearance": clearance, "remarks": result.questioning_codes})
+        yield Notice("W174", "no_verdict", {"at": at})
+    elif remarks:
+        yield Notice("W174", "questioned", {"at": at, "remarks": remarks})

@@ -35,14 +35,12 @@ class Iso7902(Method):
         """Solve by the tables of characteristics and the heat balance of the standard.
 
         A bearing that keeps its limits by less than films with temperatures of their own may differ, or whose
-        housing is cooled, is held against such a film, too; so is one that passes at its mean clearance, at the
-        limits of that.
+        housing is cooled, is held against such a film, too. What keeps its limits at a mean clearance is solved at
+        the limits of that, too.
         """
-        from babbitt.kinds.journal.limits_of_clearance import warnings_about_limits
+        from babbitt.kinds.journal.limits_of_clearance import held_at_limits
 
-        result = _held_against_film(problem)
-        told = tuple(warnings_about_limits(problem, result, _held_against_film))
-        return (Solution(problem, replace(result, warnings=(*result.warnings, *told))),)
+        return (Solution(problem, held_at_limits(problem, _held_against_film(problem), _held_against_film)),)
 
     def only(self, problem: DesignCase, quantities: Collection[str]) -> DesignCase:
         """The procedure of the standard alone: of many bearings margins are asked in place of a film of each."""
@@ -51,9 +49,9 @@ class Iso7902(Method):
 
 def _held_against_film(problem: DesignCase) -> Result:
     """The procedure of the standard at one clearance, and what the film of the bearing misses of its limits."""
-    from babbitt.kinds.journal.iso7902.procedure import check_at_clearance
+    from babbitt.kinds.journal.iso7902.procedure import check
 
-    result = check_at_clearance(problem)
+    result = check(problem)
     sure = tuple(one for one in result.warnings if one.code != "W191")
     questioned = problem.cooling is not None or sure != result.warnings
     if problem.fuller_film is None or not questioned or not result.keeps_all_limits:
@@ -77,9 +75,8 @@ class Film(Method):
         return (film_solution(problem, progress),)
 
     def only(self, problem: FilmCase, quantities: Collection[str]) -> FilmCase:
-        """The film at its clearance alone, without the speed at which the rotor whirls unless it is asked for."""
-        asked = replace(problem, mean_alone=False)
-        return asked if WHIRL_SPEEDS & set(quantities) else replace(asked, whirl_speed=False)
+        """The film without the speed at which the rotor whirls unless it is asked for."""
+        return problem if WHIRL_SPEEDS & set(quantities) else replace(problem, whirl_speed=False)
 
     def coefficients_over_speed(self, problem: FilmCase, speeds: Iterable[float]) -> SpeedRun:
         """Solve at several speeds, the heat balance anew at each."""

@@ -10,6 +10,7 @@ from babbitt.kinds.journal.case.film_layout import film_layout
 from babbitt.kinds.journal.case.joined_inputs import (
     Inputs,
     Point,
+    clearance_limits,
     duty,
     expansions,
     housing_cooling,
@@ -82,7 +83,7 @@ def film_case(inputs: Inputs, at: Point, thermal: str | None = None) -> FilmCase
             *warnings_about_numbers(inputs, point),
         ),
         kind=bearing.kind,
-        mean_alone=at.is_mean_alone,
+        clearance_limits=clearance_limits(inputs, at),
         turbulence=LAWS_OF_TURBULENCE[bearing.turbulence],
         pressure_viscosity=bearing.pressure_viscosity.law() if bearing.pressure_viscosity is not None else None,
         heat=heat_model(inputs, thermal),

@@ -13,6 +13,7 @@ from babbitt.kinds.journal.case.free_arc import free_arcs
 from babbitt.kinds.journal.case.joined_inputs import (
     Inputs,
     Point,
+    clearance_limits,
     duty,
     expansions,
     housing_cooling,
@@ -52,7 +53,7 @@ def iso7902_case(inputs: Inputs, at: Point) -> DesignCase:
         effective_temperature=bearing.effective_temperature,
         free_arcs=free_arcs(bearing, point),
         rotor_mass=bearing.rotor_mass,
-        mean_alone=at.is_mean_alone,
+        clearance_limits=clearance_limits(inputs, at),
         load_angle=bearing.load_angle if is_given(bearing, "load_angle") else None,
     )
 

@@ -65,11 +65,6 @@ class Point:
     tolerance: tuple[float, float] | None
     mean: float
 
-    @property
-    def is_mean_alone(self) -> bool:
-        """Whether the clearance has limits at which the bearing is not solved."""
-        return self.tolerance is not None and not self.name.clearance
-
 
 def inputs(bearing: JournalBearing, shared: SingleBearing | SeveralBearings) -> Inputs:
     """Join a bearing with what it shares."""
@@ -134,6 +129,15 @@ def duty(inputs: Inputs, point: OperatingPoint | None) -> LoadSpec:
     if given.specific_load is None:
         raise ValueError("a case that was not validated: the bearing has no load")
     return PrescribedLoad(given.specific_load * inputs.width * bearing.diameter)
+
+
+def clearance_limits(inputs: Inputs, at: Point) -> tuple[float, float] | None:
+    """Limits of the clearance at which what keeps its limits at the mean is solved, too.
+
+    None where they are cases of the bearing, and where the mean is questioned for them.
+    """
+    questioned = any(one.code == "W174" for one in inputs.of_clearance)
+    return None if at.name.clearance or questioned else at.tolerance
 
 
 def journal_speed(bearing: JournalBearing, point: OperatingPoint | None) -> float:

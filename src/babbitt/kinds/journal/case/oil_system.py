@@ -155,6 +155,8 @@ def issues_of_bearings(
             )
         if one.operating_points:
             yield Issue((*path, "operating_points"), "an oil system has one operating point", "leave them out")
+        if one.clearance_cases == "all":
+            yield Issue((*path, "clearance_cases"), "an oil system has one clearance of each bearing", "mean")
         if one.method not in KNOWN_METHODS:
             says = f"the flow of method {one.method} does not follow from the supply pressure"
             yield Issue((*path, "method"), says, "iso7902 or film")

@@ -62,10 +62,8 @@ from babbitt.kinds.journal.film.unloaded import NO_LOAD, missing_without_load
 from babbitt.kinds.journal.film.values import fills_of, film_values, rows_of, supply_pressures, tilt_values
 from babbitt.kinds.journal.film.warnings import film_warnings
 from babbitt.kinds.journal.film.whirl import whirl_of
-from babbitt.kinds.journal.limits_of_clearance import warnings_about_limits
-from babbitt.kinds.journal.one_temperature import (
-    warnings_about_margins,
-)
+from babbitt.kinds.journal.limits_of_clearance import held_at_limits
+from babbitt.kinds.journal.one_temperature import warnings_about_margins
 from babbitt.reynolds.model import Cavitation
 from babbitt.reynolds.stability.whirl_checks import (
     missing_thresholds,
@@ -102,13 +100,11 @@ def film_check(case: FilmCase, watch: ProgressCallback = no_progress) -> Result:
 def film_solution(case: FilmCase, watch: ProgressCallback = no_progress) -> Solution:
     """Solve a film as `film_by_its_model`, and say what one with temperatures of its own misses of its limits.
 
-    What passes at its mean clearance is solved at the limits of that, too.
+    What keeps its limits at a mean clearance is solved at the limits of that, too.
     """
     found = _held_against_fuller(case, watch)
-    told = tuple(
-        warnings_about_limits(case, found.result, lambda other: _held_against_fuller(other, no_progress).result)
-    )
-    return replace(found, result=replace(found.result, warnings=(*found.result.warnings, *told)))
+    held = held_at_limits(case, found.result, lambda other: _held_against_fuller(other, no_progress).result)
+    return replace(found, result=held)
 
 
 def _held_against_fuller(case: FilmCase, watch: ProgressCallback) -> Solution:

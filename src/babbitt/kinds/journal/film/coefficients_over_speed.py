@@ -103,7 +103,8 @@ def run_over_speed(case: FilmCase, speeds: Iterable[float]) -> SpeedRun:
     -------
     SpeedRun
         With a status and warnings at every speed, and the stiffness that the case asks for. What is asked for
-        besides (an orbit, stiffness against tilt, the error of the grid, limiting speeds) is left out.
+        besides (an orbit, stiffness against tilt, the error of the grid, limiting speeds, limits of the clearance)
+        is left out.
 
     Raises
     ------
@@ -120,8 +121,9 @@ def run_over_speed(case: FilmCase, speeds: Iterable[float]) -> SpeedRun:
         )
     sense = case.rotation.sense
     needed = replace(
-        case, changing_load=None, tilt_coefficients=False, error_estimate=False, limiting_speeds=False
-    )
+        case, changing_load=None, tilt_coefficients=False, error_estimate=False, limiting_speeds=False,
+        clearance_limits=None,
+    )  # fmt: skip
     return SpeedRun(
         case, taken, tuple(film_solution(replace(needed, journal_speed=sense * speed)) for speed in taken)
     )

@@ -7,13 +7,13 @@ from dataclasses import replace
 
 from babbitt.core.notices import InputError, Notice
 from babbitt.core.result import Check, Result
-from babbitt.design.bounds import FILM_CHECKS, TEMPERATURE_CHECKS
 from babbitt.design.conditions import PrescribedLoad
 from babbitt.kinds.journal.film.isothermal import FilmState, resolution_of
 from babbitt.kinds.journal.film.layout import load_vector
 from babbitt.kinds.journal.film.model import FilmCase
 from babbitt.kinds.journal.film.orbit_results import orbit_of
 from babbitt.kinds.journal.film.stable_equilibrium import converged_film, place_of
+from babbitt.kinds.journal.missed_limit import missed_limit
 
 __all__ = ["film_over_viscosity", "thinner_film", "thinner_orbit", "warnings_of_fuller_film"]
 
@@ -23,16 +23,6 @@ with temperatures of its own is known, or that of the loaded film if less.
 
 Assumption: the thinnest of 165 films of tilted journals, which a search climbed to, is as thick as with 0.39 of it
 (docs/theory/procedure.md)."""
-
-MISSED = {
-    "missed_film": (*FILM_CHECKS, "minimum_film_thickness"),
-    "missed_bush": ("maximum_bush_temperature",),
-    "missed_temperature": TEMPERATURE_CHECKS,
-    "missed_mass": ("critical_mass", "critical_mass_elastic"),
-    "missed_least_mass": ("least_stable_mass",),
-    "missed_pressure": ("maximum_pressure",),
-}
-"""Messages of missed limits that are no bare numbers, by code or quantity."""
 
 
 def warnings_of_fuller_film(
@@ -64,20 +54,12 @@ def _worse(result: Result, found: Result) -> Iterator[Notice]:
     if not found.outcome.solved:
         yield Notice("W191", "no_thermal_film", {"outcome": found.outcome.value})
         return
-    missed = tuple(_missed(one) for one in found.limits if not one.ok)
+    missed = tuple(missed_limit(one) for one in found.limits if not one.ok)
     yield from missed
     new = tuple(code for code in found.questioning_codes if code not in result.questioning_codes)
     if new and not missed:
         remarks = tuple(one for one in found.warnings if one.code in new)
         yield Notice("W191", "questioned", {"remarks": remarks, "codes": new})
-
-
-def _missed(check: Check) -> Notice:
-    """A missed limit with its numbers, in the unit of what is limited."""
-    variant = next(
-        (one for one, codes in MISSED.items() if check.code in codes or check.quantity in codes), "missed"
-    )
-    return Notice("W191", variant, {"value": check.value, "limit": check.limit, "check": check.code})
 
 
 def thinner_film(case: FilmCase, state: FilmState) -> Callable[[Check, float], Notice | None] | None:

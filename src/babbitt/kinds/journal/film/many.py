@@ -32,6 +32,7 @@ from babbitt.kinds.journal.film.model import WHOLE_TURN, FilmCase, Search
 from babbitt.kinds.journal.film.values import OF_THE_SUPPLY
 from babbitt.kinds.journal.film.warnings import film_warnings
 from babbitt.kinds.journal.film.whirl import mass_of_rotor
+from babbitt.kinds.journal.limits_of_clearance import many_held_at_limits
 from babbitt.numerics.lanes import chooser, holds_lanes, in_branches, lanes_of
 from babbitt.properties.fits import operating_relative_clearance
 from babbitt.reynolds.frame import LoadFrame, rounded
@@ -52,7 +53,7 @@ OF_ONE = ("name", "kind", "cavitation", "accuracy", "load_angle", "search", "giv
 """Fields of a case that are the same for all bearings."""
 
 OF_EACH = ("bearing", "duty", "journal_speed", "lubricant", "oil_supply", "cooling", "effective_temperature",
-           "friction_factor", "rotor_mass", "limits")  # fmt: skip
+           "friction_factor", "rotor_mass", "limits", "clearance_limits")  # fmt: skip
 """Fields of a case that may differ; all others must be as if they had not been given."""
 
 BORE_OF_ONE = ("feeds", "bore", "film_start", "metal", "load_character")
@@ -138,8 +139,12 @@ def films_many(case: FilmCase, count: int) -> Iterator[tuple[Index, Result, Verd
         Its numbers in lanes; remarks only as far as the verdict depends on them.
     verdict : Verdict
     """
-    if not _is_plain(case):
-        return
+    if _is_plain(case):
+        yield from many_held_at_limits(case, count, _films_many)
+
+
+def _films_many(case: FilmCase, count: int) -> Iterator[tuple[Index, Result, Verdict]]:
+    """The films at the clearance of the case."""
     own = chooser(case)
     for index, conditions in in_branches(lambda lanes: _conditions(own(lanes)), np.arange(count)):
         if conditions is None:

@@ -198,8 +198,8 @@ class FilmCase:
     `warnings` arose while the case was made and ride along.
     With a model of its `heat` the film has its own temperatures; without, one temperature, and `fuller` is the
     model with which it would have its own, where these can be computed.
-    `asperities` ask for the Stribeck curve with its mixed branch. `mean_alone` says that the clearance has limits
-    and that no other case of the bearing is at them.
+    `asperities` ask for the Stribeck curve with its mixed branch. `clearance_limits` are relative
+    clearances at 20 °C at which no other case of the bearing is: what keeps its limits is solved there, too.
     """
 
     name: str
@@ -235,7 +235,7 @@ class FilmCase:
     heat: HeatModel | None = None
     fuller: HeatModel | None = None
     asperities: AsperityContact | None = None
-    mean_alone: bool = False
+    clearance_limits: tuple[float, float] | None = None
 
     def with_own_temperatures(self) -> FilmCase | None:
         """The case with a film that conserves its oil and has its own temperatures, and nothing besides it.
@@ -248,7 +248,7 @@ class FilmCase:
         return replace(
             self, heat=self.fuller, fuller=None, cavitation=Cavitation.MASS_CONSERVING, changing_load=None,
             asperities=None, tilt_coefficients=False, error_estimate=False, limiting_speeds=False,
-            friction_factor=1.0, mean_alone=False,
+            friction_factor=1.0, clearance_limits=None,
         )  # fmt: skip
 
     def fed_by(self, supply: OilSupply) -> FilmCase:
@@ -256,8 +256,8 @@ class FilmCase:
         return replace(self, oil_supply=supply)
 
     def at_clearance(self, relative: float) -> FilmCase:
-        """The bearing with another clearance over diameter at 20 °C, alone."""
-        return replace(self, bearing=replace(self.bearing, relative_clearance=relative), mean_alone=False)
+        """The bearing with another clearance over diameter at 20 °C, and without limits of it."""
+        return replace(self, bearing=replace(self.bearing, relative_clearance=relative), clearance_limits=None)
 
     @property
     def assumed_of_lubricant(self) -> tuple[str, ...]:

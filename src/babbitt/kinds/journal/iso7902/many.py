@@ -24,7 +24,7 @@ from babbitt.kinds.journal.iso7902.film import (
 from babbitt.kinds.journal.iso7902.model import DesignCase
 from babbitt.kinds.journal.iso7902.procedure import METHOD, Design, design_of, result_of
 from babbitt.kinds.journal.iso7902.supply_capacity import gets_less
-from babbitt.kinds.journal.limits_of_clearance import at_limits
+from babbitt.kinds.journal.limits_of_clearance import many_held_at_limits
 from babbitt.numerics.lanes import chooser, in_branches, lanes_of
 from babbitt.numerics.scalar_or_array import Array
 
@@ -59,32 +59,14 @@ def check_many(case: DesignCase, count: int) -> Iterator[tuple[Index, Result, Ve
     Yields
     ------
     index : ndarray of int
-        Bearings whose checks are the same, and their verdict. Those that are left out are for `procedure.check`:
-        what has no solution, a heat balance whose way is not plain, and what passes at its mean clearance and
-        not so at its limits.
+        Bearings whose checks are the same, and their verdict. Those that are left out are to be solved one by
+        one: what has no solution, a heat balance whose way is not plain, and what keeps its limits at its mean
+        clearance and not so at the limits of that.
     result : Result
         Its numbers in lanes; remarks only as far as the verdict depends on them.
     verdict : Verdict
     """
-    if not case.mean_alone:
-        yield from _check_many(case, count)
-        return
-    keeps = _keeps_limits(case, count)
-    for index, result, verdict in _check_many(case, count):
-        sure = np.flatnonzero(keeps[index]) if verdict is Verdict.PASS else np.arange(index.size)
-        if sure.size:
-            yield index[sure], chooser(result)(sure), verdict
-
-
-def _keeps_limits(case: DesignCase, count: int) -> NDArray[np.bool_]:
-    """Bearings that pass at the limits of their clearance, too."""
-    keeps = np.ones(count, bool)
-    for _, other in at_limits(case):
-        kept = np.zeros(count, bool)
-        for index, _, verdict in _check_many(other, count):
-            kept[index] = verdict is Verdict.PASS
-        keeps &= kept
-    return keeps
+    yield from many_held_at_limits(case, count, _check_many)
 
 
 def _check_many(case: DesignCase, count: int) -> Iterator[tuple[Index, Result, Verdict]]:

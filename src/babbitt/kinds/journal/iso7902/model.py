@@ -122,9 +122,10 @@ class DesignCase:
     Speeds in rad/s. `free_arcs` are those that pockets and grooves leave about the load, where known. At least
     one of `oil_supply` and `cooling` carries the heat away, unless the effective temperature (K) is
     prescribed. `given` holds names and words of the case that these numbers came from (a fit, a material), for
-    the report. `warnings` arose while the case was made and ride along to the result. `mean_alone` says that the
-    clearance has limits and that no other case of the bearing is at them. `fuller_film` has temperatures of its
-    own and must keep the limits of the same bearing, too; None where it is not known, or not asked for.
+    the report. `warnings` arose while the case was made and ride along to the result. `clearance_limits` are
+    relative clearances at 20 °C at which no other case of the bearing is: what keeps its limits is solved there,
+    too. `fuller_film` has temperatures of its own and must keep the limits of the same bearing; None where it is
+    not known, or not asked for.
     """
 
     name: str
@@ -147,7 +148,7 @@ class DesignCase:
     load_angle: float | None = None
     free_arcs: tuple[FreeArc, ...] = ()
     rotor_mass: float | None = None
-    mean_alone: bool = False
+    clearance_limits: tuple[float, float] | None = None
     fuller_film: FilmCase | None = field(default=None, compare=False)
 
     def fed_by(self, supply: OilSupply) -> DesignCase:
@@ -161,6 +162,6 @@ class DesignCase:
         return replace(
             self,
             bearing=replace(self.bearing, relative_clearance=relative),
-            mean_alone=False,
+            clearance_limits=None,
             fuller_film=None if film is None else film.at_clearance(relative),
         )

@@ -38,13 +38,12 @@ from babbitt.kinds.journal.iso7902.supply_capacity import (
     worse_of,
 )
 from babbitt.kinds.journal.iso7902.warnings import all_warnings
-from babbitt.kinds.journal.limits_of_clearance import warnings_about_limits
 
 METHOD = "iso7902"
 
 
 def check(case: DesignCase) -> Result:
-    """Run the ISO 7902 procedure.
+    """Run the ISO 7902 procedure at the clearance of a bearing, whatever the limits of that.
 
     Parameters
     ----------
@@ -61,13 +60,6 @@ def check(case: DesignCase) -> Result:
     friction, flows, heat balance iterated on the effective temperature. The characteristics are solutions of the
     Reynolds equation by this package, not the tables of the standard.
     """
-    found = check_at_clearance(case)
-    told = tuple(warnings_about_limits(case, found, check_at_clearance))
-    return replace(found, warnings=(*found.warnings, *told))
-
-
-def check_at_clearance(case: DesignCase) -> Result:
-    """`check` at the clearance of the case, whatever its limits."""
     if case.effective_temperature is not None:
         return check_at_temperature(case, case.effective_temperature)
     start = perf_counter()

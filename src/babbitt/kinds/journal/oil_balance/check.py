@@ -9,6 +9,8 @@ from babbitt.core.notices import Notice
 from babbitt.core.result import Bound, Check, Matrix, Outcome, Result
 from babbitt.core.solution import Solution
 from babbitt.design.ducts import LAMINAR_UP_TO
+from babbitt.kinds.journal.limits_of_clearance import with_missed
+from babbitt.kinds.journal.missed_limit import missed_limit
 from babbitt.kinds.journal.oil_balance.model import OilSystemProblem
 from babbitt.kinds.journal.oil_balance.network import Balance, UnsolvedBearingError, balanced
 from babbitt.kinds.journal.oil_balance.proposals import Proposal, proposed
@@ -42,16 +44,52 @@ def oil_balance_solutions(problem: OilSystemProblem) -> tuple[Solution, ...]:
         METHOD,
         Outcome.CONVERGED,
         _values(found),
-        (
-            Check(
-                "C601", "least_supply_ratio", _least(found), 1.0, Bound.AT_LEAST, "what the film draws itself, Q₃"
-            ),
-        ),
+        (_supply_check(found),),
         tuple(_warnings(problem, found, made)),
         settings=_names(problem),
         arrays=_arrays(problem, found, made),
     )
-    return (Solution(problem, result, found), *(one.solution for one in found.bearings))
+    return (Solution(problem, _held_at_limits(problem, result, found), found),
+            *(one.solution for one in found.bearings))  # fmt: skip
+
+
+def _supply_check(found: Balance) -> Check:
+    source = "what the film draws itself, Q₃"
+    return Check("C601", "least_supply_ratio", _least(found), 1.0, Bound.AT_LEAST, source)
+
+
+def _held_at_limits(problem: OilSystemProblem, result: Result, mean: Balance) -> Result:
+    """The result of a balance, with what is missed with the smallest and with the largest clearances alone."""
+    if not result.within_limits:
+        return result
+    return with_missed(
+        result,
+        tuple(
+            notice
+            for place, which in enumerate(("all_least", "all_greatest"))
+            if (other := problem.at_limit(place)) is not None
+            for notice in _missed(Notice("W174", which), other, mean)
+        ),
+    )
+
+
+def _missed(at: Notice, problem: OilSystemProblem, mean: Balance) -> Iterator[Notice]:
+    """Limits that the system or one of its bearings misses with other clearances than the mean."""
+    try:
+        found = balanced(problem)
+    except UnsolvedBearingError:
+        found = None
+    if found is None or found.error > BALANCED:
+        yield Notice("W174", "no_film", {"at": at})
+        return
+    told = [missed_limit(one) for one in (_supply_check(found),) if not one.ok]
+    for before, after in zip(mean.bearings, found.bearings, strict=True):
+        own = after.solution.result
+        missed = tuple(missed_limit(one) for one in own.limits if not one.ok)
+        if missed and before.solution.result.keeps_all_limits:
+            told.append(Notice("W174", "of_bearing", {"bearing": str(own.name), "told": missed}))
+    if told:
+        yield Notice("W174", "misses", {"at": at, "told": tuple(told)})
 
 
 def _solution(problem: OilSystemProblem, outcome: Outcome, failure: Notice) -> Solution:

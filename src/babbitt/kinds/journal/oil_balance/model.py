@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
@@ -102,3 +103,21 @@ class OilSystemProblem:
     given: tuple[tuple[str, str], ...] = ()
     warnings: tuple[Notice, ...] = ()
     assumptions: tuple[str, ...] = ()
+
+    def at_limit(self, place: int) -> OilSystemProblem | None:
+        """The system with the first or second limit of every clearance that has some; None where none has."""
+        if all(_limits(one) is None for one in self.calculations):
+            return None
+        return replace(self, calculations=tuple(_at_limit(one, place) for one in self.calculations))
+
+
+def _limits(calculation: Calculation) -> tuple[float, float] | None:
+    problem: Any = calculation.problem
+    limits: tuple[float, float] | None = problem.clearance_limits
+    return limits
+
+
+def _at_limit(calculation: Calculation, place: int) -> Calculation:
+    problem: Any = calculation.problem
+    limits = _limits(calculation)
+    return calculation if limits is None else replace(calculation, problem=problem.at_clearance(limits[place]))

@@ -5,12 +5,14 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 from typing import Any
 
 from babbitt.core.picklable_error import PicklableError
 from babbitt.core.solution import Calculation, Solution
 from babbitt.design.conditions import OilSupply
 from babbitt.design.values import pumped_flow
+from babbitt.kinds.journal.limits_of_clearance import for_values
 from babbitt.kinds.journal.oil_balance.model import Line, OilSystemProblem
 from babbitt.numerics.roots import find_root
 
@@ -91,11 +93,12 @@ def balanced(problem: OilSystemProblem) -> Balance:
         Where a bearing has no film at a pressure that the search looks at.
     """
     pump, lines = problem.system.pump, problem.system.lines
-    searched = [one.only(()) for one in problem.calculations]
+    searched = [for_values(one) for one in problem.calculations]
 
     def at(pressure: float, calculations: Sequence[Calculation]) -> tuple[FedBearing, ...]:
         return tuple(fed(one, line, pressure) for one, line in zip(calculations, lines, strict=True))
 
+    @cache
     def excess(pressure: float) -> float:
         taken = sum(one.supplied for one in at(pressure, searched)) if pressure > 0.0 else 0.0
         return taken - pump.delivery(pressure)

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from babbitt.core.solution import Calculation
+from babbitt.kinds.journal.limits_of_clearance import for_values
 from babbitt.kinds.journal.oil_balance.model import Line, OilSystemProblem, Pump
 from babbitt.kinds.journal.oil_balance.network import FedBearing, UnsolvedBearingError, fed
 from babbitt.numerics.roots import find_root
@@ -60,7 +61,7 @@ def _wanted(calculation: Calculation, line: Line, margin: float, most: float) ->
     problem: Any = calculation.problem
     supply = problem.oil_supply
     alone = replace(supply, tubes=supply.tubes[len(line.ducts) :])
-    bare = replace(calculation, problem=problem.fed_by(alone)).only(())
+    bare = for_values(replace(calculation, problem=problem.fed_by(alone)))
     unfed = Line(line.bearing, None, None)
 
     def surplus(pressure: float) -> float:

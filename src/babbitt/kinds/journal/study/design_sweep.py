@@ -9,6 +9,7 @@ from typing import Any, TypeVar
 from babbitt.core.notices import InputError
 from babbitt.core.result import Result
 from babbitt.core.solution import Calculation
+from babbitt.kinds.journal.limits_of_clearance import for_values
 from babbitt.study.sweep import Sweep, swept
 
 __all__ = ["sweep_design", "varied"]
@@ -43,7 +44,7 @@ def sweep_design(calculation: Calculation, path: str, points: Iterable[float]) -
         If the design has no such number.
     """
     taken = [float(point) for point in points]
-    calculation = calculation.only(())  # what else a result is held against was made for the design as it is
+    calculation = for_values(calculation)  # what limits are held against besides is of the design as it is
     results: list[Result | None] = []
     refused: dict[int, str] = {}
     for place, point in enumerate(taken):

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from babbitt.case.grouped_digits import about_grouped_digits
 from babbitt.case.part import is_given, not_read
+from babbitt.case.parts.clearance import ClearanceInput, has_far_limits
 from babbitt.case.parts.turbulence import LAWS_OF_TURBULENCE
 from babbitt.core.notices import Notice
 from babbitt.core.result_name import ResultName
@@ -213,7 +214,8 @@ def warnings_of(case: TiltingPadJournalCase, speed: float, which: str) -> Iterat
 def fields_not_read(case: TiltingPadJournalCase, point: PadOperatingPoint | None) -> Iterator[Notice]:
     """Fields that make no difference to this bearing."""
     if case.clearance_cases == "mean" and (unread := tuple(limits_not_used(case))):
-        code, variant = ("W183", "mean_clearances") if is_given(case, "clearance_cases") else ("W174", "pads")
+        is_near = is_given(case, "clearance_cases") and not is_far_from_limits(case)
+        code, variant = ("W183", "mean_clearances") if is_near else ("W174", "pads")
         yield Notice(code, variant, {"fields": unread})
     if unread := tuple(masses_not_felt(case)):
         yield Notice("W183", "pad_mass", {"fields": unread})
@@ -229,16 +231,28 @@ def fields_not_read(case: TiltingPadJournalCase, point: PadOperatingPoint | None
         yield from not_read(case, "given_temperature", "supply.circulation_time")
 
 
-def limits_not_used(case: TiltingPadJournalCase) -> Iterator[str]:
-    """Paths of limits of clearances."""
+def clearances_with_limits(case: TiltingPadJournalCase) -> Iterator[tuple[str, ClearanceInput]]:
+    """Clearances that have limits, with their paths."""
     parts: list[tuple[str, JournalPads | OnePad]] = [("pads", case.pads)]
     parts += [(own_path(number), one) for number, one in enumerate(case.pads.each)]
     for path, part in parts:
         for name in ("clearance", "assembled_clearance"):
             clearance = getattr(part, name)
-            for limit in ("minimum", "maximum"):
-                if getattr(clearance, limit, None) is not None:
-                    yield f"{path}.{name}.{limit}"
+            if clearance is not None and clearance.has_limits:
+                yield f"{path}.{name}", clearance
+
+
+def limits_not_used(case: TiltingPadJournalCase) -> Iterator[str]:
+    """Paths of limits of clearances, or of what gives them."""
+    for path, clearance in clearances_with_limits(case):
+        given = [name for name in ("minimum", "maximum") if getattr(clearance, name, None) is not None]
+        yield from (f"{path}.{name}" for name in given) if given else (path,)
+
+
+def is_far_from_limits(case: TiltingPadJournalCase) -> bool:
+    """Whether a limit of a clearance is far from its mean."""
+    found = (one.at_20_degrees(case.diameter) for _, one in clearances_with_limits(case))
+    return any(has_far_limits(one.minimum, one.mean, one.maximum) for one in found)
 
 
 def masses_not_felt(case: TiltingPadJournalCase) -> Iterator[str]:
