@@ -566,7 +566,7 @@ def answer_of(name):
 def is_told_unread(path, words):
     """Whether a warning says that the field is not read."""
     shown = re.sub(r"each\.(\d)", lambda found: f"each (pad {int(found[1]) + 1})", path)
-    return any(re.match(rf"W183 ([\w., ()]+, )?{re.escape(shown)}(\.\w+)?[,:]", one) for one in words)
+    return any(re.match(rf"W(?:183|174) ([\w., ()]+, )?{re.escape(shown)}(\.\w+)?[,:]", one) for one in words)
 
 
 @pytest.mark.parametrize(

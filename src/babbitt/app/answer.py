@@ -6,7 +6,7 @@ import math
 import time
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from babbitt.app.document import CaseDocument
 from babbitt.case import CaseError, located, parse_case
@@ -34,6 +34,9 @@ from babbitt.report.units_of_matrices import suited_among
 from babbitt.report.us_words import OF_RESULTS, in_us_units
 from babbitt.report.view import view_of
 from babbitt.solving import MachineResult, solve
+
+if TYPE_CHECKING:
+    from babbitt.study.comparison import Comparison, Variant
 
 __all__ = [
     "Answer",
@@ -399,20 +402,35 @@ def figure_of(result: Result, drawn: Drawing) -> Figure:
 
 
 def compared(text: str) -> tuple[Table, ...]:
-    """Every method that knows the bearing, side by side."""
-    from babbitt.report.comparison_table import compared_rows, head, spoken, told_left_out
+    """Every method that knows the bearing, side by side, then other choices within a method."""
+    from babbitt.report.comparison_table import asked_for, notes_on, spoken, told_left_out, warnings_of
     from babbitt.study.comparison import compare_methods
 
-    tables = []
+    tables: list[Table] = []
     for one in compare_methods(read(text)):
-        variants = [*one.methods, *one.choices]
-        rows = tuple(
-            (f"{row.meaning} {row.unit}".strip(), *row.cells) for row in compared_rows(one.compared, variants)
-        )
-        heads = ("", *(head(variant, one.asked) for variant in variants))
         left_out = map(told_left_out, filter(None, one.left_out.splitlines()))
-        tables.append(Table(shown_name(one.name), heads, rows, (*map(spoken, one.sentences), *left_out)))
+        said = (*map(spoken, (*one.sentences, one.note)), *left_out)
+        remarks = (asked_for(one), *notes_on(one.methods), *filter(None, said))
+        parts = [_side_by_side(one, one.methods, shown_name(one.name), remarks)]
+        if one.choices:
+            title = translated("Other choices within a method")
+            parts.append(_side_by_side(one, one.choices, title, tuple(notes_on(one.choices))))
+        warned = (
+            f"{code}: {in_us_units(plain_text(said), OF_RESULTS)}" for code, said in warnings_of(one).items()
+        )
+        tables += [*parts[:-1], replace(parts[-1], remarks=(*parts[-1].remarks, *warned))]
     return tuple(tables)
+
+
+def _side_by_side(
+    comparison: Comparison, variants: Sequence[Variant], title: str, remarks: tuple[str, ...]
+) -> Table:
+    from babbitt.report.comparison_table import compared_rows, head
+
+    rows = tuple(
+        (f"{row.meaning} {row.unit}".strip(), *row.cells) for row in compared_rows(comparison.compared, variants)
+    )
+    return Table(title, ("", *(head(variant, comparison.asked) for variant in variants)), rows, remarks)
 
 
 def report_of(text: str, report_format: Any) -> bytes:

@@ -18,6 +18,7 @@ from babbitt.report.comparison_table import (
     objected,
     spoken,
     told_left_out,
+    warnings_of,
 )
 from babbitt.report.document import GENERATOR_TAG, TEMPLATES
 from babbitt.report.drawing import rendered, style
@@ -115,11 +116,9 @@ def _bearing(comparison: Comparison) -> Iterator[str]:
         yield _heading("Other choices within a method")
         yield from _remarks(others)
         yield from _table(comparison.compared, others, asked)
-    raised = [one for variant in comparison.variants for one in variant.result.warnings]
-    warned = {one.code: one.message for one in reversed(raised)}  # by the first that raises it
-    if warned:
+    if warned := warnings_of(comparison):
         yield _heading("Warnings")
-        yield from (f'<p class="finding"><b>{code}</b>: {_told(warned[code])}</p>' for code in sorted(warned))
+        yield from (f'<p class="finding"><b>{code}</b>: {_told(said)}</p>' for code, said in warned.items())
     assumed = list(dict.fromkeys(asked.result.assumptions))
     if assumed:
         label = spoken(asked.label)

@@ -43,10 +43,9 @@ def print_comparison(comparisons: Sequence[Comparison]) -> bool:
         title = Text(plain_text(comparison.name), style="bold")  # a name is never read as markup
         methods, others = comparison.methods, comparison.choices
         to.print(_table(title, comparison.compared, methods, comparison.asked))
-        to.print(f" {AS_ASKED} {spoken(comparison.asked.label)}: what the case asks for", markup=False)
-        _print_remarks(to, methods)
-        for line in (*comparison.sentences, *comparison.left_out.splitlines()):
-            to.print(f"  {spoken(line)}", markup=False)
+        to.print(f" {asked_for(comparison)}", markup=False)
+        for line in (*notes_on(methods), *map(spoken, (*comparison.sentences, *comparison.left_out.splitlines()))):
+            to.print(f"  {line}", markup=False)
         to.print()
         if others:
             to.print(
@@ -57,7 +56,8 @@ def print_comparison(comparisons: Sequence[Comparison]) -> bool:
                     comparison.asked,
                 )
             )
-            _print_remarks(to, others)
+            for line in notes_on(others):
+                to.print(f"  {line}", markup=False)
             to.print()
     return all(comparison.asked.result.outcome.solved for comparison in comparisons)
 
@@ -72,7 +72,7 @@ def short_comparison(comparison: Comparison) -> str:
     to = Console(width=PIPED_WIDTH, file=StringIO(), color_system=None, highlight=False)
     with to.capture() as written:
         to.print(table)
-        to.print(f" {AS_ASKED} {spoken(asked.label)}: what the case asks for", markup=False)
+        to.print(f" {asked_for(comparison)}", markup=False)
         if others := ", ".join(spoken(one.label) for one in comparison.choices):
             to.print(f"   also: {others}", markup=False)
     return "\n".join(line.rstrip() for line in written.get().splitlines())
@@ -189,13 +189,28 @@ def contradiction(variants: Sequence[Variant]) -> str:
     )
 
 
-def _print_remarks(to: Console, variants: Sequence[Variant]) -> None:
+def notes_on(variants: Sequence[Variant]) -> Iterator[str]:
+    """Whether some variants disagree, what each sees and neglects, and what stands against its result."""
     if said := contradiction(variants):
-        to.print(f"  {said}", markup=False)
+        yield said
     for variant in variants:
         label, result = spoken(variant.label), variant.result
-        to.print(f"  {label}: {spoken(variant.remark)}", markup=False)
+        yield f"{label}: {spoken(variant.remark)}"
         if not result.outcome.solved:
-            to.print(f"  {label}: {result.outcome.value}; {in_us_units(result.message, OF_RESULTS)}", markup=False)
+            yield f"{label}: {translated(result.outcome.value)}; {in_us_units(result.message, OF_RESULTS)}"
         if objections := objected(result):
-            to.print(f"  {label}: {objections}", markup=False)
+            yield f"{label}: {objections}"
+
+
+def asked_for(comparison: Comparison) -> str:
+    """What the mark behind the name of a method says."""
+    return translated(
+        "{mark} {label}: what the case asks for", mark=AS_ASKED, label=spoken(comparison.asked.label)
+    )
+
+
+def warnings_of(comparison: Comparison) -> dict[str, str]:
+    """Messages of all methods by their code, each by the first that raises it."""
+    raised = [one for variant in comparison.variants for one in variant.result.warnings]
+    found = {one.code: one.message for one in reversed(raised)}
+    return {code: found[code] for code in sorted(found)}

@@ -94,6 +94,7 @@ COMPARED = (
     "journal_temperature",
     "bearing_temperature",
     "friction_power",
+    "starved_friction_power",
     "film_dissipation",
     "heat_to_oil",
     "heat_film_to_bush",
