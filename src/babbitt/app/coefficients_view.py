@@ -75,7 +75,8 @@ class CoefficientsView:
         for line in found.remarks:
             ui.label(line).classes("small")
         if found.content:
-            ui.download.content(found.content, found.name)
+            name = self._document.file_name(found.name)
+            ui.download.content(found.content, name)
             ui.button(
-                word("download_again"), on_click=lambda: ui.download.content(found.content, found.name)
+                word("download_again"), on_click=lambda: ui.download.content(found.content, name)
             ).props("flat dense no-caps")  # fmt: skip

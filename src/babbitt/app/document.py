@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 import itertools
+import re
 from collections.abc import Mapping
 from typing import Any
 
@@ -16,6 +17,9 @@ __all__ = ["CaseDocument", "path_in", "with_changed"]
 
 MOST_STEPS = 200
 """Changes that can be taken back."""
+
+LONGEST_STEM = 60
+"""Characters of the name of a case in that of a file."""
 
 
 class CaseDocument:
@@ -59,6 +63,15 @@ class CaseDocument:
             except (KeyError, TypeError):
                 self._drawn = (self.text, ())
         return self._drawn[1]
+
+    def file_name(self, what: str) -> str:
+        """Name of a file that is taken along: the name of the case, and what it is.
+
+        >>> CaseDocument("name: Fan shaft (hot)").file_name("report.pdf")
+        'Fan_shaft_hot-report.pdf'
+        """
+        stem = re.sub(r"\W+", "_", str(self.given.get("name") or "")).strip("_")[:LONGEST_STEM]
+        return f"{stem}-{what}" if stem else what
 
     def begin(self, text: str) -> None:
         """Take another text to begin with: there is no way back to the one before."""

@@ -58,7 +58,7 @@ class Head:
                 on_upload=self._opened, on_rejected=lambda: ui.notify(word("too_large"), type="negative"),
                 max_file_size=LARGEST_FILE, auto_upload=True,
             ).classes("hidden")  # fmt: skip
-            icon_button("save", word("save"), lambda: ui.download.content(self.document.text, "case.yaml"))
+            icon_button("save", word("save"), self._save)
             icon_button("undo", word("undo"), lambda: self._step(self.document.undo))
             icon_button("redo", word("redo"), lambda: self._step(self.document.redo))
             icon_button("link", word("share"), self._share)
@@ -106,6 +106,9 @@ class Head:
         except UnicodeDecodeError:
             ui.notify(word("no_text"), type="negative")
 
+    def _save(self) -> None:
+        ui.download.content(self.document.text, self.document.file_name("case.yaml"))
+
     async def _python(self) -> None:
         try:
             self._offer(await self._solver.ask(python_of, self.document.text))
@@ -122,10 +125,11 @@ class Head:
         dialog.open()
 
     async def _report(self, report_format: Format) -> None:
-        await self._download(report_of, f"report.{report_format}", self.document.text, report_format)
+        name = self.document.file_name(f"report.{report_format}")
+        await self._download(report_of, name, self.document.text, report_format)
 
     async def _json(self) -> None:
-        await self._download(json_of, "results.json", self.document.text)
+        await self._download(json_of, self.document.file_name("results.json"), self.document.text)
 
     async def _download(self, function: Callable[..., Any], name: str, *given: Any) -> None:
         ui.notify(word("working"))

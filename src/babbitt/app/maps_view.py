@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
 from nicegui import ui
 
+from babbitt.app.document import CaseDocument
 from babbitt.app.maps import Map, chart_of, fields_file, maps_of
 from babbitt.app.parts import on_request
 from babbitt.app.solver import Questions
@@ -21,12 +21,11 @@ class MapsView:
     Parameters
     ----------
     solver : Questions
-    text : callable
-        The case as it stands.
+    document : CaseDocument
     """
 
-    def __init__(self, solver: Questions, text: Callable[[], str]) -> None:
-        self._solver, self._text = solver, text
+    def __init__(self, solver: Questions, document: CaseDocument) -> None:
+        self._solver, self._document = solver, document
         self._maps: dict[tuple[str, str], Map] = {}
         self._as_surface = True
         self._place: tuple[str, str] | None = None
@@ -34,7 +33,7 @@ class MapsView:
         on_request(word("save_maps"), self._save)
 
     async def _draw(self, box: ui.column) -> None:
-        found: tuple[Map, ...] = await self._solver.ask(maps_of, self._text())
+        found: tuple[Map, ...] = await self._solver.ask(maps_of, self._document.text)
         self._maps = {(one.bearing, one.name): one for one in found}
         box.clear()
         with box:
@@ -57,9 +56,9 @@ class MapsView:
             )
 
     async def _save(self, box: ui.column) -> None:
-        content = await self._solver.ask(fields_file, self._text())
+        content = await self._solver.ask(fields_file, self._document.text)
         box.clear()
-        ui.download.content(content, "fields.nc")
+        ui.download.content(content, self._document.file_name("fields.nc"))
 
     def _figure(self) -> dict[str, Any]:
         assert self._place is not None, "a field was chosen"

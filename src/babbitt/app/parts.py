@@ -54,8 +54,9 @@ def show_table(table: Table) -> ui.table:
     ]
     made = ui.table(columns=columns, rows=rows_of_table(table.rows), row_key="key", title=table.title or None)
     made.props("dense flat").classes("results")
-    for remark in table.remarks:
-        ui.label(remark).classes("small")
+    with ui.column().classes("remarks"):
+        for remark in table.remarks:
+            ui.label(remark).classes("small")
     return made
 
 

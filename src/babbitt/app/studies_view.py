@@ -232,4 +232,4 @@ class StudiesView:
         except (Ended, InputError) as error:
             ui.notify(tell_ended(error), type="warning")
             return
-        ui.download.content(content, f"study{ending}")
+        ui.download.content(content, self.document.file_name(f"study{ending}"))

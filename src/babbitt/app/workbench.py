@@ -124,7 +124,7 @@ class Workbench:
         drawn: dict[str, Callable[[], Any]] = {
             "explore": self._sliders,
             "results": self._result_table,
-            "maps": lambda: MapsView(self._solver, lambda: self.document.text),
+            "maps": lambda: MapsView(self._solver, self.document),
             "figures": self._figures,
             "compare": lambda: on_request(word("run_comparison"), self._compare),
             "designs": self._designs_tab,
