@@ -77,9 +77,9 @@ FAMILIES: dict[str, Trial] = {
 """Trial of a seed for every family; every kind of bearing adds its own."""
 
 ON_OTHER_PADS = {"turned": on_other_pads, **WRITTEN}
-NOT_CARRIED = frozenset({Ending.OVERLOADED, Ending.NOT_CONVERGED})
-"""Of too large a thrust: whether the pad that is lost first touches the collar or falls over may turn on last
-digits (1 of 94)."""
+NOT_CARRIED = frozenset({Ending.OVERLOADED, Ending.NOT_CONVERGED, Ending.WORK_BOUND})
+"""Of too large a thrust: whether the pad that is lost first touches the collar or falls over, or the search for it
+ends at the bound of its work, may turn on last digits (1 of 94)."""
 FAMILIES |= {
     "thrust": partial(
         faults_of, Family(thrust_case, ON_OTHER_PADS, SAME_WARM, {"collar_moment": SHARED}, NOT_CARRIED)

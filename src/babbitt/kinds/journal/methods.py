@@ -34,9 +34,9 @@ class Iso7902(Method):
     def solve(self, problem: DesignCase, progress: ProgressCallback = no_progress) -> tuple[Solution, ...]:
         """Solve by the tables of characteristics and the heat balance of the standard.
 
-        A bearing that keeps its limits by less than films with temperatures of their own may differ, or whose
-        housing is cooled, is held against such a film, too. What keeps its limits at a mean clearance is solved at
-        the limits of that, too.
+        A bearing that keeps its limits by less than films with temperatures of their own may differ, whose housing
+        is cooled, or through whose gap the supply presses much oil, is held against such a film, too. What keeps
+        its limits at a mean clearance is solved at the limits of that.
         """
         from babbitt.kinds.journal.limits_of_clearance import held_at_limits
 
@@ -50,16 +50,19 @@ class Iso7902(Method):
 def _held_against_film(problem: DesignCase) -> Result:
     """The procedure of the standard at one clearance, and what the film of the bearing misses of its limits."""
     from babbitt.kinds.journal.iso7902.procedure import check
+    from babbitt.kinds.journal.one_temperature import may_be_pressed
 
-    result = check(problem)
+    result, film = check(problem), problem.fuller_film
     sure = tuple(one for one in result.warnings if one.code != "W191")
-    questioned = problem.cooling is not None or sure != result.warnings
-    if problem.fuller_film is None or not questioned or not result.keeps_all_limits:
+    near = problem.cooling is not None or sure != result.warnings
+    if film is None or not result.keeps_all_limits or not (near or may_be_pressed(result.values)):
         return result
     from babbitt.kinds.journal.film.check import beside_fuller_film
+    from babbitt.kinds.journal.film.fuller_film import misses_a_limit
 
     # What the film keeps is not questioned any more, and what it misses is known.
-    return beside_fuller_film(replace(result, warnings=sure), problem.fuller_film)
+    held = beside_fuller_film(replace(result, warnings=sure), film)
+    return held if near or misses_a_limit(held) else result
 
 
 @dataclass(frozen=True)

@@ -15,7 +15,7 @@ from babbitt.kinds.journal.film.orbit_results import orbit_of
 from babbitt.kinds.journal.film.stable_equilibrium import converged_film, place_of
 from babbitt.kinds.journal.missed_limit import missed_limit
 
-__all__ = ["film_over_viscosity", "thinner_film", "thinner_orbit", "warnings_of_fuller_film"]
+__all__ = ["film_over_viscosity", "misses_a_limit", "thinner_film", "thinner_orbit", "warnings_of_fuller_film"]
 
 THINNER_OIL = 0.35
 """Viscosity over that of one temperature with which the film of a tilted journal must keep its limit where no film
@@ -47,6 +47,12 @@ def warnings_of_fuller_film(
         told = (Notice("W191", "no_thermal_film", {"outcome": error.message}),)
     if told:
         yield Notice("W191", "fuller", {"told": told})
+
+
+def misses_a_limit(result: Result) -> bool:
+    """Whether the film that a result is held against misses a limit, or is not found; not what questions it."""
+    told = (one for notice in result.warnings if notice.variant == "fuller" for one in notice.values["told"])
+    return any(one.variant != "questioned" for one in told)
 
 
 def _worse(result: Result, found: Result) -> Iterator[Notice]:
