@@ -326,3 +326,14 @@ def test_films_of_tilting_pads_are_drawn_by_the_factor_shown():
     moved = math.hypot(*picture.of("journal", "circle")[0].points[0]) / picture.factor("film")
     off = float(np.hypot(*solution.state.films.solution.position))
     assert moved * solution.state.films.solution.bearing.radius == pytest.approx(off, rel=5e-3)
+
+
+@pytest.mark.parametrize(("direction", "is_below"), [("-90 deg", False), ("135 deg", True)])
+def test_sizes_make_room_for_the_highest_pressure(direction, is_below):
+    """They stand at the upper left, or below where the film presses there and says how hard."""
+    changes = {"method": {"kind": "film"}, "supply_element": None, "load_angle": direction}
+    _, picture = one(changed("journal", **changes))
+    (diameter,) = (one for one in picture.shapes if one.tag == "text" and one.words.startswith("D ="))
+    (pressed,) = (one for one in picture.shapes if one.tag == "text" and "MPa" in one.words)
+    assert bool(diameter.points[0][1] < 0.0) is is_below
+    assert bool(pressed.points[0][1] > 0.0) is is_below

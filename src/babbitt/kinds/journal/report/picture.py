@@ -117,9 +117,10 @@ def film_picture(solution: Solution) -> Picture | None:
     picture = _empty(solution)
     radius = _bore(film, field.theta)
     largest = solution.result.values.get("maximum_pressure", 0.0)
-    pressed = _pressure(picture, field.theta, field.mid_plane_pressure, largest)
+    _pressure(picture, field.theta, field.mid_plane_pressure, largest)
     enlargement = 0.5 * PLAY * case.bearing.diameter / film.film.clearance
-    _sizes(picture, solution.result.values, enlargement, place=BELOW if 90.0 < pressed < 180.0 else ABOVE)
+    place = BELOW if _is_upper_left(field.theta, field.mid_plane_pressure) else ABOVE
+    _sizes(picture, solution.result.values, enlargement, place=place)
     around = np.union1d(field.theta, np.linspace(field.theta[0], field.theta[-1], 181))
     _bush(picture, np.interp(around, field.theta, radius), around)
     for number, feed in enumerate(case.bearing.feeds):
@@ -180,14 +181,17 @@ def _bush(picture: Picture, radius: Array, theta: Array) -> None:
     picture.outline(bore, "bore")
 
 
-def _pressure(picture: Picture, theta: Array, pressure: Array, largest: float) -> float:
-    """That of the mid-plane outward from the bush, the highest as `HIGHEST`; elsewhere may be a larger one.
+def _is_upper_left(theta: Array, pressure: Array) -> bool:
+    """Whether the highest pressure of the mid-plane, which is named there, stands where the sizes usually do."""
+    top = int(pressure.argmax())
+    return pressure[top] > 0.0 and math.cos(theta[top]) < 0.0 < math.sin(theta[top])
 
-    Returns where it is highest, in degrees from 0 to 360; NaN where there is none.
-    """
+
+def _pressure(picture: Picture, theta: Array, pressure: Array, largest: float) -> None:
+    """That of the mid-plane outward from the bush, the highest as `HIGHEST`; elsewhere may be a larger one."""
     highest = float(pressure.max())
     if not highest > 0.0:
-        return math.nan
+        return
     base = 1.0 + PLAY + BACK
     angles = np.linspace(theta[0], theta[-1], 361)
     outer = base + 0.9 * HIGHEST * np.interp(angles, theta, np.maximum(pressure, 0.0)) / highest
@@ -200,7 +204,6 @@ def _pressure(picture: Picture, theta: Array, pressure: Array, largest: float) -
     beside = outer[top] + 0.12
     where = " (z = 0)" if highest < ALIKE * largest else ""
     picture.text(beside * x[top], beside * y[top], quantity.with_unit(highest) + where)
-    return math.degrees(float(angles[top])) % 360.0
 
 
 def _feed(picture: Picture, theta: Array, radius: Array, feed: FeedSize, field: str) -> None:
