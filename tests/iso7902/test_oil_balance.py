@@ -8,6 +8,7 @@ from dataclasses import replace
 import pytest
 
 from babbitt.case import CaseError, case_from_dict
+from babbitt.case.parts.study import StudyBlock
 from babbitt.core.result import Outcome, Verdict
 from babbitt.kinds.journal.methods import Iso7902
 from babbitt.kinds.journal.oil_balance import network
@@ -17,6 +18,8 @@ from babbitt.numerics.roots import Root
 from babbitt.properties.lubricants import lubricant
 from babbitt.report.totals import totals
 from babbitt.solving import solve
+from babbitt.study.plan import plan
+from babbitt.study.study import run_study
 
 OIL = lubricant("ISO VG 46")
 INLET = 323.15
@@ -279,10 +282,48 @@ def test_a_balance_at_mean_clearances_is_held_at_their_limits_too():
     system = found("H7/d8")
     assert system.verdict is Verdict.REMARKS
     ((missed,),) = (one.values["missed"] for one in system.warnings if one.code == "W174")
-    assert (missed.values["at"].variant, missed.values["told"][0].values["check"]) == ("all_greatest", "C601")
+    (of_line,) = missed.values["told"]
+    starved = of_line.values["told"][0]
+    assert (missed.values["at"].variant, of_line.values["bearing"], starved.values["check"]) == (
+        "all_greatest", "A", "C601",
+    )  # fmt: skip
     largest = found({"kind": "diametral", "mean": "209 um"})  # (35 + 174) um
     assert largest.verdict is Verdict.FAIL
-    assert missed.values["told"][0].values["value"] == pytest.approx(largest.least_supply_ratio, rel=1e-9)
+    assert starved.values["value"] == pytest.approx(largest.least_supply_ratio, rel=1e-9)
+
+
+def two_bearings(**of_b):
+    """A groove all around that takes most of the oil at its largest clearance, and a loaded bearing beside it."""
+    shared = {"metal": {"bearing_metal": "SnSb8Cu4", "bearing": "C10", "journal": "C45"}}
+    wide = {"width": "80 mm", "span": "360 deg", "load": "9 kN", "speed": "700 rpm",
+            "supply_element": {"kind": "groove_360", "width": "8 mm"},
+            "clearance": {"kind": "relative", "mean": "1.4 permille", "minimum": "1.3 permille",
+                          "maximum": "2.2 permille"}}  # fmt: skip
+    slow = {"diameter": "180 mm", "width": "156.6 mm", "span": "120 deg", "load": "114.16 kN", "speed": "437 rpm",
+            "clearance": {"kind": "relative", "mean": "1.521 permille"},
+            "supply_element": {"kind": "pocket", "width": "117.4 mm", "place": "both_sides"}} | of_b  # fmt: skip
+    return machine(
+        orifices(A=10, B=8), bearing("A", **wide), bearing("B", **slow), clearance_cases="mean",
+        pump={"flow": "9 L/min", "relief_pressure": "0.25 MPa"}, lubricant="ISO VG 32",
+        supply={"temperature": "55 degC"}, materials=shared["metal"],
+    )  # fmt: skip
+
+
+def test_a_bearing_without_a_verdict_at_the_largest_clearances_is_named():
+    """All three passed cleanly; with the largest clearance of A 115 kPa are left, and B has ε = 0.952."""
+    system, a, b = answer(two_bearings(limits={"minimum_film_thickness": "4 um"})).results
+    assert (a.verdict, b.verdict, system.verdict) == (Verdict.PASS, Verdict.PASS, Verdict.REMARKS)
+    ((missed,),) = (one.values["missed"] for one in system.warnings if one.code == "W174")
+    assert missed.message == "the largest clearance of every bearing: B: no verdict (W129)"
+
+
+def test_rows_of_a_study_have_the_bearings_of_an_oil_system():
+    """They had the system alone: a machine passed whose bearing B fails."""
+    case = two_bearings(limits={"minimum_film_thickness": "14 um"})
+    vary = {"bearings.B.speed": ["437 rpm", "450 rpm"]}
+    found = run_study(plan(case, StudyBlock(kind="sweep", vary=vary))).columns
+    assert found["bearing"].tolist() == 2 * ["Oil system of Gear", "A", "B"]
+    assert found["verdict"].tolist() == 2 * ["pass", "pass", "fail"]
 
 
 @pytest.mark.parametrize(

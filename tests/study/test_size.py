@@ -160,6 +160,19 @@ def test_the_worst_clearance_decides_over_the_tolerance(bearing):
     assert "clearance" in band.above.bearing
 
 
+def test_limits_at_the_mean_of_a_fit_say_so_where_not_all_are_asked_for(bearing):
+    """All limits are held at the limits of the clearance, too (W174); a single one is not."""
+    fit = bearing.replace(clearance="H7/e8", clearance_cases="mean")
+    asked = {"within": ("8 kN", "20 kN"), "points": 3}
+    alone, every, over, fixed = (
+        fit.size("load", limits="C104", **asked),
+        fit.size("load", **asked),
+        fit.size("load", limits="C104", over_tolerance=True, **asked),
+        bearing.replace(clearance={"kind": "radial", "mean": "60 um"}).size("load", limits="C104", **asked),
+    )
+    assert [one.at_mean for one in (alone, every, over, fixed)] == [True, False, False, False]
+
+
 def test_recommendations_count_only_where_asked_for(bearing):
     recommended = bearing.size("width", limits="recommended", points=16)
     every = bearing.size("width", points=16)

@@ -127,6 +127,8 @@ def _limits(size: Size) -> str:
     """Which limits count."""
     known = LIMITS.get(size.limits[0])
     which = translated(known) if known else translated("within {codes} alone", codes=", ".join(size.limits))
+    if size.at_mean:
+        return translated("{limits}, at the mean clearance alone", limits=which)
     if not size.over_tolerance:
         return which
     return translated("{limits}, at smallest, mean and largest clearance", limits=which)

@@ -10,6 +10,7 @@ from babbitt.case.kinds import KINDS
 from babbitt.case.loading import build_case
 from babbitt.case.named_files import NamedFiles
 from babbitt.case.parts.study import StudyBlock, Vary
+from babbitt.case.problems import CaseError
 from babbitt.core.files.printing import printable
 from babbitt.core.notices import InputError
 from babbitt.core.units import SiNumber
@@ -76,6 +77,19 @@ def at_all_clearances(given: dict[str, Any], fields: Container[str]) -> dict[str
         bearings = given["bearings"]
         made["bearings"] = [{name: value for name, value in one.items() if name != CASES} for one in bearings]
     return made
+
+
+def leaves_out_limits(case: CaseFile) -> bool:
+    """Whether a case computes its mean clearance alone, of one that has a smallest and a largest."""
+    fields, origin = KINDS[case.kind].model_fields, case.origin
+    if getattr(case, CASES, "all") == "all" or origin is None:
+        return False
+    files = NamedFiles(origin.file.parent, origin.reach)
+    try:
+        build_case(at_all_clearances(dict(origin.given), fields), printable(origin.file), files)
+    except CaseError:
+        return False
+    return True
 
 
 def clearance_input(case: CaseFile) -> Input | None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from textwrap import shorten
@@ -229,12 +229,22 @@ def _lines(task: RowTask, cases: PatchedCases, row: Mapping[str, Any]) -> Iterat
         if names.count(name) > 1:
             name = str(ResultName(name, state=getattr(one.problem, "variant", "")))
         try:
-            # Of several steady states the first, as everywhere that one answer is asked for.
-            yield {**row, "bearing": name, **_answer(task, one.solve()[0].result)}
+            results = _first_of_each(solution.result for solution in one.solve())
+            for result in results:
+                own = name if len(results) == 1 else str(result.name)
+                yield {**row, "bearing": own, **_answer(task, result)}
         except InputError as error:
             yield {**row, "bearing": name, **_without_answer(REFUSED, error.message)}
         except (ArithmeticError, ValueError, RuntimeError) as error:  # of one row among thousands
             yield {**row, "bearing": name, **_without_answer(ERROR, f"{type(error).__name__}: {error}")}
+
+
+def _first_of_each(results: Iterable[Result]) -> list[Result]:
+    """Results of a problem: of a system and its bearings all, of the steady states of one bearing the first."""
+    found: dict[str, Result] = {}
+    for one in results:
+        found.setdefault(str(one.name.whole) if isinstance(one.name, ResultName) else one.name, one)
+    return list(found.values())
 
 
 def _without_answer(status: str, why: str) -> dict[str, Any]:

@@ -19,6 +19,7 @@ from babbitt.case.with_units import short_quantity
 from babbitt.core.notices import InputError
 from babbitt.core.result import Verdict
 from babbitt.study.appraisal import ALL_LIMITS
+from babbitt.study.corners import leaves_out_limits
 from babbitt.study.fields import numbers_of, path_in, present_quantity
 from babbitt.study.permitted import Interval, Trial, find_permitted
 from babbitt.study.rows import Columns, RowTask, joined, kelvin_name
@@ -70,6 +71,9 @@ class Size:
         ``("all",)``, ``("recommended",)`` or the codes asked for.
     over_tolerance : bool
         Whether the limits hold at the smallest, mean and largest clearance of the tolerances.
+    at_mean : bool
+        Whether some limits alone hold at the mean of a clearance that has a smallest and a largest value: unlike
+        all limits they are not held at those, too.
     intervals : tuple of Interval
         Ascending; empty where no value of the scan is permitted, and for choices.
     scan : tuple of Trial
@@ -85,6 +89,7 @@ class Size:
     present: float | None
     limits: tuple[str, ...]
     over_tolerance: bool
+    at_mean: bool
     intervals: tuple[Interval, ...]
     scan: tuple[Trial, ...]
     preferred: tuple[Trial, ...]
@@ -249,6 +254,7 @@ def size_of(study: Study) -> Size:
         None if choices else present_quantity(case, path),
         block.limits,
         block.over_tolerance,
+        not block.over_tolerance and block.limits != (ALL_LIMITS,) and leaves_out_limits(case),
         intervals,
         scan,
         _trials(study.of(PREFERRED), path),

@@ -15,7 +15,14 @@ from babbitt.core.solution import Calculation
 from babbitt.kinds.journal.missed_limit import missed_limit
 from babbitt.numerics.lanes import chooser
 
-__all__ = ["HasClearanceLimits", "for_values", "held_at_limits", "many_held_at_limits", "with_missed"]
+__all__ = [
+    "HasClearanceLimits",
+    "for_values",
+    "held_at_limits",
+    "many_held_at_limits",
+    "standing_against",
+    "with_missed",
+]
 
 Index = NDArray[np.intp]
 ByVerdict = Iterable[tuple[Index, Result, Verdict]]
@@ -59,19 +66,32 @@ def held_at_limits(case: CaseT, found: Result, solve: Callable[[CaseT], Result])
     """
     if not found.within_limits:
         return found
-    missed = tuple(
-        notice
-        for which, limit in zip(("least", "greatest"), case.clearance_limits or (), strict=False)
-        for notice in _missed(Notice("W174", which, {"clearance": limit}), solve(case.at_clearance(limit)), found)
-    )
-    return with_missed(found, missed)
+    limits = zip(("least", "greatest"), case.clearance_limits or (), strict=False)
+    return with_missed(found, (
+        (Notice("W174", which, {"clearance": limit}), standing_against(solve(case.at_clearance(limit)), found))
+        for which, limit in limits
+    ))  # fmt: skip
 
 
-def with_missed(found: Result, missed: tuple[Notice, ...]) -> Result:
-    """A result with a warning of the limits of its clearance against which something stands."""
+def with_missed(found: Result, against: Iterable[tuple[Notice, tuple[Notice, ...]]]) -> Result:
+    """A result with a warning of the limits of its clearance, each with what stands against it."""
+    missed = tuple(Notice("W174", "against", {"at": at, "told": told}) for at, told in against if told)
     if not missed:
         return found
     return replace(found, warnings=(*found.warnings, Notice("W174", "missed", {"missed": missed})))
+
+
+def standing_against(result: Result, mean: Result) -> tuple[Notice, ...]:
+    """Clauses on what stands against a result at another clearance, and not against that at the mean."""
+    if not result.outcome.solved:
+        return (Notice("W174", "no_film"),)
+    missed = sorted((one for one in result.limits if not one.ok), key=lambda one: one.margin)
+    if missed:  # of one quantity the strictest limit
+        return tuple(missed_limit(one) for one in {one.quantity: one for one in reversed(missed)}.values())
+    if result.verdict is Verdict.NO_VERDICT:
+        return (Notice("W174", "no_verdict", {"remarks": result.invalidating_codes or ("–",)}),)
+    remarks = tuple(code for code in result.questioning_codes if code not in mean.questioning_codes)
+    return (Notice("W174", "questioned", {"remarks": remarks}),) if remarks else ()
 
 
 def many_held_at_limits(
@@ -105,18 +125,3 @@ def _as_good(found: ByVerdict, than: Result) -> Iterator[int]:
     for index, result, verdict in found:
         if verdict in WITHIN_LIMITS and known.issuperset(result.questioning_codes):
             yield from index.tolist()
-
-
-def _missed(at: Notice, result: Result, mean: Result) -> Iterator[Notice]:
-    """What stands against a clearance and not against the mean."""
-    if not result.outcome.solved:
-        yield Notice("W174", "no_film", {"at": at})
-        return
-    told = tuple(missed_limit(one) for one in result.limits if not one.ok)
-    remarks = tuple(code for code in result.questioning_codes if code not in mean.questioning_codes)
-    if told:
-        yield Notice("W174", "misses", {"at": at, "told": told})
-    elif result.verdict is Verdict.NO_VERDICT:
-        yield Notice("W174", "no_verdict", {"at": at})
-    elif remarks:
-        yield Notice("W174", "questioned", {"at": at, "remarks": remarks})

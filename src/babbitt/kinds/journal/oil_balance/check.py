@@ -9,7 +9,7 @@ from babbitt.core.notices import Notice
 from babbitt.core.result import Bound, Check, Matrix, Outcome, Result
 from babbitt.core.solution import Solution
 from babbitt.design.ducts import LAMINAR_UP_TO
-from babbitt.kinds.journal.limits_of_clearance import with_missed
+from babbitt.kinds.journal.limits_of_clearance import standing_against, with_missed
 from babbitt.kinds.journal.missed_limit import missed_limit
 from babbitt.kinds.journal.oil_balance.model import OilSystemProblem
 from babbitt.kinds.journal.oil_balance.network import Balance, UnsolvedBearingError, balanced
@@ -59,37 +59,33 @@ def _supply_check(found: Balance) -> Check:
 
 
 def _held_at_limits(problem: OilSystemProblem, result: Result, mean: Balance) -> Result:
-    """The result of a balance, with what is missed with the smallest and with the largest clearances alone."""
+    """The result of a balance, with what stands against it with the smallest and the largest clearances alone."""
     if not result.within_limits:
         return result
+    others = zip(("all_least", "all_greatest"), map(problem.at_limit, (0, 1)), strict=True)
     return with_missed(
-        result,
-        tuple(
-            notice
-            for place, which in enumerate(("all_least", "all_greatest"))
-            if (other := problem.at_limit(place)) is not None
-            for notice in _missed(Notice("W174", which), other, mean)
-        ),
+        result, ((Notice("W174", which), _against(one, mean)) for which, one in others if one is not None)
     )
 
 
-def _missed(at: Notice, problem: OilSystemProblem, mean: Balance) -> Iterator[Notice]:
-    """Limits that the system or one of its bearings misses with other clearances than the mean."""
+def _against(problem: OilSystemProblem, mean: Balance) -> tuple[Notice, ...]:
+    """What stands against the system or its bearings with other clearances than the mean."""
     try:
         found = balanced(problem)
     except UnsolvedBearingError:
         found = None
     if found is None or found.error > BALANCED:
-        yield Notice("W174", "no_film", {"at": at})
-        return
-    told = [missed_limit(one) for one in (_supply_check(found),) if not one.ok]
+        return (Notice("W174", "no_film"),)
+    told = []
+    least = min(found.bearings, key=lambda one: one.ratio)
     for before, after in zip(mean.bearings, found.bearings, strict=True):
-        own = after.solution.result
-        missed = tuple(missed_limit(one) for one in own.limits if not one.ok)
-        if missed and before.solution.result.keeps_all_limits:
-            told.append(Notice("W174", "of_bearing", {"bearing": str(own.name), "told": missed}))
-    if told:
-        yield Notice("W174", "misses", {"at": at, "told": tuple(told)})
+        own, usual = after.solution.result, before.solution.result
+        clauses = standing_against(own, usual) if usual.within_limits else ()
+        if after is least and not (starved := _supply_check(found)).ok:
+            clauses = (missed_limit(starved), *clauses)
+        if clauses:
+            told.append(Notice("W174", "of_bearing", {"bearing": str(own.name), "told": clauses}))
+    return tuple(told)
 
 
 def _solution(problem: OilSystemProblem, outcome: Outcome, failure: Notice) -> Solution:

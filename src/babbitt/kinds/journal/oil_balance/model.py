@@ -113,7 +113,7 @@ class OilSystemProblem:
 
 def _limits(calculation: Calculation) -> tuple[float, float] | None:
     problem: Any = calculation.problem
-    limits: tuple[float, float] | None = problem.clearance_limits
+    limits: tuple[float, float] | None = problem.bearing.clearance_tolerance
     return limits
 
 
