@@ -150,7 +150,7 @@ def test_a_tilted_film_of_given_temperature_must_keep_its_limit_with_thinner_oil
     """No film with temperatures of its own is known of it."""
     case, _ = film(TILTED)
     slight = TILTED.replace("0.58 mrad", "0.2 mrad")
-    given = slight + "effective_temperature: 60 degC\nlimits: {minimum_film_thickness: 20 um}\n"
+    given = slight + "effective_temperature: 60 degC\nlimits: {minimum_film_thickness: 18 um}\n"
     asked, state = film(given)
     assert case.fuller is not None
     assert asked.fuller is None
