@@ -42,12 +42,16 @@ def test_a_sweep_runs_and_is_taken_along(page):
     until(page, lambda: "kind: sweep" in text_of(page))
 
 
-def test_a_study_is_cancelled_and_the_page_goes_on(page):
+def begin_a_long_study(page):
     opened(page, film())
     tab(page, "Studies")
     choose(page, "What is asked", "tolerance")
     page.get_by_label("Samples").fill("100000")
     page.get_by_role("button", name="Run the study").click()
+
+
+def test_a_study_is_cancelled_and_the_page_goes_on(page):
+    begin_a_long_study(page)
     page.get_by_role("button", name="Cancel").click()
     page.get_by_text("Cancelled.").wait_for()
     choose(page, "What is asked", "corners")
@@ -56,11 +60,7 @@ def test_a_study_is_cancelled_and_the_page_goes_on(page):
 
 
 def test_another_case_ends_the_study_of_the_one_before(page):
-    opened(page, film())
-    tab(page, "Studies")
-    choose(page, "What is asked", "tolerance")
-    page.get_by_label("Samples").fill("100000")
-    page.get_by_role("button", name="Run the study").click()
+    begin_a_long_study(page)
     cancel = page.get_by_role("button", name="Cancel").first
     cancel.wait_for()
     opened(page, film(load="9 kN"))
