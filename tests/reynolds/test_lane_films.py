@@ -42,6 +42,18 @@ def test_lanes_are_single_films(cavitation: Cavitation, grid: Resolution) -> Non
         assert batch.side_flow[row] == pytest.approx(one.side_flow.sum(), rel=1e-9)
 
 
+def test_a_first_line_without_pressure_in_any_lane_is_that_of_a_single_film() -> None:
+    lands = grooved_bore((0.0, math.pi), math.radians(20.0))
+    load = np.outer(np.linspace(3900.0, 7000.0, LANES), (0.0, -1.0))
+    batch = solve_batch(0.06, 0.042, 64.92e-6, 0.01507, 42.2, load, lands, Cavitation.MASS_CONSERVING, DRAFT)
+    assert batch.eccentricity_ratio.min() > 0.93
+    for row in range(LANES):
+        film = JournalFilm(0.06, 0.042, 64.92e-6, 0.01507, 42.2, lands, Cavitation.MASS_CONSERVING)
+        one = solve_journal(film, tuple(load[row]), DRAFT)
+        assert batch.iterations[row] == one.iterations
+        assert batch.position[row] == pytest.approx(one.position, rel=1e-10)
+
+
 @pytest.mark.parametrize("cavitation", BOTH)
 def test_neighbours_tell_in_the_last_digits_only(cavitation: Cavitation) -> None:
     batch, turned = solved(slice(None), cavitation), solved(slice(None, None, -1), cavitation)

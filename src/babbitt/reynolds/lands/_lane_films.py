@@ -242,13 +242,18 @@ def sweep_blocks(axial, conserving, kappa, grid, k, film, lines, broken, ends):
     root_weights, stiffness, modes = axial.root_weights, axial.stiffness, axial.modes
     m = len(axial.size)
     n = grid.step.shape[1]
+    if 1 < broken < n:
+        full_line_to_nodes(modes, answer, pivot, inverse, turned, broken - 1, m)
     for i in range(broken, n):
         t0, t1 = get(conductance, (i - 1,)), get(conductance, (i,))
         arriving, leaving = get(couette, (i - 1,)), get(couette, (i,))
         source = arriving - leaving
         if not some_wet[i]:
             if conserving:
-                sweep_dry(root_weights, wet, k, inlet, answer, inverse, some_wet, i, t0, arriving, leaving, m)
+                sweep_dry(
+                    root_weights, wet, k, inlet, answer, inverse, turned, some_wet, i, t0, arriving, leaving,
+                    i == broken, m,
+                )  # fmt: skip
             continue
         stretch = kappa * get(cubed, (i,))
         ox, oy = get(weight_x, (k, i)), get(weight_y, (k, i))
@@ -275,7 +280,7 @@ def sweep_blocks(axial, conserving, kappa, grid, k, film, lines, broken, ends):
                 t0, t1, stretch, m,
             )  # fmt: skip
         if i > 1 and (conserving or some_wet[i - 1] or i == broken):
-            couple(modes, conserving, wet, k, answer, pivot, inverse, turned, i, t0, arriving, i == broken, m)
+            couple(conserving, wet, k, answer, inverse, turned, i, t0, arriving, i == broken, m)
         for r in range(3):
             for a in range(m):
                 put(answer, (i, r, a), get(turned, (0, r, a)))
@@ -283,17 +288,21 @@ def sweep_blocks(axial, conserving, kappa, grid, k, film, lines, broken, ends):
 
 
 @spliced
-def couple(modes, conserving, wet, k, answer, pivot, inverse, turned, i, t0, arriving, from_modes, m):
+def full_line_to_nodes(modes, answer, pivot, inverse, turned, i, m):
+    """The factor of the last full line on nodes, and, in row 1 of ``turned``, its right-hand sides."""
+    for a in range(m):
+        for b in range(m):
+            total = get(pivot, (i, 0)) * (modes[a, 0] * modes[b, 0])
+            for e in range(1, m):
+                total = total + modes[a, e] * modes[b, e] * get(pivot, (i, e))
+            put(inverse, (i, a, b), total)
+    for r in range(3):
+        turn(modes, answer, i, r, turned, 1, m)
+
+
+@spliced
+def couple(conserving, wet, k, answer, inverse, turned, i, t0, arriving, from_modes, m):
     """Take the line before out of the block and the right-hand sides of line i."""
-    if from_modes:
-        for a in range(m):
-            for b in range(m):
-                total = t0 * 0.0
-                for e in range(m):
-                    total = total + modes[a, e] * modes[b, e] * get(pivot, (i - 1, e))
-                put(inverse, (i - 1, a, b), total)
-        for r in range(3):
-            turn(modes, answer, i - 1, r, turned, 1, m)
     for a in range(m):
         here, before = get(wet, (k, i, a)), get(wet, (k, i - 1, a))
         lower, upper = lower_of(conserving, t0, arriving, here, before), upper_of(conserving, t0, here, before)
@@ -315,7 +324,9 @@ def couple(modes, conserving, wet, k, answer, pivot, inverse, turned, i, t0, arr
 
 
 @spliced
-def sweep_dry(root_weights, wet, k, inlet, answer, inverse, some_wet, i, t0, arriving, leaving, m):
+def sweep_dry(
+    root_weights, wet, k, inlet, answer, inverse, turned, some_wet, i, t0, arriving, leaving, from_modes, m
+):
     """Forward elimination of a line without pressure in any lane: every column transports its void."""
     source = arriving - leaving if i > 1 else get(inlet, (0,)) - leaving
     pivot = -1.0 / leaving
@@ -326,7 +337,8 @@ def sweep_dry(root_weights, wet, k, inlet, answer, inverse, some_wet, i, t0, arr
             right = right - lower * get(inverse, (i - 1, a, a)) * get(answer, (i - 1, 0, a))
         elif i > 1:
             for b in range(m):
-                right = right - lower * get(inverse, (i - 1, a, b)) * get(answer, (i - 1, 0, b))
+                before = get(turned, (1, 0, b)) if from_modes else get(answer, (i - 1, 0, b))
+                right = right - lower * get(inverse, (i - 1, a, b)) * before
         put(answer, (i, 0, a), right)
         put(answer, (i, 1, a), 0.0)
         put(answer, (i, 2, a), 0.0)
