@@ -92,3 +92,14 @@ def test_whatever_a_case_becomes_is_read_back_as_it_is(before, after):
     assert mapping_in(text) == before
     made = rewritten(text, after)
     assert mapping_in(made) == after
+
+
+@pytest.mark.parametrize("word", ["2024-02-30", "2024-13-45"])
+def test_a_word_like_a_day_that_does_not_exist_stays_a_text(word: str) -> None:
+    text = rewritten(f"kind: journal\nname: {word}\nload: 10 kN\n", {"name": word, "load": "12 kN"})
+    assert mapping_in(text) == {"name": word, "load": "12 kN"}
+
+
+@pytest.mark.parametrize("key", ["1", "1.5", "true", "2024-01-02"])
+def test_a_key_like_a_number_or_a_day_can_be_taken_out(key: str) -> None:
+    assert mapping_in(rewritten(f"{key}: a\nb: 2 kN\n", {"b": "2 kN"})) == {"b": "2 kN"}

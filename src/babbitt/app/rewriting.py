@@ -46,7 +46,7 @@ def rewritten(text: str, given: Mapping[str, Any]) -> str:
     if before:
         try:
             made = _in_its_lines(text, before, given)
-        except YAMLError:
+        except (YAMLError, ValueError, LookupError):  # it reads dates, and keys that are numbers, as no texts
             made = ""
         if mapping_in(made) == given:
             return made
