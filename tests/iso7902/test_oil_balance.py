@@ -310,11 +310,31 @@ def two_bearings(**of_b):
 
 
 def test_a_bearing_without_a_verdict_at_the_largest_clearances_is_named():
-    """All three passed cleanly; with the largest clearance of A 115 kPa are left, and B has ε = 0.952."""
+    """All three kept their limits; with the largest clearance of A 115 kPa are left, and B has ε = 0.952."""
     system, a, b = answer(two_bearings(limits={"minimum_film_thickness": "4 um"})).results
-    assert (a.verdict, b.verdict, system.verdict) == (Verdict.PASS, Verdict.PASS, Verdict.REMARKS)
+    assert (a.verdict, b.verdict, system.verdict) == (Verdict.PASS, Verdict.REMARKS, Verdict.REMARKS)
+    assert "W129" not in b.questioning_codes
     ((missed,),) = (one.values["missed"] for one in system.warnings if one.code == "W174")
     assert missed.message == "the largest clearance of every bearing: B: no verdict (W129)"
+
+
+def test_a_bearing_is_held_at_its_smallest_clearance_beside_the_largest_of_the_others():
+    """All at their smallest, or largest, keep 67.4 °C; B at its smallest beside A at its largest does not."""
+    least, most = 1.2704e-3, 1.7716e-3
+    clearance = {"kind": "relative", "mean": "1.521 permille", "minimum": f"{least}", "maximum": f"{most}"}
+    case = two_bearings(clearance=clearance, load="31.8 kN", speed="773 rpm", limits={"temperature": "67.4 degC"})
+    system, *bearings = answer(case).results
+    assert [one.verdict for one in bearings] == [Verdict.PASS, Verdict.REMARKS]
+    ((missed,),) = (one.values["missed"] for one in system.warnings if one.code == "W174")
+    (of_b,) = missed.values["told"]
+    assert (missed.values["at"].variant, of_b.values["bearing"]) == ("own_least", "B")
+    (problem,) = (one.problem for one in case.calculations())
+    _, b = network.balanced(problem.at_limits((1, 0))).bearings
+    (hot,) = of_b.values["told"]
+    assert hot.values["value"] == b.solution.result.starved_outlet_temperature > 273.15 + 67.4
+    for limits in ((0, 0), (1, 1)):
+        for one in network.balanced(problem.at_limits(limits)).bearings:
+            assert all(check.ok for check in one.solution.result.limits)
 
 
 def test_rows_of_a_study_have_the_bearings_of_an_oil_system():

@@ -8,10 +8,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import babbitt as bb
+from babbitt.case import case_from_dict
 from babbitt.core.notices import InputError
 from babbitt.core.quantities import displayed_in
 from babbitt.report.size_output import size_json
 from babbitt.report.size_table import rounded
+from babbitt.study.corners import leaves_out_limits
 from babbitt.study.permitted import TOLERANCE, Trial, find_permitted
 from babbitt.study.size import scan_of
 from babbitt.study.size_choices import preferred_numbers, standard_choices
@@ -335,3 +337,25 @@ def test_the_fit_of_the_case_is_among_those_that_are_tried(bearing):
     assert list(own.size("clearance.journal").choices)[:2] == ["c8", "g6"]
     assert "e7" in bearing.size("clearance.journal").choices
     assert list(own.size("clearance.bore").choices).count("H7") == 1
+
+
+@pytest.mark.parametrize(
+    ("shared", "of_a", "of_b", "at_mean"),
+    [("mean", None, "H7/e8", True), ("mean", None, None, True), ("all", "mean", "H7/e8", True),
+     ("all", None, "H7/e8", False)],
+)  # fmt: skip
+def test_limits_at_the_mean_are_told_of_a_machine_whose_bearings_differ(bearing, shared, of_a, of_b, at_mean):
+    """Of bearings without limits nothing is left out; a bearing may ask for the mean by itself."""
+    one = {
+        "kind": "journal", "diameter": "120 mm", "width": "80 mm", "load": "12 kN", "speed": "1500 rpm",
+        "span": "360 deg", "supply_element": {"kind": "pocket", "width": "56 mm", "place": "opposite"},
+    }  # fmt: skip
+    bare = {"kind": "diametral", "mean": "110 um"}
+    a = one | {"name": "A", "clearance": "H7/e8"} | ({"clearance_cases": of_a} if of_a else {})
+    case = case_from_dict({
+        "kind": "machine", "name": "Gear", "lubricant": "ISO VG 46", "clearance_cases": shared,
+        "supply": {"temperature": "50 degC", "pressure": "0.2 MPa"},
+        "materials": {"bearing_metal": "SnSb8Cu4", "bearing": "C10", "journal": "C45"},
+        "bearings": [a, one | {"name": "B", "clearance": of_b or bare}],
+    })  # fmt: skip
+    assert leaves_out_limits(case) is at_mean

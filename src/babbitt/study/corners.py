@@ -82,7 +82,12 @@ def at_all_clearances(given: dict[str, Any], fields: Container[str]) -> dict[str
 def leaves_out_limits(case: CaseFile) -> bool:
     """Whether a case computes its mean clearance alone, of one that has a smallest and a largest."""
     fields, origin = KINDS[case.kind].model_fields, case.origin
-    if getattr(case, CASES, "all") == "all" or origin is None:
+    if CASES not in fields or origin is None:
+        return False
+    shared = getattr(case, CASES)
+    if bearings := getattr(case, "bearings", ()):
+        return any(one.clearance.has_limits and (getattr(one, CASES) or shared) != "all" for one in bearings)
+    if shared == "all":
         return False
     files = NamedFiles(origin.file.parent, origin.reach)
     try:

@@ -32,7 +32,7 @@ class FrictionInput(Part):
 class FilmLimitsInput(Part):
     """Limits in place of those by experience, of bearings of every method."""
 
-    minimum_film_thickness: Annotated[float, si("m", "0 um", "1 mm")] | None = Field(
+    minimum_film_thickness: Annotated[float, si("m", "0.1 um", "1 mm")] | None = Field(
         None, description="Least permissible film thickness."
     )
     specific_load: Annotated[float, si("Pa", "1 kPa", "200 MPa")] | None = Field(

@@ -16,7 +16,6 @@ from babbitt.core.units import si
 from babbitt.properties.materials import (
     AlloyFamily,
     BearingMetal,
-    LoadLimits,
     SourcedText,
     SourcedValue,
     bearing_metal,
@@ -119,6 +118,7 @@ class Metal(Part):
             calm=replace(known.calm, **loads),
             shock=replace(known.shock, **loads),
             limiting_temperature=heat,
+            stands_for=known,
         )
 
     def _is_own(self) -> bool:
@@ -128,22 +128,10 @@ class Metal(Part):
     def metal(self) -> BearingMetal:
         """Give the metal with its limits, those of one's own for loads of every character."""
         known = self.in_the_catalogue()
-        if known is not None:
-            return self._with_own_limits(known)
-
-        def given(value: float | None) -> SourcedValue | None:
-            return None if value is None else SourcedValue(value, OWN)
-
-        loads = LoadLimits(given(self.specific_load), given(self.sliding_speed), given(self.load_times_speed))
-        return BearingMetal(
-            self.name,
-            AlloyFamily(self.family or AlloyFamily.OTHER),
-            OWN,
-            SourcedText("not given", OWN),
-            loads,
-            loads,
-            limiting_temperature=given(self.temperature),
-        )
+        if known is None:
+            family = AlloyFamily(self.family or AlloyFamily.OTHER)
+            known = BearingMetal(self.name, family, OWN, SourcedText("not given", OWN))
+        return self._with_own_limits(known) if self._is_own() else known
 
 
 def warnings_about_family(metal: Metal) -> Iterator[Notice]:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from babbitt.core.notices import Notice
 from babbitt.core.result import Result, Verdict
 from babbitt.core.solution import Calculation
-from babbitt.kinds.journal.missed_limit import missed_limit
+from babbitt.design.missed_limit import missed_limit
 from babbitt.numerics.lanes import chooser
 
 __all__ = [
@@ -87,7 +87,7 @@ def standing_against(result: Result, mean: Result) -> tuple[Notice, ...]:
         return (Notice("W174", "no_film"),)
     missed = sorted((one for one in result.limits if not one.ok), key=lambda one: one.margin)
     if missed:  # of one quantity the strictest limit
-        return tuple(missed_limit(one) for one in {one.quantity: one for one in reversed(missed)}.values())
+        return tuple(missed_limit(one, "W174") for one in {one.quantity: one for one in reversed(missed)}.values())
     if result.verdict is Verdict.NO_VERDICT:
         return (Notice("W174", "no_verdict", {"remarks": result.invalidating_codes or ("–",)}),)
     remarks = tuple(code for code in result.questioning_codes if code not in mean.questioning_codes)

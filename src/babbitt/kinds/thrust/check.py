@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from time import perf_counter
 
 import numpy as np
@@ -10,12 +12,15 @@ import numpy as np
 from babbitt.core.notices import Notice
 from babbitt.core.result import Bound, Check, Outcome, Result
 from babbitt.core.solution import Solution
+from babbitt.design.checks import highest_specific_load
+from babbitt.design.own_limits import missed_but_for_own
 from babbitt.kinds.thrust.assumed import oil_assumptions
-from babbitt.kinds.thrust.design import ThrustDesign, ThrustState, bearing_state, share_on
+from babbitt.kinds.thrust.design import USUAL_FILM_LIMIT, ThrustDesign, ThrustState, bearing_state, share_on
 from babbitt.kinds.thrust.failures import NoPadFilmError
 from babbitt.kinds.thrust.margins import warnings_about_margins
 from babbitt.kinds.thrust.pad_attitude import attitude_at_rest, attitude_on_runout
-from babbitt.kinds.thrust.pressure_limits import pressure_checks, pressures_not_checked
+from babbitt.kinds.thrust.pressure_limits import PRESSURE, pressure_checks, pressures_not_checked
+from babbitt.kinds.thrust.temperature_limits import TemperatureLimits
 from babbitt.kinds.thrust.values import pad_arrays, share_values
 from babbitt.kinds.thrust.warnings import LEAST_SHARE, sharing_warnings
 from babbitt.kinds.thrust.work import MOST_WORK, WorkBoundError, bounded_work
@@ -88,6 +93,7 @@ def _checked(design: ThrustDesign) -> Solution:
     held = () if missed and limit.ok else (limit,)  # the film at rest alone may miss the limit, but not keep it
     metal = design.temperatures.given_metal
     checks = (*held, *design.temperatures.checks(values), *pressure_checks(metal, values))
+    replaced = tuple(one for one in _by_experience(design, limit, values) if one not in checks)
     result = Result(
         design.name,
         design.kind,
@@ -95,7 +101,13 @@ def _checked(design: ThrustDesign) -> Solution:
         Outcome.CONVERGED,
         values,
         checks,
-        (*design.warnings, *shared, *of_runout, *warnings_about_margins(design.oil, checks, values)),
+        (
+            *design.warnings,
+            *shared,
+            *of_runout,
+            *missed_but_for_own(checks, replaced),
+            *warnings_about_margins(design.oil, (*checks, *replaced), values),
+        ),
         (
             *(() if held else missed),
             *design.temperatures.not_checked(values),
@@ -111,6 +123,18 @@ def _checked(design: ThrustDesign) -> Solution:
         arrays=pad_arrays(state.share, design.speed),
     )
     return Solution(design, result, state)
+
+
+def _by_experience(design: ThrustDesign, of_film: Check, values: Mapping[str, float]) -> Iterator[Check]:
+    """The checks without limits that the case sets, or gives to its metal."""
+    given = design.temperatures.given_metal
+    usual = given if given is None or given.stands_for is None else given.stands_for
+    of_load = tuple(pressure_checks(usual, values))
+    yield replace(of_film, limit=USUAL_FILM_LIMIT)
+    yield from TemperatureLimits(None, usual).checks(values)
+    yield from of_load
+    if not any(check.code == "C103" for check in of_load):
+        yield highest_specific_load(PRESSURE, values, None)
 
 
 def _turned(design: ThrustDesign, state: ThrustState) -> tuple[dict[str, float], float]:

@@ -29,6 +29,7 @@ __all__ = [
     "PrescribedFilm",
     "PrescribedThrust",
     "Oil",
+    "USUAL_FILM_LIMIT",
     "ThrustDesign",
     "ThrustState",
     "bearing_state",
@@ -38,6 +39,9 @@ __all__ = [
     "temperatures_of_share",
     "films_in_oil",
 ]
+
+USUAL_FILM_LIMIT = 10e-6
+"""Least film in m where the case gives none (an assumption)."""
 
 NEARLY = 1e-5
 """Change of heights and inlets (0.01 K) that ends the search at a place of a turning collar. Pads whose

@@ -14,6 +14,7 @@ from babbitt.core.units import ZERO_CELSIUS
 from babbitt.design.bounds import Bounds, certain, undecided
 from babbitt.design.checks import checks_not_made, limit_checks
 from babbitt.design.heat_balance import Equilibrium
+from babbitt.design.own_limits import asked_for_margins, checks_by_experience, missed_but_for_own
 from babbitt.design.turbulence import ALL_TURBULENT
 from babbitt.kinds.tilting_pad_journal.cross_coupling import (
     SOUGHT,
@@ -157,6 +158,9 @@ def by_its_model(case: PadCase) -> tuple[Result, PadSolutionState | None]:
         *certain(heat, bounds),
         *cross_coupling_checks(case, values, *least_decrement(case)),
     )
+    replaced = checks_by_experience(case, values)
+    held = asked_for_margins(checks, replaced)
+    usual_stability = stability_checks(replace(case, least_log_decrement=None), values)
     told = tuple(warnings_of_solution(case, films, dynamics, margins, values))
     return Result(
         case.name,
@@ -169,8 +173,9 @@ def by_its_model(case: PadCase) -> tuple[Result, PadSolutionState | None]:
             *case.warnings,
             *told,
             *about_stability_on_the_ramp(checks, told),
-            *warnings_about_kept_limits(films, checks),
-            *warnings_about_one_temperature(case, checks, values),
+            *missed_but_for_own(checks, (*replaced, *usual_stability)),
+            *warnings_about_kept_limits(films, held),
+            *warnings_about_one_temperature(case, held, values),
             *about_synchronous_verdict(values, least_decrement(case)[0]),
         ),
         not_checked=(

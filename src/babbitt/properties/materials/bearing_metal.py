@@ -82,6 +82,8 @@ class BearingMetal:
         Other names it is found by.
     origin : str
         File of the user's own catalogue that it stands in; empty for all others.
+    stands_for : BearingMetal or None
+        Of a metal to which a case gives limits: the one of the catalogue, or of the family, without them.
     """
 
     name: str
@@ -97,6 +99,7 @@ class BearingMetal:
     brinell_hardness: SourcedValue | None = None
     aliases: tuple[str, ...] = ()
     origin: str = ""
+    stands_for: BearingMetal | None = None
 
     def limits(self, character: LoadCharacter) -> LoadLimits:
         """Limits under a character of load.

@@ -114,13 +114,13 @@ class SurfaceWork(NamedTuple):
 
 
 def new_surface_film(surface: Surface) -> SurfaceFilm:
-    """Coefficients for a surface, not filled yet."""
+    """Coefficients for a surface, not filled yet: zero, as a gap that closes leaves them."""
     n, lines = surface.step.size, surface.held.shape[0]
     nodes, points, d = len(surface.nodes), len(surface.points), len(surface.motions)
     return SurfaceFilm(
-        np.empty((n, nodes)), np.empty((n, nodes)), np.empty((lines, points)), np.empty((d, n, nodes)),
-        np.empty((d, n, nodes)), np.empty((d, lines, points)), np.empty((lines, nodes)),
-        np.empty((d, lines, nodes)), np.empty((n, nodes)), np.empty((d, n, nodes)),
+        np.zeros((n, nodes)), np.zeros((n, nodes)), np.zeros((lines, points)), np.zeros((d, n, nodes)),
+        np.zeros((d, n, nodes)), np.zeros((d, lines, points)), np.zeros((lines, nodes)),
+        np.zeros((d, lines, nodes)), np.zeros((n, nodes)), np.zeros((d, n, nodes)),
     )  # fmt: skip
 
 

@@ -8,12 +8,12 @@ from dataclasses import replace
 from babbitt.core.notices import InputError, Notice
 from babbitt.core.result import Check, Result
 from babbitt.design.conditions import PrescribedLoad
+from babbitt.design.missed_limit import missed_limit
 from babbitt.kinds.journal.film.isothermal import FilmState, resolution_of
 from babbitt.kinds.journal.film.layout import load_vector
 from babbitt.kinds.journal.film.model import FilmCase
 from babbitt.kinds.journal.film.orbit_results import orbit_of
 from babbitt.kinds.journal.film.stable_equilibrium import converged_film, place_of
-from babbitt.kinds.journal.missed_limit import missed_limit
 
 __all__ = ["film_over_viscosity", "misses_a_limit", "thinner_film", "thinner_orbit", "warnings_of_fuller_film"]
 
@@ -60,7 +60,7 @@ def _worse(result: Result, found: Result) -> Iterator[Notice]:
     if not found.outcome.solved:
         yield Notice("W191", "no_thermal_film", {"outcome": found.outcome.value})
         return
-    missed = tuple(missed_limit(one) for one in found.limits if not one.ok)
+    missed = tuple(missed_limit(one, "W191") for one in found.limits if not one.ok)
     yield from missed
     new = tuple(code for code in found.questioning_codes if code not in result.questioning_codes)
     if new and not missed:

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from babbitt.core.notices import Notice
 from babbitt.core.result import Check
 from babbitt.design.oil import usable_viscosity
+from babbitt.design.own_limits import asked_for_margins, checks_by_experience, missed_but_for_own
 from babbitt.design.warnings import (
     warnings_about_film,
     warnings_about_hole,
@@ -79,19 +80,22 @@ def film_warnings(
         yield Notice("W125")
     if whirl is not None:
         yield from warnings_about_whirl(whirl)
+    replaced = checks_by_experience(case, values)
+    held = asked_for_margins(checks, replaced)
     if case.heat is None:
         yield from _warnings_about_feed_pressure(case, state, values)
         if case.effective_temperature is None:
             yield from _warnings_about_returned_oil(film)
         if case.fuller is None:
-            yield from _warnings_about_one_temperature(case, state, values, checks)
+            yield from _warnings_about_one_temperature(case, state, values, held)
     elif case.oil_supply is not None:
         supplied = case.oil_supply.temperature
-        yield from warnings_about_kept_limits(checks, checks_of_metal(case.limits), supplied)
+        yield from warnings_about_kept_limits(held, checks_of_metal(case.limits), supplied)
     unfit = {"W109"} if whirl is not None else set()  # the dynamics of the film are solved for
     if not case.limiting_speeds:
         unfit.add("W112")  # a speed of transition that was not looked for
     yield from (warning for warning in warnings_about_running(case, values, checks) if warning.code not in unfit)
+    yield from missed_but_for_own(checks, replaced)
 
 
 def _warnings_about_one_temperature(

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from babbitt.core.notices import Notice
 from babbitt.core.result import Check
 from babbitt.design.infinite_width import warnings_about_width
+from babbitt.design.own_limits import checks_by_experience, missed_but_for_own
 from babbitt.design.warnings import warnings_about_film, warnings_about_running
 from babbitt.kinds.journal.grooved_long_bearing.model import GrooveKind, SegmentCase
 from babbitt.kinds.journal.grooved_long_bearing.state import SegmentFilmState
@@ -52,6 +53,7 @@ def warnings_of_solution(
     codes = {notice.code for notice in outside}
     yield from (notice for notice in warnings_about_film(case, values) if notice.code not in codes)
     yield from warnings_about_running(case, values, checks)
+    yield from missed_but_for_own(checks, checks_by_experience(case, values))
 
 
 def _warnings_about_groove(

@@ -16,6 +16,7 @@ from babbitt.design.conditions import PrescribedEccentricity, PrescribedLoad
 from babbitt.design.directions import directions_of, narrowest_direction
 from babbitt.design.heat_balance import NoFilmError
 from babbitt.design.infinite_width import flattered_films, warnings_about_width
+from babbitt.design.own_limits import checks_by_experience, missed_but_for_own
 from babbitt.design.warnings import warnings_about_film, warnings_about_running
 from babbitt.kinds.journal.infinitely_long_bearing.mean_temperature import mean_temperature_film
 from babbitt.kinds.journal.infinitely_long_bearing.model import COARSE_BELOW, LongFilmCase, NusseltLaw
@@ -169,6 +170,7 @@ def _warnings(
         yield Notice("W101", "local", {"film_reynolds_number": highest, "limit": LAMINAR_UP_TO})
     yield from warnings_about_film(case, values)
     yield from warnings_about_running(case, values, checks)
+    yield from missed_but_for_own(checks, checks_by_experience(case, values))
 
 
 def _assumptions(case: LongFilmCase) -> Iterator[str]:

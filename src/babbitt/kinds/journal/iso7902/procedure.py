@@ -15,6 +15,7 @@ from babbitt.design.conditions import contact_film
 from babbitt.design.failure import failure_of
 from babbitt.design.heat_balance import Equilibrium, at_prescribed_temperature, find_equilibrium
 from babbitt.design.numbers import minimum_film_thickness
+from babbitt.design.own_limits import checks_by_experience
 from babbitt.design.screening import recommended_relative_clearance
 from babbitt.design.values import (
     cooling_values,
@@ -109,26 +110,29 @@ def _starved(case: DesignCase, found: Equilibrium[SuppliedFilm]) -> Equilibrium[
 class Design:
     """What a film comes to: values and checks, those of the film with less oil included.
 
-    `hotter` are the values of that film, where there is one; `change` is where mixed friction begins.
+    `hotter` are the values of that film, where there is one; `change` is where mixed friction begins. `replaced`
+    are the limits that those of the case stand in place of.
     """
 
     values: Mapping[str, float]
     checks: tuple[Check, ...]
     hotter: Mapping[str, float]
     change: Transition | None
+    replaced: tuple[Check, ...]
 
 
 def design_of(case: DesignCase, film: SuppliedFilm, starved: Equilibrium[Film] | None) -> Design:
     """Values and checks of a film, and of the one with less oil; the limits are held against the worse of both."""
     change = _transition(case, film)
     values = _values(case, film, change)
-    checks = checks_of(case, values)
+    checks, replaced = checks_of(case, values), checks_by_experience(case, values)
     hotter: dict[str, float] = {}
     if starved is not None and starved.film is not None and starved.outcome.solved:
         hotter = _values(case, starved.film, _transition(case, starved.film))
         checks = worse_of(checks, checks_of(case, hotter))
+        replaced = worse_of(replaced, checks_by_experience(case, hotter))
         values |= starved_values(hotter)
-    return Design(values, (*checks, *capacity_check(film, starved)), hotter, change)
+    return Design(values, (*checks, *capacity_check(film, starved)), hotter, change, replaced)
 
 
 def warnings_of(
@@ -137,7 +141,7 @@ def warnings_of(
     """All remarks about a film that was found, those about its supply last."""
     about_supply = tuple(warnings_about_capacity(case, film, starved, design.hotter))
     worse = {warning.code for warning in about_supply}
-    of_film = all_warnings(case, film, design.values, design.checks, design.change)
+    of_film = all_warnings(case, film, design.values, design.checks, design.replaced, design.change)
     return (*(one for one in of_film if one.code not in worse), *about_supply)
 
 

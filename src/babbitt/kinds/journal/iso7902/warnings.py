@@ -9,6 +9,7 @@ from babbitt.core.limited_flow import limited
 from babbitt.core.notices import Notice
 from babbitt.core.result import Check
 from babbitt.design.oil import usable_viscosity
+from babbitt.design.own_limits import asked_for_margins, missed_but_for_own
 from babbitt.design.screening import STANDARD_GRAVITY
 from babbitt.design.span import TABULATED_SPANS
 from babbitt.design.warnings import (
@@ -86,6 +87,7 @@ def all_warnings(
     film: SuppliedFilm,
     values: Mapping[str, float],
     checks: tuple[Check, ...],
+    replaced: tuple[Check, ...],
     change: Transition | None,
 ) -> tuple[Notice, ...]:
     """All warnings that this operating point deserves."""
@@ -95,7 +97,8 @@ def all_warnings(
         *_of_free_arcs(case, values),
         *_of_supply(case, film),
         *warnings_about_feed_pressure(case, values),
-        *_of_running(case, values, checks, change),
+        *missed_but_for_own(checks, replaced),
+        *_of_running(case, values, checks, replaced, change),
     )
 
 
@@ -250,12 +253,17 @@ def _of_supply(case: DesignCase, film: SuppliedFilm) -> Iterator[Notice]:
 
 
 def _of_running(
-    case: DesignCase, values: Mapping[str, float], checks: tuple[Check, ...], change: Transition | None
+    case: DesignCase,
+    values: Mapping[str, float],
+    checks: tuple[Check, ...],
+    replaced: tuple[Check, ...],
+    change: Transition | None,
 ) -> Iterator[Notice]:
     yield from warnings_about_running(case, values, checks)
     yield from warnings_about_slope(case, values, checks)
     viscosity = usable_viscosity(case.lubricant)
-    yield from warnings_about_margins(checks, values, checks_of_metal(case.limits), viscosity)
+    held = asked_for_margins(checks, replaced)
+    yield from warnings_about_margins(held, values, checks_of_metal(case.limits), viscosity)
     yield from warnings_about_unknown_metal(case, checks, values)
     yield from warnings_about_heat_left_out(case, values)
     screening = next((check for check in checks if check.code == "C112"), None)

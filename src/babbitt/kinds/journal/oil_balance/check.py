@@ -9,10 +9,10 @@ from babbitt.core.notices import Notice
 from babbitt.core.result import Bound, Check, Matrix, Outcome, Result
 from babbitt.core.solution import Solution
 from babbitt.design.ducts import LAMINAR_UP_TO
+from babbitt.design.missed_limit import missed_limit
 from babbitt.kinds.journal.limits_of_clearance import standing_against, with_missed
-from babbitt.kinds.journal.missed_limit import missed_limit
 from babbitt.kinds.journal.oil_balance.model import OilSystemProblem
-from babbitt.kinds.journal.oil_balance.network import Balance, UnsolvedBearingError, balanced
+from babbitt.kinds.journal.oil_balance.network import Balance, FedBearing, UnsolvedBearingError, balanced, fed
 from babbitt.kinds.journal.oil_balance.proposals import Proposal, proposed
 
 __all__ = ["METHOD", "oil_balance_solutions"]
@@ -44,7 +44,7 @@ def oil_balance_solutions(problem: OilSystemProblem) -> tuple[Solution, ...]:
         METHOD,
         Outcome.CONVERGED,
         _values(found),
-        (_supply_check(found),),
+        (_supply_check(_least(found)),),
         tuple(_warnings(problem, found, made)),
         settings=_names(problem),
         arrays=_arrays(problem, found, made),
@@ -53,39 +53,81 @@ def oil_balance_solutions(problem: OilSystemProblem) -> tuple[Solution, ...]:
             *(one.solution for one in found.bearings))  # fmt: skip
 
 
-def _supply_check(found: Balance) -> Check:
+def _supply_check(ratio: float) -> Check:
     source = "what the film draws itself, Q₃"
-    return Check("C601", "least_supply_ratio", _least(found), 1.0, Bound.AT_LEAST, source)
+    return Check("C601", "least_supply_ratio", ratio, 1.0, Bound.AT_LEAST, source)
 
 
 def _held_at_limits(problem: OilSystemProblem, result: Result, mean: Balance) -> Result:
-    """The result of a balance, with what stands against it with the smallest and the largest clearances alone."""
-    if not result.within_limits:
+    """The result of a balance, with what stands against it with other clearances than the mean.
+
+    Bearings share the oil by their clearances: least of it reaches one while those of the others are largest.
+    """
+    if not result.within_limits or not problem.with_limits:
         return result
-    others = zip(("all_least", "all_greatest"), map(problem.at_limit, (0, 1)), strict=True)
-    return with_missed(
-        result, ((Notice("W174", which), _against(one, mean)) for which, one in others if one is not None)
-    )
+    count = len(problem.calculations)
+    least, largest = (_balance(problem.at_limits(count * (place,))) for place in (0, 1))
+    against = [
+        (Notice("W174", "all_least"), _against(mean, least)),
+        (Notice("W174", "all_greatest"), _against(mean, largest)),
+    ]
+    if count > 1:
+        header = None if largest is None else largest.header_pressure
+        told = tuple(
+            one for place in problem.with_limits for one in _against_own_least(problem, mean, place, header)
+        )
+        against.append((Notice("W174", "own_least"), told))
+    return with_missed(result, against)
 
 
-def _against(problem: OilSystemProblem, mean: Balance) -> tuple[Notice, ...]:
-    """What stands against the system or its bearings with other clearances than the mean."""
+def _balance(problem: OilSystemProblem) -> Balance | None:
+    """The balance of a system; None where none is found."""
     try:
         found = balanced(problem)
     except UnsolvedBearingError:
-        found = None
-    if found is None or found.error > BALANCED:
+        return None
+    return found if found.error <= BALANCED else None
+
+
+def _against(mean: Balance, found: Balance | None) -> tuple[Notice, ...]:
+    """What stands against bearings with other clearances than the mean, each with its name."""
+    if found is None:
         return (Notice("W174", "no_film"),)
-    told = []
-    least = min(found.bearings, key=lambda one: one.ratio)
-    for before, after in zip(mean.bearings, found.bearings, strict=True):
-        own, usual = after.solution.result, before.solution.result
-        clauses = standing_against(own, usual) if usual.within_limits else ()
-        if after is least and not (starved := _supply_check(found)).ok:
-            clauses = (missed_limit(starved), *clauses)
-        if clauses:
-            told.append(Notice("W174", "of_bearing", {"bearing": str(own.name), "told": clauses}))
-    return tuple(told)
+    pairs = zip(mean.bearings, found.bearings, strict=True)
+    return tuple(_of_bearing(before, told) for before, after in pairs if (told := _clauses(before, after)))
+
+
+def _against_own_least(
+    problem: OilSystemProblem, mean: Balance, place: int, header: float | None
+) -> Iterator[Notice]:
+    """What stands against one bearing with its smallest clearance beside the largest of all others.
+
+    With all at their largest the pressure of the header is lower still: what is good at that, in Pa, is good here.
+    """
+    count, before = len(problem.calculations), mean.bearings[place]
+    mixed = problem.at_limits([int(one != place) for one in range(count)])
+    if header is not None:
+        try:
+            if not _clauses(before, fed(mixed.calculations[place], problem.system.lines[place], header)):
+                return
+        except UnsolvedBearingError:
+            pass  # as it may be at less pressure than it has
+    found = _balance(mixed)
+    told = (Notice("W174", "no_film"),) if found is None else _clauses(before, found.bearings[place])
+    if told:
+        yield _of_bearing(before, told)
+
+
+def _clauses(before: FedBearing, after: FedBearing) -> tuple[Notice, ...]:
+    """What stands against a bearing at another clearance than the mean: its supply first."""
+    own, usual = after.solution.result, before.solution.result
+    told = standing_against(own, usual) if usual.within_limits else ()
+    starved = _supply_check(after.ratio)
+    return told if starved.ok else (missed_limit(starved, "W174"), *told)
+
+
+def _of_bearing(before: FedBearing, told: tuple[Notice, ...]) -> Notice:
+    return Notice("W174", "of_bearing", {"bearing": str(before.solution.result.name), "told": told})
 
 
 def _solution(problem: OilSystemProblem, outcome: Outcome, failure: Notice) -> Solution:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -104,20 +105,26 @@ class OilSystemProblem:
     warnings: tuple[Notice, ...] = ()
     assumptions: tuple[str, ...] = ()
 
-    def at_limit(self, place: int) -> OilSystemProblem | None:
-        """The system with the first or second limit of every clearance that has some; None where none has."""
-        if all(_limits(one) is None for one in self.calculations):
-            return None
-        return replace(self, calculations=tuple(_at_limit(one, place) for one in self.calculations))
+    @property
+    def with_limits(self) -> tuple[int, ...]:
+        """Places of the bearings whose clearance has limits."""
+        return tuple(place for place, one in enumerate(self.calculations) if _limits(one) is not None)
+
+    def at_limits(self, limits: Sequence[int]) -> OilSystemProblem:
+        """The system with the first (0) or the second (1) limit of each clearance that has some."""
+        made = tuple(_at_limit(one, place) for one, place in zip(self.calculations, limits, strict=True))
+        return replace(self, calculations=made)
 
 
 def _limits(calculation: Calculation) -> tuple[float, float] | None:
+    """The least and the greatest clearance over diameter at 20 °C of a bearing; None without tolerance."""
     problem: Any = calculation.problem
     limits: tuple[float, float] | None = problem.bearing.clearance_tolerance
     return limits
 
 
 def _at_limit(calculation: Calculation, place: int) -> Calculation:
+    """A bearing at the first or second limit of its clearance; as it is without limits."""
     problem: Any = calculation.problem
     limits = _limits(calculation)
     return calculation if limits is None else replace(calculation, problem=problem.at_clearance(limits[place]))

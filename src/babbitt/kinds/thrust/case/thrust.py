@@ -33,7 +33,7 @@ from babbitt.kinds.thrust.case.thrust_pads import (
     Tilt,
     TiltingPivot,
 )
-from babbitt.kinds.thrust.design import PrescribedFilm, PrescribedThrust, ThrustDesign
+from babbitt.kinds.thrust.design import USUAL_FILM_LIMIT, PrescribedFilm, PrescribedThrust, ThrustDesign
 from babbitt.kinds.thrust.methods import THRUST_FILM
 from babbitt.kinds.thrust.pad import Pivot, ThrustPad
 from babbitt.kinds.thrust.state import TiltInertia
@@ -45,7 +45,6 @@ Thrust = Annotated[float, si("N", "1 N", "1000 MN")]
 LAWS: dict[str, TurbulenceLaw] = {"ng_pan": NG_PAN, "constantinescu": CONSTANTINESCU}
 TURBULENT_BETWEEN = (500.0, 1000.0)
 """Local Reynolds numbers between which turbulence sets in: the usual choice with Ng and Pan's theory."""
-USUAL_FILM_LIMIT = 10e-6
 INERTIAS = ("pads.inertia_radial", "pads.inertia_along")
 
 

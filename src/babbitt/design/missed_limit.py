@@ -27,8 +27,8 @@ MISSED = {
 """Messages of missed limits that are no bare numbers, by code or quantity."""
 
 
-def missed_limit(check: Check) -> Notice:
-    """A clause that says which limit is missed, and by what."""
+def missed_limit(check: Check, code: str) -> Notice:
+    """A clause of a code that says which limit is missed, and by what."""
     names = {check.code, check.quantity, whole(check.quantity)}
-    variant = next((one for one, known in MISSED.items() if names & set(known)), "missed")
-    return Notice("W191", variant, {"value": check.value, "limit": check.limit, "check": check.code})
+    variant = next((one for one, known in MISSED.items() if names & set(known)), "missed_other")
+    return Notice(code, variant, {"value": check.value, "limit": check.limit, "check": check.code})
