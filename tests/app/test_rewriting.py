@@ -103,3 +103,19 @@ def test_a_word_like_a_day_that_does_not_exist_stays_a_text(word: str) -> None:
 @pytest.mark.parametrize("key", ["1", "1.5", "true", "2024-01-02"])
 def test_a_key_like_a_number_or_a_day_can_be_taken_out(key: str) -> None:
     assert mapping_in(rewritten(f"{key}: a\nb: 2 kN\n", {"b": "2 kN"})) == {"b": "2 kN"}
+
+
+@pytest.mark.parametrize(
+    "line", ["a: 2024-13-45", "1: a", "true: a", "a: 010", "a: 0x1F", "a: 1_000", "a: .5e-3", "a: ~"]
+)  # fmt: skip
+def test_every_word_stays_as_it_is_written(line: str) -> None:
+    """Each is read by the rules of cases; those of YAML 1.1 and 1.2 make days, octal numbers and truth of some."""
+    text = f"# head\n{line}  # own\nload: 10 kN  # of the fan\n"
+    given = mapping_in(text) | {"load": "12 kN"}
+    assert rewritten(text, given) == text.replace("10 kN", "12 kN")
+
+
+def test_one_and_true_are_two_values() -> None:
+    text = "a: 1     # of it\nb: true\n"
+    assert rewritten(text, {"a": True, "b": True}) == "a: true  # of it\nb: true\n"
+    assert rewritten(text, {"a": 1, "b": 1.0}) == "a: 1     # of it\nb: 1.0\n"
