@@ -225,18 +225,27 @@ def restated(given: Any, kind: str, diameter: Any) -> Any:
     --------
     >>> restated({"kind": "relative", "mean": "1.5 permille"}, "radial", "120 mm")
     {'kind': 'radial', 'mean': '90 um'}
+    >>> restated({"kind": "radial", "mean": "60 um"}, "diametral", "12")  # a diameter that is half written
+    {'kind': 'diametral', 'mean': '120 um'}
     >>> restated("H7/e8", "deviations", "120 mm")
     {'kind': 'deviations', 'bore': ['0 um', '35 um'], 'journal': ['-126 um', '-72 um']}
     """
     try:
         clearance: ClearanceInput = TypeAdapter[ClearanceInput](ClearanceInput).validate_python(given)
-        size = math.nan if diameter is None else read(diameter, "m")  # some kinds tell each other without
-        stated = _stated(clearance, kind, size)
-    except (ValidationError, QuantityError, InputError):
+        stated = _stated(clearance, kind, _length(diameter))
+    except (ValidationError, InputError):
         stated = None
     if stated is None:
         return {"kind": kind} if kind else ""
     return {"kind": kind} | stated if kind else stated
+
+
+def _length(diameter: Any) -> float:
+    """A diameter in m; no number of one that is not given or half written, without which some kinds tell too."""
+    try:
+        return math.nan if diameter is None else read(diameter, "m")
+    except QuantityError:
+        return math.nan
 
 
 def _stated(clearance: ClearanceInput, kind: str, size: float) -> Any:
