@@ -2,13 +2,14 @@
 
 import json
 import math
+from pathlib import Path
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 import babbitt as bb
-from babbitt.case import case_from_dict
+from babbitt.case import case_from_dict, load_case
 from babbitt.core.notices import InputError
 from babbitt.core.quantities import displayed_in
 from babbitt.report.size_output import size_json
@@ -359,3 +360,8 @@ def test_limits_at_the_mean_are_told_of_a_machine_whose_bearings_differ(bearing,
         "bearings": [a, one | {"name": "B", "clearance": of_b or bare}],
     })  # fmt: skip
     assert leaves_out_limits(case) is at_mean
+
+
+def test_supports_of_a_shaft_have_no_clearance_whose_limits_are_left_out():
+    case = load_case(Path(__file__).parents[2].joinpath("examples", "helical_gear_shaft.yaml"))
+    assert not leaves_out_limits(case)

@@ -211,6 +211,14 @@ def _at_speed(limit: ExperienceLimit, speed: float) -> tuple[float, str]:
     return limit.exceptional if slow else limit.general, f"{limit.source}; {which}"
 
 
+def film_of_nearest_diameter(case: CheckedProblem, values: Mapping[str, float]) -> Check:
+    """The film thickness against experience at the nearest diameter, for one of which there is none."""
+    tables = case.limits.tables or experience_limits()
+    limit = tables.film_thickness.nearest(case.bearing.diameter, surface_speed(case))
+    source = f"of the nearest diameter of the table; {FILM_BY_EXPERIENCE}"
+    return Check("C101", "minimum_film_thickness", values["minimum_film_thickness"], limit, AT_LEAST, source)
+
+
 def highest_specific_load(quantity: str, values: Mapping[str, float], tables: ExperienceLimits | None) -> Check:
     """A specific load against the highest limit of any family of bearing metals, for a metal of unknown family."""
     known = (tables or experience_limits()).specific_load or experience_limits().specific_load

@@ -10,7 +10,7 @@ from babbitt.design.bounds import FILM_CHECKS, TEMPERATURE_CHECKS
 __all__ = ["missed_limit"]
 
 MISSED = {
-    "missed_film": (*FILM_CHECKS, "minimum_film_thickness"),
+    "missed_film": (*FILM_CHECKS, "C202", "minimum_film_thickness"),
     "missed_bush": ("maximum_bush_temperature",),
     "missed_temperature": ("outlet_temperature",),
     "missed_hottest": TEMPERATURE_CHECKS,
@@ -18,10 +18,11 @@ MISSED = {
     "missed_least_mass": ("least_stable_mass",),
     "missed_pressure": ("maximum_pressure",),
     "missed_supply": ("least_supply_ratio",),
-    "missed_load": ("specific_load",),
+    "missed_load": ("specific_load", "largest_specific_load", "orbit_specific_load"),
     "missed_speed": ("surface_speed",),
     "missed_transition": ("hydrodynamic_speed",),
-    "missed_power": ("pressure_speed_product",),
+    "missed_power": ("pressure_speed_product", "orbit_pressure_speed_product"),
+    "missed_decrement": ("log_decrement", "log_decrement_anticipated"),
     "missed_laminar": ("film_reynolds_number",),
 }
 """Messages of missed limits that are no bare numbers, by code or quantity."""

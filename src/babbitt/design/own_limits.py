@@ -7,18 +7,30 @@ from dataclasses import replace
 from typing import Any
 
 from babbitt.core.notices import Notice
-from babbitt.core.result import Check
-from babbitt.design.checks import highest_specific_load, limit_checks
+from babbitt.core.result import Bound, Check
+from babbitt.design.checks import film_of_nearest_diameter, highest_specific_load, limit_checks
 from babbitt.design.conditions import CheckedProblem, Limits, Values
 from babbitt.design.missed_limit import missed_limit
+from babbitt.properties.materials import (
+    BearingMetal,
+    ExperienceLimits,
+    highest_metal_temperature,
+    published_metal_temperature,
+)
 
-__all__ = ["asked_for_margins", "checks_by_experience", "missed_but_for_own"]
+__all__ = [
+    "asked_for_margins",
+    "checks_by_experience",
+    "missed_but_for_own",
+    "of_unknown_metal",
+    "sets_specific_load",
+]
 
 REPLACED = ("C101", "C103", "C104", "C105", "C106", "C107", "C108")
-"""Checks whose limits a case may set."""
+"""Checks whose limits a case may set; that of the transition (C111) never lets a film pass that C102 does not."""
 
-OF_MARGINS = ("C101", "C108")
-"""Those of them of which films are asked for margins; C104 holds for the oil that leaves."""
+OF_MARGINS = ("C101", "C108", "C202", "C401", "C407")
+"""Checks of which films are asked for margins; C104 holds for the oil that leaves."""
 
 
 def missed_but_for_own(
@@ -46,14 +58,24 @@ def missed_but_for_own(
 
 
 def asked_for_margins(checks: Iterable[Check], replaced: Iterable[Check]) -> tuple[Check, ...]:
-    """Checks of the case, and limits of film and metal that those of the case stand in place of."""
-    known = {(check.code, check.source) for check in checks}
-    beside = (one for one in replaced if one.code in OF_MARGINS and (one.code, one.source) not in known)
-    return (*checks, *beside)
+    """Checks of the case, and the stricter limits of film and metal that they stand in place of."""
+    held = tuple(checks)
+    return (*held, *(one for one in replaced if one.code in OF_MARGINS and _is_stricter(one, held)))
+
+
+def _is_stricter(one: Check, checks: Iterable[Check]) -> bool:
+    """Whether a limit asks for more than all others of its code and quantity."""
+    least = one.bound is Bound.AT_LEAST
+    alike = (other for other in checks if (other.code, other.quantity) == (one.code, one.quantity))
+    return all(one.limit > other.limit if least else one.limit < other.limit for other in alike)
 
 
 def checks_by_experience(case: CheckedProblem, values: Values) -> tuple[Check, ...]:
-    """Checks by experience and catalogue where the case has limits of its own; none where it has none."""
+    """Checks by experience and catalogue where the case has limits of its own; none where it has none.
+
+    What a case says of a metal of no family is held against the highest limits of any, and a film thickness at a
+    diameter beyond experience against that of the nearest.
+    """
     own, metal = case.limits, case.bearing.metal
     usual = None if metal is None else metal.stands_for
     if own == Limits(tables=own.tables) and usual is None:
@@ -65,6 +87,44 @@ def checks_by_experience(case: CheckedProblem, values: Values) -> tuple[Check, .
         bearing=whole.bearing if usual is None else replace(whole.bearing, metal=usual),
     )
     found = tuple(check for check in limit_checks(plain, values) if check.code in REPLACED)
-    if any(check.code == "C103" for check in found):
-        return found
-    return (*found, highest_specific_load("specific_load", values, own.tables))
+    if own.minimum_film_thickness is not None and not any(check.code == "C101" for check in found):
+        found = (*found, film_of_nearest_diameter(case, values))
+    of_load = highest_specific_load("specific_load", values, own.tables)
+    sets_load = own.specific_load is not None or sets_specific_load(metal)
+    return of_unknown_metal(found, metal, (of_load,) if sets_load else (), own.tables)
+
+
+def sets_specific_load(metal: BearingMetal | None) -> bool:
+    """Whether the case gives a specific load to its metal."""
+    if metal is None or metal.stands_for is None:
+        return False
+    return metal.calm.specific_load != metal.stands_for.calm.specific_load
+
+
+def of_unknown_metal(
+    checks: tuple[Check, ...],
+    metal: BearingMetal | None,
+    of_load: tuple[Check, ...],
+    tables: ExperienceLimits | None = None,
+) -> tuple[Check, ...]:
+    """Checks with the highest limits of any family in place of what a case alone knows of a metal of no family.
+
+    Parameters
+    ----------
+    checks : tuple of Check
+        By experience and catalogue.
+    metal : BearingMetal or None
+        As the case has it.
+    of_load : tuple of Check
+        The specific load against the highest limit, where the case sets one.
+    tables : ExperienceLimits, optional
+    """
+    usual = None if metal is None else metal.stands_for
+    tells = metal is not None and usual is not None and metal.limiting_temperature is not None
+    if tells and published_metal_temperature(usual, tables) is None:
+        highest = highest_metal_temperature(tables)
+        checks = tuple(
+            replace(one, limit=highest.value, source=highest.source) if one.code == "C108" else one
+            for one in checks
+        )
+    return checks if any(one.code == "C103" for one in checks) else (*checks, *of_load)

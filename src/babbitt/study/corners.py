@@ -79,6 +79,12 @@ def at_all_clearances(given: dict[str, Any], fields: Container[str]) -> dict[str
     return made
 
 
+def _has_limits(bearing: Any) -> bool:
+    """Whether a bearing of a machine has a clearance with limits; a support of known stiffness has none."""
+    clearance = getattr(bearing, "clearance", None)
+    return clearance is not None and bool(clearance.has_limits)
+
+
 def leaves_out_limits(case: CaseFile) -> bool:
     """Whether a case computes its mean clearance alone, of one that has a smallest and a largest."""
     fields, origin = KINDS[case.kind].model_fields, case.origin
@@ -86,7 +92,7 @@ def leaves_out_limits(case: CaseFile) -> bool:
         return False
     shared = getattr(case, CASES)
     if bearings := getattr(case, "bearings", ()):
-        return any(one.clearance.has_limits and (getattr(one, CASES) or shared) != "all" for one in bearings)
+        return any(_has_limits(one) and (getattr(one, CASES) or shared) != "all" for one in bearings)
     if shared == "all":
         return False
     files = NamedFiles(origin.file.parent, origin.reach)

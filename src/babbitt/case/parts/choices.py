@@ -41,7 +41,7 @@ class FilmLimitsInput(Part):
     temperature: Annotated[float, si("K", "20 degC", "250 degC")] | None = Field(
         None, description="Greatest permissible outlet or bearing temperature."
     )
-    transition_film_thickness: Annotated[float, si("m", "0 um", "1 mm")] | None = Field(
+    transition_film_thickness: Annotated[float, si("m", "0.1 um", "1 mm")] | None = Field(
         None, description="Film thickness at which mixed friction begins."
     )
 

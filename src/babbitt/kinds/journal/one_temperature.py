@@ -13,13 +13,17 @@ from babbitt.core.limited_flow import is_limited, limited
 from babbitt.core.notices import Notice
 from babbitt.core.result import Check
 from babbitt.design.bounds import FILM_CHECKS
-from babbitt.design.checks import limiting_temperature
+from babbitt.design.checks import knows_hottest_place
 from babbitt.design.conditions import CheckedProblem, Limits
 from babbitt.design.kept_limits import about_kept_film, kept_by_little
 from babbitt.design.uncertainty import shear_heat
 from babbitt.design.warnings import PLAIN_BEARING_UP_TO
 from babbitt.numerics.scalar_or_array import functions_for, holds_anywhere, larger
-from babbitt.properties.materials.experience import metal_temperature_limit
+from babbitt.properties.materials import (
+    highest_metal_temperature,
+    metal_temperature_limit,
+    published_metal_temperature,
+)
 
 __all__ = [
     "checks_of_metal",
@@ -289,9 +293,16 @@ def warnings_about_unknown_metal(
     Those films hold it against the general limit of bearing temperatures; where only the temperature of the oil
     that leaves is known, no check does.
     """
-    if case.limits.temperature is not None or limiting_temperature(case, values) is not None:
+    metal, tables = case.bearing.metal, case.limits.tables
+    usual = metal if metal is None or metal.stands_for is None else metal.stands_for
+    if knows_hottest_place(values) or published_metal_temperature(usual, tables) is not None:
         return
-    general = metal_temperature_limit(case.bearing.metal, case.limits.tables).value
+    of_metal = None if metal is None or metal.limiting_temperature is None else metal.limiting_temperature.value
+    of_case = [one for one in (case.limits.temperature, of_metal) if one is not None]
+    limit = metal_temperature_limit(usual, tables) if of_metal is None else highest_metal_temperature(tables)
+    general = limit.value
+    if any(one <= general for one in of_case):
+        return
     for check in checks:
         if check.code == "C104" and general < (hottest := hottest_metal(check.value, values)):
             yield Notice("W191", "metal", {"hottest": hottest, "limit": general, "check": "C108"})

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 from time import perf_counter
 
@@ -13,9 +13,16 @@ from babbitt.core.notices import Notice
 from babbitt.core.result import Bound, Check, Outcome, Result
 from babbitt.core.solution import Solution
 from babbitt.design.checks import highest_specific_load
-from babbitt.design.own_limits import missed_but_for_own
+from babbitt.design.own_limits import asked_for_margins, missed_but_for_own, of_unknown_metal, sets_specific_load
 from babbitt.kinds.thrust.assumed import oil_assumptions
-from babbitt.kinds.thrust.design import USUAL_FILM_LIMIT, ThrustDesign, ThrustState, bearing_state, share_on
+from babbitt.kinds.thrust.design import (
+    USUAL_FILM_LIMIT,
+    USUAL_FILM_SOURCE,
+    ThrustDesign,
+    ThrustState,
+    bearing_state,
+    share_on,
+)
 from babbitt.kinds.thrust.failures import NoPadFilmError
 from babbitt.kinds.thrust.margins import warnings_about_margins
 from babbitt.kinds.thrust.pad_attitude import attitude_at_rest, attitude_on_runout
@@ -93,7 +100,7 @@ def _checked(design: ThrustDesign) -> Solution:
     held = () if missed and limit.ok else (limit,)  # the film at rest alone may miss the limit, but not keep it
     metal = design.temperatures.given_metal
     checks = (*held, *design.temperatures.checks(values), *pressure_checks(metal, values))
-    replaced = tuple(one for one in _by_experience(design, limit, values) if one not in checks)
+    replaced = _by_experience(design, limit, values)
     result = Result(
         design.name,
         design.kind,
@@ -106,7 +113,7 @@ def _checked(design: ThrustDesign) -> Solution:
             *shared,
             *of_runout,
             *missed_but_for_own(checks, replaced),
-            *warnings_about_margins(design.oil, (*checks, *replaced), values),
+            *warnings_about_margins(design.oil, asked_for_margins(checks, replaced), values),
         ),
         (
             *(() if held else missed),
@@ -125,16 +132,15 @@ def _checked(design: ThrustDesign) -> Solution:
     return Solution(design, result, state)
 
 
-def _by_experience(design: ThrustDesign, of_film: Check, values: Mapping[str, float]) -> Iterator[Check]:
+def _by_experience(design: ThrustDesign, of_film: Check, values: Mapping[str, float]) -> tuple[Check, ...]:
     """The checks without limits that the case sets, or gives to its metal."""
     given = design.temperatures.given_metal
     usual = given if given is None or given.stands_for is None else given.stands_for
-    of_load = tuple(pressure_checks(usual, values))
-    yield replace(of_film, limit=USUAL_FILM_LIMIT)
-    yield from TemperatureLimits(None, usual).checks(values)
-    yield from of_load
-    if not any(check.code == "C103" for check in of_load):
-        yield highest_specific_load(PRESSURE, values, None)
+    limits = TemperatureLimits(None, usual)
+    of_film = replace(of_film, limit=USUAL_FILM_LIMIT, source=USUAL_FILM_SOURCE)
+    found = of_film, *limits.checks(values), *pressure_checks(usual, values)
+    of_load = (highest_specific_load(PRESSURE, values, None),) if sets_specific_load(given) else ()
+    return of_unknown_metal(found, given, of_load)
 
 
 def _turned(design: ThrustDesign, state: ThrustState) -> tuple[dict[str, float], float]:

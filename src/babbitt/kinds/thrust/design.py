@@ -30,6 +30,7 @@ __all__ = [
     "PrescribedThrust",
     "Oil",
     "USUAL_FILM_LIMIT",
+    "USUAL_FILM_SOURCE",
     "ThrustDesign",
     "ThrustState",
     "bearing_state",
@@ -40,7 +41,7 @@ __all__ = [
     "films_in_oil",
 ]
 
-USUAL_FILM_LIMIT = 10e-6
+USUAL_FILM_LIMIT, USUAL_FILM_SOURCE = 10e-6, "assumption: 10 µm"
 """Least film in m where the case gives none (an assumption)."""
 
 NEARLY = 1e-5

@@ -36,6 +36,9 @@ Array = NDArray[np.float64]
 MOST_ROUNDS = 60
 SETTLED = 1e-7
 """Change of the heights, over them, and of the inlet temperatures, over 1000 K, at most."""
+REPRODUCED = 1e-6
+"""The same of the best round of a search that has used up its rounds: films of pads with temperatures of their own
+come back no nearer (2e-7 to 1e-6), and a closer end would be chance."""
 CLOSED = 1e-8
 """Change of the inlet temperatures, K, at which the heat of the bearing is closed."""
 STEP = 0.8
@@ -65,6 +68,8 @@ class Rounds:
         Inlet temperatures that films give each other, K.
     tolerance : float
         Change of the heights, over them, and of the inlet temperatures, over 1000 K, that ends the search.
+    moved, best
+        That of the last round, and the least with its heights and inlets.
     """
 
     share: Share
@@ -74,12 +79,18 @@ class Rounds:
     inlets_of: Callable[[tuple[PadState, ...]], Array]
     tolerance: float
     moved: float = math.inf
+    best: tuple[float, Array | None] = (math.inf, None)
 
     def run(self, options: AndersonOptions) -> Share | None:
         """The share at which nothing changes; None where the rounds do not end there."""
         start = np.concatenate([np.log(self.share.heights), 1e-3 * self.inlets_of(self.share.states)])
         found = fixed_point(self._residual, lambda *_: self.moved < self.tolerance, start, options, self._bounded)
-        return self.share if found.converged else None
+        if found.converged:
+            return self.share
+        least, state = self.best
+        if state is None or least > REPRODUCED or self._residual(state) is None:
+            return None
+        return self.share if self.moved <= 10.0 * REPRODUCED else None  # solved again from other films
 
     def _residual(self, state: Array) -> Array | None:
         """Change of the logarithms of the heights and of the inlet temperatures over 1000 K, of which STEP."""
@@ -97,6 +108,8 @@ class Rounds:
         warmer = self.inlets_of(states) - inlets
         self.moved = max(float(np.abs(new / heights - 1.0).max()), 1e-3 * float(np.abs(warmer).max()))
         self.share = Share(share.bearing, thrust, approach, heights, loads, states)
+        if self.moved < self.best[0]:
+            self.best = self.moved, state
         return np.concatenate([np.log(new / heights), 1e-3 * STEP * warmer])
 
     def _bounded(self, _: Array, move: Array) -> Array:

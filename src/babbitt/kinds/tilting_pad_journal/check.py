@@ -158,9 +158,13 @@ def by_its_model(case: PadCase) -> tuple[Result, PadSolutionState | None]:
         *certain(heat, bounds),
         *cross_coupling_checks(case, values, *least_decrement(case)),
     )
-    replaced = checks_by_experience(case, values)
+    usual = replace(case, least_log_decrement=None)
+    replaced = (
+        *checks_by_experience(case, values),
+        *stability_checks(usual, values),
+        *cross_coupling_checks(usual, values, *least_decrement(usual)),
+    )
     held = asked_for_margins(checks, replaced)
-    usual_stability = stability_checks(replace(case, least_log_decrement=None), values)
     told = tuple(warnings_of_solution(case, films, dynamics, margins, values))
     return Result(
         case.name,
@@ -173,7 +177,7 @@ def by_its_model(case: PadCase) -> tuple[Result, PadSolutionState | None]:
             *case.warnings,
             *told,
             *about_stability_on_the_ramp(checks, told),
-            *missed_but_for_own(checks, (*replaced, *usual_stability)),
+            *missed_but_for_own(checks, replaced),
             *warnings_about_kept_limits(films, held),
             *warnings_about_one_temperature(case, held, values),
             *about_synchronous_verdict(values, least_decrement(case)[0]),

@@ -199,6 +199,10 @@ def about_assumptions(result: Result, ends: Sequence[End]) -> Iterator[Notice]:
         yield Notice("W419", "ends", {"ends": tuple(said)})
 
 
+OWN_LIMITS = "W219"
+"""Of limits by experience that are missed, where the case sets others."""
+
+
 def worse(base: Result, said: Notice, found: Result | None, refusal: str) -> Iterator[Notice]:
     """What of a bearing is worse otherwise than as calculated: limits missed that were kept, or not checked.
 
@@ -225,6 +229,9 @@ def worse(base: Result, said: Notice, found: Result | None, refusal: str) -> Ite
     lost = tuple(limit_missed(one) for one in missed if one.code in kept)
     if lost:
         yield Notice("W419", "missed", {"end": said, "limits": lost})
+    own = next((one for one in found.warnings if one.code == OWN_LIMITS), None)
+    if own is not None and OWN_LIMITS not in base.questioning_codes:
+        yield Notice("W419", "own", {"end": said, "own": own})
     if codes := tuple(one for one in found.invalidating_codes if one not in base.invalidating_codes):
         yield Notice("W419", "no_verdict", {"end": said, "codes": codes})
 

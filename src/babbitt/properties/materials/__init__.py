@@ -9,6 +9,7 @@ from babbitt.properties.materials.catalogue import (
 )
 from babbitt.properties.materials.experience import (
     empirical_minimum_film_thickness,
+    highest_metal_temperature,
     metal_temperature_limit,
     pressure_fed_temperature_limit,
     published_metal_temperature,
@@ -40,6 +41,7 @@ __all__ = [
     "bearing_metals",
     "empirical_minimum_film_thickness",
     "experience_limits",
+    "highest_metal_temperature",
     "metal_temperature_limit",
     "published_metal_temperature",
     "pressure_fed_temperature_limit",

@@ -108,6 +108,19 @@ def metal_temperature_limit(metal: BearingMetal | None, tables: ExperienceLimits
     )
 
 
+def highest_metal_temperature(tables: ExperienceLimits | None = None) -> SourcedValue:
+    """The highest limiting temperature of any family of bearing metals, in K.
+
+    Examples
+    --------
+    >>> round(highest_metal_temperature().value - 273.15)
+    125
+    """
+    known = (tables or experience_limits()).metal_temperature or experience_limits().metal_temperature
+    highest = max(known.values(), key=lambda one: one.value)
+    return SourcedValue(highest.value, f"highest of any family; {highest.source}")
+
+
 def self_cooled_temperature_limit(tables: ExperienceLimits | None = None) -> ExperienceLimit:
     """Permissible bearing temperature T_B of a bearing cooled by its surroundings, in K.
 

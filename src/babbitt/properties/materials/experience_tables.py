@@ -75,6 +75,12 @@ class FilmThicknessTable:
             return found
         return float(self.films[row][column])
 
+    def nearest(self, diameter: float, surface_speed: float) -> float:
+        """Permissible film thickness in m at the diameter of the table that is nearest."""
+        found = self.at(min(max(diameter, self.diameters[1]), self.diameters[-1]), surface_speed)
+        assert found is not None
+        return found
+
 
 @dataclass(frozen=True)
 class ExperienceLimits:

@@ -24,7 +24,7 @@ from babbitt.design.failure import failure_of
 from babbitt.design.feeding import Arrival
 from babbitt.design.heat_balance import Equilibrium
 from babbitt.design.oil import usable_viscosity
-from babbitt.design.own_limits import checks_by_experience, missed_but_for_own
+from babbitt.design.own_limits import asked_for_margins, checks_by_experience, missed_but_for_own
 from babbitt.design.warnings import warnings_about_supply
 from babbitt.kinds.journal.film.assumptions import film_assumptions, film_settings
 from babbitt.kinds.journal.film.fuller_film import thinner_orbit, warnings_of_fuller_film
@@ -35,7 +35,6 @@ from babbitt.kinds.journal.film.load_slope import confirmed_state, slope_not_ask
 from babbitt.kinds.journal.film.mixed_results import mixed_results
 from babbitt.kinds.journal.film.model import FilmCase
 from babbitt.kinds.journal.film.orbit_results import (
-    at_worst_instants,
     orbit_checks,
     orbit_failure,
     orbit_of,
@@ -221,10 +220,11 @@ def film_by_its_model(case: FilmCase, watch: ProgressCallback = no_progress) -> 
                 values |= orbit_values(case, orbit)
                 arrays["orbit"] = orbit_rows(orbit)
                 on_orbit = tuple(orbit_checks(checks, values))
-                checks = (*checks, *on_orbit)
-                near = _about_margins_on_orbit(case, state, on_orbit, values)
-                worst = checks_by_experience(case, at_worst_instants(values))
-                own = missed_but_for_own(checks, worst, "orbit")
+                of_film, checks = checks, (*checks, *on_orbit)
+                replaced = checks_by_experience(case, values)
+                own = missed_but_for_own(on_orbit, orbit_checks(replaced, values), "orbit")
+                held = tuple(orbit_checks(asked_for_margins(of_film, replaced), values))
+                near = _about_margins_on_orbit(case, state, held, values)
                 warnings = (*warnings, *orbit_warnings(case, orbit, values), *near, *own)
         values |= _supply_of_ducts(asked, beyond)
         values["iterations"] = float(found.evaluations)

@@ -25,7 +25,6 @@ if TYPE_CHECKING:
     from babbitt.kinds.journal.film.orbit import Orbit
 
 __all__ = [
-    "at_worst_instants",
     "orbit_assumptions",
     "orbit_checks",
     "orbit_warnings",
@@ -89,12 +88,6 @@ def orbit_rows(orbit: Orbit) -> Matrix:
         orbit.turned, *orbit.position.T, *orbit.load.T, orbit.film_thickness, orbit.maximum_pressure,
     )  # fmt: skip
     return tuple(tuple(float(one) for one in row) for row in zip(*columns, strict=True))
-
-
-def at_worst_instants(values: Mapping[str, float]) -> dict[str, float]:
-    """Results of the steady load, with those of the worst instants of the orbit in place of what they bound."""
-    worst = {name: values[f"orbit_{name}"] for name in HELD_ON_ORBIT}
-    return {**values, **{name: one for name, one in worst.items() if math.isfinite(one)}}
 
 
 def orbit_checks(checks: tuple[Check, ...], values: dict[str, float]) -> Iterator[Check]:

@@ -260,9 +260,8 @@ def _of_running(
     change: Transition | None,
 ) -> Iterator[Notice]:
     yield from warnings_about_running(case, values, checks)
-    yield from warnings_about_slope(case, values, checks)
-    viscosity = usable_viscosity(case.lubricant)
-    held = asked_for_margins(checks, replaced)
+    viscosity, held = usable_viscosity(case.lubricant), asked_for_margins(checks, replaced)
+    yield from warnings_about_slope(case, values, held)
     yield from warnings_about_margins(held, values, checks_of_metal(case.limits), viscosity)
     yield from warnings_about_unknown_metal(case, checks, values)
     yield from warnings_about_heat_left_out(case, values)

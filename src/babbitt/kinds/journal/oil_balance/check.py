@@ -12,7 +12,14 @@ from babbitt.design.ducts import LAMINAR_UP_TO
 from babbitt.design.missed_limit import missed_limit
 from babbitt.kinds.journal.limits_of_clearance import standing_against, with_missed
 from babbitt.kinds.journal.oil_balance.model import OilSystemProblem
-from babbitt.kinds.journal.oil_balance.network import Balance, FedBearing, UnsolvedBearingError, balanced, fed
+from babbitt.kinds.journal.oil_balance.network import (
+    Balance,
+    FedBearing,
+    UnsolvedBearingError,
+    balanced,
+    fed,
+    header_of,
+)
 from babbitt.kinds.journal.oil_balance.proposals import Proposal, proposed
 
 __all__ = ["METHOD", "oil_balance_solutions"]
@@ -21,6 +28,9 @@ METHOD = "oil_balance"
 
 BALANCED = 1e-8
 """Error of the balance of flows, over the delivery of the pump, up to which it has converged."""
+
+OTHER_CLEARANCES = 1e-6
+"""Relative, of the pressure of the header with clearances that are not those of the answer."""
 
 
 def oil_balance_solutions(problem: OilSystemProblem) -> tuple[Solution, ...]:
@@ -61,7 +71,8 @@ def _supply_check(ratio: float) -> Check:
 def _held_at_limits(problem: OilSystemProblem, result: Result, mean: Balance) -> Result:
     """The result of a balance, with what stands against it with other clearances than the mean.
 
-    Bearings share the oil by their clearances: least of it reaches one while those of the others are largest.
+    Bearings share the oil by their clearances: least of it reaches one while those of the others are largest, and
+    most while they are smallest.
     """
     if not result.within_limits or not problem.with_limits:
         return result
@@ -71,12 +82,10 @@ def _held_at_limits(problem: OilSystemProblem, result: Result, mean: Balance) ->
         (Notice("W174", "all_least"), _against(mean, least)),
         (Notice("W174", "all_greatest"), _against(mean, largest)),
     ]
-    if count > 1:
-        header = None if largest is None else largest.header_pressure
-        told = tuple(
-            one for place in problem.with_limits for one in _against_own_least(problem, mean, place, header)
-        )
-        against.append((Notice("W174", "own_least"), told))
+    if len(problem.with_limits) > 1:
+        for own, variant in enumerate(("own_least", "own_greatest")):
+            told = tuple(one for place in problem.with_limits for one in _against_own(problem, mean, place, own))
+            against.append((Notice("W174", variant), told))
     return with_missed(result, against)
 
 
@@ -97,23 +106,16 @@ def _against(mean: Balance, found: Balance | None) -> tuple[Notice, ...]:
     return tuple(_of_bearing(before, told) for before, after in pairs if (told := _clauses(before, after)))
 
 
-def _against_own_least(
-    problem: OilSystemProblem, mean: Balance, place: int, header: float | None
-) -> Iterator[Notice]:
-    """What stands against one bearing with its smallest clearance beside the largest of all others.
-
-    With all at their largest the pressure of the header is lower still: what is good at that, in Pa, is good here.
-    """
+def _against_own(problem: OilSystemProblem, mean: Balance, place: int, own: int) -> Iterator[Notice]:
+    """What stands against one bearing at its first (0) or second (1) limit, all others being at the other."""
     count, before = len(problem.calculations), mean.bearings[place]
-    mixed = problem.at_limits([int(one != place) for one in range(count)])
-    if header is not None:
-        try:
-            if not _clauses(before, fed(mixed.calculations[place], problem.system.lines[place], header)):
-                return
-        except UnsolvedBearingError:
-            pass  # as it may be at less pressure than it has
-    found = _balance(mixed)
-    told = (Notice("W174", "no_film"),) if found is None else _clauses(before, found.bearings[place])
+    mixed = problem.at_limits([own if one == place else 1 - own for one in range(count)])
+    try:
+        header = header_of(mixed, OTHER_CLEARANCES)
+        found = fed(mixed.calculations[place], problem.system.lines[place], header.value)
+        told = _clauses(before, found) if header.converged else (Notice("W174", "no_film"),)
+    except UnsolvedBearingError:
+        told = (Notice("W174", "no_film"),)
     if told:
         yield _of_bearing(before, told)
 

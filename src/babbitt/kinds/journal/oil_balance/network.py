@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 from typing import Any
@@ -14,9 +13,9 @@ from babbitt.design.conditions import OilSupply
 from babbitt.design.values import pumped_flow
 from babbitt.kinds.journal.limits_of_clearance import for_values
 from babbitt.kinds.journal.oil_balance.model import Line, OilSystemProblem
-from babbitt.numerics.roots import find_root
+from babbitt.numerics.roots import Root, find_root
 
-__all__ = ["Balance", "FedBearing", "UnsolvedBearingError", "balanced", "fed"]
+__all__ = ["Balance", "FedBearing", "UnsolvedBearingError", "balanced", "fed", "header_of"]
 
 PRESSURE_TOLERANCE = 1e-14
 """Relative, of the pressure of the header: to round-off, for the flows to agree to 1e-8."""
@@ -93,25 +92,35 @@ def balanced(problem: OilSystemProblem) -> Balance:
         Where a bearing has no film at a pressure that the search looks at.
     """
     pump, lines = problem.system.pump, problem.system.lines
-    searched = [for_values(one) for one in problem.calculations]
+    found = header_of(problem, PRESSURE_TOLERANCE)
+    header, delivery = found.value, pump.delivery(found.value)
+    pairs = zip(problem.calculations, lines, strict=True)
+    bearings = tuple(fed(one, line, header) for one, line in pairs)
+    excess = sum(one.supplied for one in bearings) - delivery
+    relieved = max(-excess, 0.0) if header == pump.relief_pressure else 0.0
+    error = abs(excess + relieved) / delivery if found.converged else math.inf
+    return Balance(header, bearings, delivery, relieved, error)
 
-    def at(pressure: float, calculations: Sequence[Calculation]) -> tuple[FedBearing, ...]:
-        return tuple(fed(one, line, pressure) for one, line in zip(calculations, lines, strict=True))
+
+def header_of(problem: OilSystemProblem, tolerance: float) -> Root:
+    """Pressure of the header in Pa to a relative tolerance, of bearings solved as far as their flows go.
+
+    Raises
+    ------
+    UnsolvedBearingError
+    """
+    pump = problem.system.pump
+    lines = [(for_values(one), line) for one, line in zip(problem.calculations, problem.system.lines, strict=True)]
 
     @cache
     def excess(pressure: float) -> float:
-        taken = sum(one.supplied for one in at(pressure, searched)) if pressure > 0.0 else 0.0
+        taken = sum(fed(one, line, pressure).supplied for one, line in lines) if pressure > 0.0 else 0.0
         return taken - pump.delivery(pressure)
 
     relief = pump.relief_pressure
-    left = -excess(relief)
-    if left >= 0.0:
-        return Balance(relief, at(relief, problem.calculations), pump.delivery(relief), left, 0.0)
-    root = find_root(excess, 0.0, relief, relative=PRESSURE_TOLERANCE)
-    header, delivery = root.value, pump.delivery(root.value)
-    bearings = at(header, problem.calculations)
-    missed = sum(one.supplied for one in bearings) - delivery
-    return Balance(header, bearings, delivery, 0.0, abs(missed) / delivery if root.converged else math.inf)
+    if excess(relief) <= 0.0:
+        return Root(relief, True)
+    return find_root(excess, 0.0, relief, relative=tolerance)
 
 
 def fed(calculation: Calculation, line: Line, pressure: float) -> FedBearing:

@@ -33,7 +33,13 @@ from babbitt.kinds.thrust.case.thrust_pads import (
     Tilt,
     TiltingPivot,
 )
-from babbitt.kinds.thrust.design import USUAL_FILM_LIMIT, PrescribedFilm, PrescribedThrust, ThrustDesign
+from babbitt.kinds.thrust.design import (
+    USUAL_FILM_LIMIT,
+    USUAL_FILM_SOURCE,
+    PrescribedFilm,
+    PrescribedThrust,
+    ThrustDesign,
+)
 from babbitt.kinds.thrust.methods import THRUST_FILM
 from babbitt.kinds.thrust.pad import Pivot, ThrustPad
 from babbitt.kinds.thrust.state import TiltInertia
@@ -239,7 +245,7 @@ class ThrustBearingInputs(ThrustFilmChoices):
             oil,
             tuple(one.harmonic() for one in runouts),
             USUAL_FILM_LIMIT if limits.minimum_film_thickness is None else limits.minimum_film_thickness,
-            "assumption: 10 µm" if limits.minimum_film_thickness is None else "given in the case",
+            USUAL_FILM_SOURCE if limits.minimum_film_thickness is None else "given in the case",
             TemperatureLimits(limits.temperature, None if self.materials is None else self.materials.metal()),
             law,
             (*words_of(self), *describe_runout(runouts)),
