@@ -195,7 +195,7 @@ def load_and_temperature_checks(case: CheckedProblem, values: Mapping[str, float
     pressure, metal = values["specific_load"], case.bearing.metal
     general = None
     if metal is not None and (load_limit := specific_load_limit(metal.family, case.limits.tables)) is not None:
-        general = _at_speed(load_limit, surface_speed(case))
+        general = specific_load_at_speed(load_limit, surface_speed(case))
     yield from _own_or_general("C103", "specific_load", pressure, case.limits.specific_load, AT_MOST, general)
     name, by_experience, highest = limited_temperature(values), temperature_limit(case), case.limits.temperature
     source = by_experience.source
@@ -204,7 +204,7 @@ def load_and_temperature_checks(case: CheckedProblem, values: Mapping[str, float
     yield from _own_or_general("C104", name, values[name], highest, AT_MOST, (by_experience.general, source))
 
 
-def _at_speed(limit: ExperienceLimit, speed: float) -> tuple[float, str]:
+def specific_load_at_speed(limit: ExperienceLimit, speed: float) -> tuple[float, str]:
     """The permissible specific load in Pa at a surface speed in m/s, and its source."""
     slow = speed <= SLOW_UP_TO
     which = f"exceptional value, for speeds up to {SLOW_UP_TO:g} m/s" if slow else "general value"
@@ -222,7 +222,7 @@ def film_of_nearest_diameter(case: CheckedProblem, values: Mapping[str, float]) 
 def highest_specific_load(quantity: str, values: Mapping[str, float], tables: ExperienceLimits | None) -> Check:
     """A specific load against the highest limit of any family of bearing metals, for a metal of unknown family."""
     known = (tables or experience_limits()).specific_load or experience_limits().specific_load
-    limit, source = max(_at_speed(one, abs(values["surface_speed"])) for one in known.values())
+    limit, source = max(specific_load_at_speed(one, abs(values["surface_speed"])) for one in known.values())
     return Check("C103", quantity, values[quantity], limit, AT_MOST, f"highest of any family; {source}")
 
 

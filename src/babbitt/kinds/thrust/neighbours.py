@@ -39,6 +39,8 @@ SETTLED = 1e-7
 REPRODUCED = 1e-6
 """The same of the best round of a search that has used up its rounds: films of pads with temperatures of their own
 come back no nearer (2e-7 to 1e-6), and a closer end would be chance."""
+STRAY = 1e-5
+"""The same of that round solved again, from which on its films are others (an assumption)."""
 CLOSED = 1e-8
 """Change of the inlet temperatures, K, at which the heat of the bearing is closed."""
 STEP = 0.8
@@ -90,7 +92,7 @@ class Rounds:
         least, state = self.best
         if state is None or least > REPRODUCED or self._residual(state) is None:
             return None
-        return self.share if self.moved <= 10.0 * REPRODUCED else None  # solved again from other films
+        return self.share if self.moved <= STRAY else None
 
     def _residual(self, state: Array) -> Array | None:
         """Change of the logarithms of the heights and of the inlet temperatures over 1000 K, of which STEP."""

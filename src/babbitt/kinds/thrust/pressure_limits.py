@@ -7,7 +7,7 @@ from operator import attrgetter
 
 from babbitt.core.notices import Notice
 from babbitt.core.result import Bound, Check
-from babbitt.design.checks import SLOW_UP_TO
+from babbitt.design.checks import specific_load_at_speed
 from babbitt.kinds.thrust.temperature_limits import ASSUMED_METAL
 from babbitt.properties.materials import BearingMetal, LoadCharacter, bearing_metal, specific_load_limit
 
@@ -38,11 +38,9 @@ def pressure_checks(given_metal: BearingMetal | None, values: Mapping[str, float
     assumed = "" if given_metal is not None else f"assumption: {ASSUMED_METAL}; "
     pressure, advisory = values[PRESSURE], given_metal is None
     if (by_experience := specific_load_limit(metal.family)) is not None:
-        slow = abs(values["surface_speed"]) <= SLOW_UP_TO
-        limit = by_experience.exceptional if slow else by_experience.general
-        which = f"exceptional value, for speeds up to {SLOW_UP_TO:g} m/s" if slow else "general value"
-        source = f"{assumed}{by_experience.source}; {which} of journal bearings"
-        yield Check("C103", PRESSURE, pressure, limit, Bound.AT_MOST, source, advisory)
+        limit, source = specific_load_at_speed(by_experience, abs(values["surface_speed"]))
+        why = f"{assumed}{source} of journal bearings"
+        yield Check("C103", PRESSURE, pressure, limit, Bound.AT_MOST, why, advisory)
     limits = metal.limits(LoadCharacter.CALM)
     for code, name, limit_in in OF_METAL:
         if (of_metal := limit_in(limits)) is not None:
