@@ -186,8 +186,8 @@ def test_an_assumption_that_misses_a_limit_questions_the_verdict(result):
     limits = {"probe_alarm": f"{alarm - 273.15!r} degC"}
     found = result_of(assumption_sensitivity=True, limits=limits, **GROWING)
     (message,) = said(found)
-    numbers = f"C404 with {hotter - 273.15:.1f} °C > {alarm - 273.15:.1f} °C"
-    assert f"Carry-over: 0.900 in place of 0.700 misses {numbers}" in message
+    numbers = f"C404 is missed, {hotter - 273.15:.1f} °C > {alarm - 273.15:.1f} °C"
+    assert f"Carry-over: 0.900 in place of 0.700: {numbers}" in message
     assert "Carry-over: 0.500" not in message
     assert not said(result)
 

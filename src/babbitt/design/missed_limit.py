@@ -31,5 +31,6 @@ MISSED = {
 def missed_limit(check: Check, code: str) -> Notice:
     """A clause of a code that says which limit is missed, and by what."""
     names = {check.code, check.quantity, whole(check.quantity)}
-    variant = next((one for one, known in MISSED.items() if names & set(known)), "missed_other")
+    other = "missed_degrees" if check.is_in_kelvin else "missed_other"
+    variant = next((one for one, known in MISSED.items() if names & set(known)), other)
     return Notice(code, variant, {"value": check.value, "limit": check.limit, "check": check.code})

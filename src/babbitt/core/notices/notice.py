@@ -16,11 +16,14 @@ from babbitt.core.notices.words import PLACEHOLDER, SHARED, explanations, words
 from babbitt.core.quantities import QUANTITIES, Quantity
 from babbitt.core.quantities.display import SI
 
-__all__ = ["Notice", "quantity_shown", "retold"]
+__all__ = ["TITLED", "Notice", "quantity_shown", "retold"]
 
 
 COMPARED = re.compile(rf"({PLACEHOLDER.pattern}) [<>] ({PLACEHOLDER.pattern})")
 """Two values of which one lies beyond the other."""
+
+TITLED = "titled"
+"""As which a code is shown with its title."""
 
 FIELDS = "fields"
 """Placeholder of names of fields, which may be words of the language as well and stay as they are."""
@@ -154,6 +157,8 @@ def _shown(value: Any, measure: str) -> str:
             return listed(said)
         return ("; " if any(isinstance(one, Notice) for one in value) else ", ").join(said)
     if isinstance(value, str):
+        if measure == TITLED and value in explanations():
+            return f"{value} ({explanations()[value].title})"
         return value if measure == FIELDS else translated_if_known(value)
     quantity = quantity_shown(measure)
     if quantity is None:

@@ -11,6 +11,7 @@ texts that they have, by the same keys. A ``{placeholder}`` names a value of the
   `babbitt.core.quantities.quantity.SI`;
 - ``{pad}``, any other: a count, a name, or a number in SI with up to four digits;
 - ``{given} < {least}``: where both read alike, as many digits as show the difference;
+- ``{code:titled}``: a code with its title;
 - ``{remedy}``: no value, but the remedy of the code, as the rest of a sentence.
 """
 

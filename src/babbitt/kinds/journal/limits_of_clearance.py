@@ -21,6 +21,7 @@ __all__ = [
     "held_at_limits",
     "many_held_at_limits",
     "standing_against",
+    "without_limits",
     "with_missed",
 ]
 
@@ -43,11 +44,15 @@ class HasClearanceLimits(Protocol):
 
 def for_values(calculation: Calculation) -> Calculation:
     """The calculation as far as its values go: nothing else is solved against which its limits are held."""
-    asked = calculation.only(())
-    problem: Any = asked.problem
+    return without_limits(calculation.only(()))
+
+
+def without_limits(calculation: Calculation) -> Calculation:
+    """The calculation at its own clearance alone."""
+    problem: Any = calculation.problem
     if getattr(problem, "clearance_limits", None) is None:
-        return asked
-    return replace(asked, problem=replace(problem, clearance_limits=None))
+        return calculation
+    return replace(calculation, problem=replace(problem, clearance_limits=None))
 
 
 CaseT = TypeVar("CaseT", bound=HasClearanceLimits)

@@ -8,16 +8,14 @@ from dataclasses import dataclass, replace
 
 from babbitt.core.notices import InputError, Notice
 from babbitt.core.quantities import QUANTITIES
-from babbitt.core.result import Check, Matrix, Result
+from babbitt.core.result import Matrix, Result
+from babbitt.design.missed_limit import missed_limit
 from babbitt.kinds.tilting_pad_journal.model import PadCase, Thermal
 
 __all__ = ["ASSUMED", "MOVED", "Assumption", "assumptions", "end_in_words", "with_sensitivity", "worse"]
 
 STARVED = "W405"
 """Of pads that get less oil than they draw in: their numbers are those of films with all of it."""
-
-SHOWN_AS = {"minimum_film_thickness": "film", "hydrodynamic_speed": "speed", "specific_load": "pressure"}
-"""Messages of missed limits that are no bare numbers, by what is limited; temperatures have one of their own."""
 
 CARRIED, TRANSFER, WARMER = 0.2, 3.0, 10.0
 """By how much carry-over (a share), heat transfer on the backs (a factor) and the temperature of the housing (K)
@@ -226,7 +224,7 @@ def worse(base: Result, said: Notice, found: Result | None, refusal: str) -> Ite
     missed = [one for one in found.limits if not one.ok]
     there = {one.code for one in base.limits} | {one.code for one in base.not_checked}
     kept = there - {one.code for one in base.limits if not one.ok}
-    lost = tuple(limit_missed(one) for one in missed if one.code in kept)
+    lost = tuple(missed_limit(one, "W419") for one in missed if one.code in kept)
     if lost:
         yield Notice("W419", "missed", {"end": said, "limits": lost})
     own = next((one for one in found.warnings if one.code == OWN_LIMITS), None)
@@ -234,9 +232,3 @@ def worse(base: Result, said: Notice, found: Result | None, refusal: str) -> Ite
         yield Notice("W419", "own", {"end": said, "own": own})
     if codes := tuple(one for one in found.invalidating_codes if one not in base.invalidating_codes):
         yield Notice("W419", "no_verdict", {"end": said, "codes": codes})
-
-
-def limit_missed(check: Check) -> Notice:
-    """A limit with the value that misses it, in the unit of what it limits."""
-    variant = SHOWN_AS.get(check.quantity, "temperature" if check.is_in_kelvin else "plain")
-    return Notice("W419", variant, {"check": check.code, "value": check.value, "limit": check.limit})

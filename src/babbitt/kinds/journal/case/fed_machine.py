@@ -9,6 +9,7 @@ from typing import Any
 from babbitt.core.notices import InputError
 from babbitt.core.solution import Calculation
 from babbitt.kinds.journal.case.machine import SeveralBearings
+from babbitt.kinds.journal.limits_of_clearance import without_limits
 from babbitt.kinds.journal.methods import OilBalance
 from babbitt.kinds.journal.oil_balance.model import OilSystemProblem
 
@@ -30,7 +31,7 @@ def oil_system_calculation(case: SeveralBearings, calculations: Sequence[Calcula
         problem: Any = one.problem
         supply = problem.oil_supply
         behind = replace(supply, tubes=(*line.ducts, *supply.tubes))
-        fed.append(replace(one, problem=problem.fed_by(behind)))
+        fed.append(without_limits(replace(one, problem=problem.fed_by(behind))))
     assumed = [
         f"Discharge coefficient of the orifice of {given.bearing}: {given.discharge_coefficient:g} (assumption)."
         for given in case.oil_system.lines

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 
 from babbitt.core.notices import Notice
 from babbitt.core.result import Bound, Check, Matrix, Outcome, Result
@@ -59,8 +60,8 @@ def oil_balance_solutions(problem: OilSystemProblem) -> tuple[Solution, ...]:
         settings=_names(problem),
         arrays=_arrays(problem, found, made),
     )
-    return (Solution(problem, _held_at_limits(problem, result, found), found),
-            *(one.solution for one in found.bearings))  # fmt: skip
+    bearings = (one.solution for one in found.bearings)
+    return _held_at_limits(problem, found, (Solution(problem, result, found), *bearings))
 
 
 def _supply_check(ratio: float) -> Check:
@@ -68,25 +69,40 @@ def _supply_check(ratio: float) -> Check:
     return Check("C601", "least_supply_ratio", ratio, 1.0, Bound.AT_LEAST, source)
 
 
-def _held_at_limits(problem: OilSystemProblem, result: Result, mean: Balance) -> Result:
-    """The result of a balance, with what stands against it with other clearances than the mean.
+def _held_at_limits(
+    problem: OilSystemProblem, mean: Balance, solutions: tuple[Solution, ...]
+) -> tuple[Solution, ...]:
+    """The system and its bearings, each with what stands against it with other clearances than the mean.
 
     Bearings share the oil by their clearances: least of it reaches one while those of the others are largest, and
     most while they are smallest.
     """
-    if not result.within_limits or not problem.with_limits:
-        return result
+    if not problem.with_limits or not any(one.result.within_limits for one in solutions):
+        return solutions
+    against = tuple(_against(problem, mean))
+    return tuple(
+        replace(one, result=with_missed(one.result, ((at, told.get(place, ())) for at, told in against)))
+        if one.result.within_limits
+        else one
+        for place, one in enumerate(solutions)
+    )
+
+
+Told = dict[int, tuple[Notice, ...]]
+"""What stands against the system (0) and against its bearings (from 1)."""
+
+
+def _against(problem: OilSystemProblem, mean: Balance) -> Iterator[tuple[Notice, Told]]:
+    """Clearances at their limits in words, each with what then stands against the system and its bearings."""
     count = len(problem.calculations)
-    least, largest = (_balance(problem.at_limits(count * (place,))) for place in (0, 1))
-    against = [
-        (Notice("W174", "all_least"), _against(mean, least)),
-        (Notice("W174", "all_greatest"), _against(mean, largest)),
-    ]
+    for limit, which in enumerate(("all_least", "all_greatest")):
+        found = _balance(problem.at_limits(count * (limit,)))
+        no_film: Told = {0: (Notice("W174", "no_film"),)}
+        yield Notice("W174", which), no_film if found is None else _told(mean, enumerate(found.bearings))
     if len(problem.with_limits) > 1:
-        for own, variant in enumerate(("own_least", "own_greatest")):
-            told = tuple(one for place in problem.with_limits for one in _against_own(problem, mean, place, own))
-            against.append((Notice("W174", variant), told))
-    return with_missed(result, against)
+        for limit, which in enumerate(("own_least", "own_greatest")):
+            alone = [(place, _fed_beside(problem, place, limit)) for place in problem.with_limits]
+            yield Notice("W174", which), _told(mean, alone)
 
 
 def _balance(problem: OilSystemProblem) -> Balance | None:
@@ -98,38 +114,33 @@ def _balance(problem: OilSystemProblem) -> Balance | None:
     return found if found.error <= BALANCED else None
 
 
-def _against(mean: Balance, found: Balance | None) -> tuple[Notice, ...]:
-    """What stands against bearings with other clearances than the mean, each with its name."""
-    if found is None:
-        return (Notice("W174", "no_film"),)
-    pairs = zip(mean.bearings, found.bearings, strict=True)
-    return tuple(_of_bearing(before, told) for before, after in pairs if (told := _clauses(before, after)))
-
-
-def _against_own(problem: OilSystemProblem, mean: Balance, place: int, own: int) -> Iterator[Notice]:
-    """What stands against one bearing at its first (0) or second (1) limit, all others being at the other."""
-    count, before = len(problem.calculations), mean.bearings[place]
-    mixed = problem.at_limits([own if one == place else 1 - own for one in range(count)])
+def _fed_beside(problem: OilSystemProblem, place: int, limit: int) -> FedBearing | None:
+    """A bearing at its first (0) or second (1) limit beside all others at the other; None where none is found."""
+    count = len(problem.calculations)
+    mixed = problem.at_limits([limit if one == place else 1 - limit for one in range(count)])
     try:
         header = header_of(mixed, OTHER_CLEARANCES)
         found = fed(mixed.calculations[place], problem.system.lines[place], header.value)
-        told = _clauses(before, found) if header.converged else (Notice("W174", "no_film"),)
     except UnsolvedBearingError:
-        told = (Notice("W174", "no_film"),)
-    if told:
-        yield _of_bearing(before, told)
+        return None
+    return found if header.converged else None
 
 
-def _clauses(before: FedBearing, after: FedBearing) -> tuple[Notice, ...]:
-    """What stands against a bearing at another clearance than the mean: its supply first."""
-    own, usual = after.solution.result, before.solution.result
-    told = standing_against(own, usual) if usual.within_limits else ()
-    starved = _supply_check(after.ratio)
-    return told if starved.ok else (missed_limit(starved, "W174"), *told)
-
-
-def _of_bearing(before: FedBearing, told: tuple[Notice, ...]) -> Notice:
-    return Notice("W174", "of_bearing", {"bearing": str(before.solution.result.name), "told": told})
+def _told(mean: Balance, found: Iterable[tuple[int, FedBearing | None]]) -> Told:
+    """What stands against bearings, by their place, and against the system whose lines deliver them too little."""
+    starved: list[Notice] = []
+    told: Told = {}
+    for place, after in found:
+        before = mean.bearings[place].solution.result
+        if after is None:
+            told[place + 1] = (Notice("W174", "no_film"),)
+            continue
+        told[place + 1] = standing_against(after.solution.result, before)
+        supply = _supply_check(after.ratio)
+        if not supply.ok:
+            missed = missed_limit(supply, "W174")
+            starved.append(Notice("W174", "of_bearing", {"bearing": before.name, "told": missed}))
+    return {0: tuple(starved), **told}
 
 
 def _solution(problem: OilSystemProblem, outcome: Outcome, failure: Notice) -> Solution:
