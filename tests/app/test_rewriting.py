@@ -115,6 +115,11 @@ def test_every_word_stays_as_it_is_written(line: str) -> None:
     assert rewritten(text, given) == text.replace("10 kN", "12 kN")
 
 
+def test_a_number_takes_no_quotes_of_the_text_before() -> None:
+    text = 's: "0.7"  # of it\nb: x # too\n'
+    assert rewritten(text, {"s": 0.8, "b": "x"}) == "s: 0.8    # of it\nb: x # too\n"
+
+
 def test_one_and_true_are_two_values() -> None:
     text = "a: 1     # of it\nb: true\n"
     assert rewritten(text, {"a": True, "b": True}) == "a: true  # of it\nb: true\n"

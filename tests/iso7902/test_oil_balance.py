@@ -293,13 +293,13 @@ def test_a_balance_at_mean_clearances_is_held_at_their_limits_too():
     assert starved.values["value"] == pytest.approx(largest.least_supply_ratio, rel=1e-9)
 
 
-def two_bearings(**of_b):
+def two_bearings(of_a=None, **of_b):
     """A groove all around that takes most of the oil at its largest clearance, and a loaded bearing beside it."""
     shared = {"metal": {"bearing_metal": "SnSb8Cu4", "bearing": "C10", "journal": "C45"}}
     wide = {"width": "80 mm", "span": "360 deg", "load": "9 kN", "speed": "700 rpm",
             "supply_element": {"kind": "groove_360", "width": "8 mm"},
             "clearance": {"kind": "relative", "mean": "1.4 permille", "minimum": "1.3 permille",
-                          "maximum": "2.2 permille"}}  # fmt: skip
+                          "maximum": "2.2 permille"}} | (of_a or {})  # fmt: skip
     slow = {"diameter": "180 mm", "width": "156.6 mm", "span": "120 deg", "load": "114.16 kN", "speed": "437 rpm",
             "clearance": {"kind": "relative", "mean": "1.521 permille"},
             "supply_element": {"kind": "pocket", "width": "117.4 mm", "place": "both_sides"}} | of_b  # fmt: skip
@@ -341,9 +341,40 @@ def test_a_bearing_is_held_at_its_smallest_clearance_beside_the_largest_of_the_o
             assert all(check.ok for check in one.solution.result.limits)
 
 
+def test_a_bearing_without_film_is_named_and_no_other_is_questioned_for_it():
+    """The bore of A closes at its smallest clearance, and B was told to have no operating point."""
+    clearance = {"kind": "relative", "mean": "1.5 permille", "minimum": "0.05 permille", "maximum": "2 permille"}
+    closing = {"clearance": clearance, "materials": {"bearing": "EN-GJL-250", "journal": "X5CrNi18-10"}}
+    case = machine(
+        orifices(A=5, B=5), bearing("A", **closing), bearing("B", clearance="F7/e7"), clearance_cases="mean",
+        pump={"flow": "30 L/min", "relief_pressure": "0.2 MPa"},
+    )  # fmt: skip
+    of_system, of_a, of_b = (
+        [
+            (one.values["at"].variant, clause.values.get("bearing"))
+            for notice in result.warnings if notice.code == "W174"
+            for one in notice.values["missed"]
+            for clause in one.values["told"]
+            if "no_film" in (clause.variant, getattr(clause.values.get("told"), "variant", ""))
+        ]
+        for result in answer(case).results
+    )  # fmt: skip
+    assert of_a == [("all_least", None), ("own_least", None)]
+    assert of_system == [("own_greatest", "A")]
+    assert not of_b
+
+
+@pytest.mark.parametrize("asked", [{}, {"clearance_cases": "mean"}])
+def test_limits_that_the_balance_solves_are_not_told_as_unsolved(asked):
+    case = machine(orifices(A=6), bearing("A", clearance="H7/e7"), pump=PUMP, **asked)
+    told = [one.variant for result in answer(case).results for one in result.warnings if one.code == "W174"]
+    assert set(told) <= {"missed"}
+
+
 def test_rows_of_a_study_have_the_bearings_of_an_oil_system():
     """They had the system alone: a machine passed whose bearing B fails."""
-    case = two_bearings(limits={"minimum_film_thickness": "14 um"})
+    sure = {"clearance": {"kind": "relative", "mean": "1.4 permille"}}
+    case = two_bearings(sure, limits={"minimum_film_thickness": "14 um"})
     vary = {"bearings.B.speed": ["437 rpm", "450 rpm"]}
     found = run_study(plan(case, StudyBlock(kind="sweep", vary=vary))).columns
     assert found["bearing"].tolist() == 2 * ["Oil system of Gear", "A", "B"]

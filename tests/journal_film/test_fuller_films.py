@@ -5,6 +5,7 @@ from dataclasses import replace
 import pytest
 
 from babbitt import parse_case
+from babbitt.core.notices import Notice
 from babbitt.core.result import Outcome, Verdict
 from babbitt.design.conditions import PrescribedLoad
 from babbitt.kinds.journal.case.build import calculations
@@ -12,6 +13,7 @@ from babbitt.kinds.journal.film.check import film_by_its_model
 from babbitt.kinds.journal.film.fuller_film import (
     THINNER_OIL,
     film_over_viscosity,
+    misses_a_limit,
     thinner_film,
     warnings_of_fuller_film,
 )
@@ -144,6 +146,22 @@ def test_a_film_that_is_questioned_with_temperatures_of_its_own_alone_is_told():
     """Its hottest bush keeps the limit by less than it is known to (W172)."""
     (said,) = level_within(hottest_of_level() + 1.0)
     assert said.values["codes"] == ("W172",)
+
+
+@pytest.mark.parametrize(("code", "counts"), [("W219", True), ("W172", False)])
+def test_a_limit_that_the_film_keeps_as_the_case_sets_it_alone_is_missed(code, counts):
+    """What passes by the standard alone is not told what else questions its film alone."""
+    result, case = solve(parse_case(LEVEL))["A"], calculations(parse_case(LEVEL))[0].problem
+    hot = Notice("W219", "missed_bush", {"value": 400.0, "limit": 388.15, "check": "C108"})
+    near = Notice("W172", "kept", {"kept": (), "uncertain": 6.0})
+    said = {"W219": Notice("W219", "kept", {"told": (hot,)}), "W172": near}[code]
+
+    def questioned(case):
+        found = film_by_its_model(case).result
+        return replace(found, warnings=(*found.warnings, said))
+
+    told = tuple(warnings_of_fuller_film(result, case.with_own_temperatures(), questioned))
+    assert misses_a_limit(replace(result, warnings=told)) is counts
 
 
 def test_a_tilted_film_of_given_temperature_must_keep_its_limit_with_thinner_oil():

@@ -9,6 +9,7 @@ from pad_journals import OIL, pad_case, result_of, solution_of
 from babbitt.case import case_from_dict
 from babbitt.core.result import Verdict
 from babbitt.kinds.tilting_pad_journal.cross_coupling import decrements_over_speed
+from babbitt.kinds.tilting_pad_journal.level_one import about_synchronous_verdict
 from babbitt.reynolds.tilting_pads.dynamics import condensed_at
 from babbitt.solving import solve
 
@@ -150,6 +151,13 @@ def test_both_kinds_may_come_to_the_other_verdict(rigid):
     warned = result_of(**ROTOR | {"anticipated_cross_coupling": f"{between} N/m"}, limits={"log_decrement": 0.0})
     assert "W414" in codes(warned)
     assert "W414" not in codes(rigid.result)
+
+
+def test_the_other_verdict_is_that_by_the_usual_decrement_too():
+    """A case that is content with 0.01 was not told of a decrement beyond 0.1 by reduced coefficients alone."""
+    values = {"log_decrement_anticipated": 0.06, "synchronous_log_decrement_anticipated": 0.12}
+    assert [one.code for one in about_synchronous_verdict(values, [0.01, 0.1])] == ["W414"]
+    assert not list(about_synchronous_verdict(values, [0.01]))
 
 
 def test_a_stiff_pedestal_changes_nothing(rigid):

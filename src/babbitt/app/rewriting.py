@@ -102,7 +102,7 @@ def _of_words() -> YAML:
 
 def _words(value: Any) -> Any:
     """A value in words, as `babbitt.case.scalars` reads them: a text that would be read otherwise in quotes."""
-    from ruamel.yaml.scalarstring import SingleQuotedScalarString
+    from ruamel.yaml.scalarstring import PlainScalarString, SingleQuotedScalarString
 
     if isinstance(value, Mapping):
         return {_words(name): _words(one) for name, one in value.items()}
@@ -110,6 +110,11 @@ def _words(value: Any) -> Any:
         return [_words(one) for one in value]
     if isinstance(value, str):
         return value if scalar(value) == value else SingleQuotedScalarString(value)
+    return PlainScalarString(_word(value))  # which takes no quotes of the text before
+
+
+def _word(value: float | bool | None) -> str:
+    """A number, a switch or nothing in words."""
     if value is None:
         return "null"
     if isinstance(value, float) and (value != value or abs(value) == float("inf")):

@@ -16,7 +16,7 @@ MISSED = {
     "missed_hottest": TEMPERATURE_CHECKS,
     "missed_mass": ("critical_mass", "critical_mass_elastic"),
     "missed_least_mass": ("least_stable_mass",),
-    "missed_pressure": ("maximum_pressure",),
+    "missed_pressure": ("maximum_pressure", "orbit_maximum_pressure"),
     "missed_supply": ("least_supply_ratio",),
     "missed_load": ("specific_load", "largest_specific_load", "orbit_specific_load"),
     "missed_speed": ("surface_speed",),

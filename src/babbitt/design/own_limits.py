@@ -77,34 +77,28 @@ def checks_by_experience(case: CheckedProblem, values: Values) -> tuple[Check, .
     diameter beyond experience against that of the nearest.
     """
     own, metal = case.limits, case.bearing.metal
-    usual = None if metal is None else metal.stands_for
-    if own == Limits(tables=own.tables) and usual is None:
+    usual = None if metal is None else metal.without_own_limits
+    if own == Limits(tables=own.tables) and usual is metal:
         return ()
     whole: Any = case
-    plain = replace(
-        whole,
-        limits=Limits(tables=own.tables),
-        bearing=whole.bearing if usual is None else replace(whole.bearing, metal=usual),
-    )
+    plain = replace(whole, limits=Limits(tables=own.tables), bearing=replace(whole.bearing, metal=usual))
     found = tuple(check for check in limit_checks(plain, values) if check.code in REPLACED)
     if own.minimum_film_thickness is not None and not any(check.code == "C101" for check in found):
         found = (*found, film_of_nearest_diameter(case, values))
-    of_load = highest_specific_load("specific_load", values, own.tables)
     sets_load = own.specific_load is not None or sets_specific_load(metal)
-    return of_unknown_metal(found, metal, (of_load,) if sets_load else (), own.tables)
+    of_load = highest_specific_load("specific_load", values, own.tables) if sets_load else None
+    return of_unknown_metal(found, metal, of_load, own.tables)
 
 
 def sets_specific_load(metal: BearingMetal | None) -> bool:
     """Whether the case gives a specific load to its metal."""
-    if metal is None or metal.stands_for is None:
-        return False
-    return metal.calm.specific_load != metal.stands_for.calm.specific_load
+    return metal is not None and metal.calm.specific_load != metal.without_own_limits.calm.specific_load
 
 
 def of_unknown_metal(
     checks: tuple[Check, ...],
     metal: BearingMetal | None,
-    of_load: tuple[Check, ...],
+    of_load: Check | None,
     tables: ExperienceLimits | None = None,
 ) -> tuple[Check, ...]:
     """Checks with the highest limits of any family in place of what a case alone knows of a metal of no family.
@@ -115,16 +109,16 @@ def of_unknown_metal(
         By experience and catalogue.
     metal : BearingMetal or None
         As the case has it.
-    of_load : tuple of Check
+    of_load : Check or None
         The specific load against the highest limit, where the case sets one.
     tables : ExperienceLimits, optional
     """
-    usual = None if metal is None else metal.stands_for
-    tells = metal is not None and usual is not None and metal.limiting_temperature is not None
+    usual = None if metal is None else metal.without_own_limits
+    tells = metal is not usual and metal is not None and metal.limiting_temperature is not None
     if tells and published_metal_temperature(usual, tables) is None:
         highest = highest_metal_temperature(tables)
         checks = tuple(
             replace(one, limit=highest.value, source=highest.source) if one.code == "C108" else one
             for one in checks
         )
-    return checks if any(one.code == "C103" for one in checks) else (*checks, *of_load)
+    return checks if of_load is None or any(one.code == "C103" for one in checks) else (*checks, of_load)

@@ -294,7 +294,7 @@ def warnings_about_unknown_metal(
     that leaves is known, no check does.
     """
     metal, tables = case.bearing.metal, case.limits.tables
-    usual = metal if metal is None or metal.stands_for is None else metal.stands_for
+    usual = None if metal is None else metal.without_own_limits
     if knows_hottest_place(values) or published_metal_temperature(usual, tables) is not None:
         return
     of_metal = None if metal is None or metal.limiting_temperature is None else metal.limiting_temperature.value

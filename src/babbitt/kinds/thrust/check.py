@@ -135,11 +135,11 @@ def _checked(design: ThrustDesign) -> Solution:
 def _by_experience(design: ThrustDesign, of_film: Check, values: Mapping[str, float]) -> tuple[Check, ...]:
     """The checks without limits that the case sets, or gives to its metal."""
     given = design.temperatures.given_metal
-    usual = given if given is None or given.stands_for is None else given.stands_for
+    usual = None if given is None else given.without_own_limits
     limits = TemperatureLimits(None, usual)
     of_film = replace(of_film, limit=USUAL_FILM_LIMIT, source=USUAL_FILM_SOURCE)
     found = of_film, *limits.checks(values), *pressure_checks(usual, values)
-    of_load = (highest_specific_load(PRESSURE, values, None),) if sets_specific_load(given) else ()
+    of_load = highest_specific_load(PRESSURE, values, None) if sets_specific_load(given) else None
     return of_unknown_metal(found, given, of_load)
 
 

@@ -180,7 +180,7 @@ def by_its_model(case: PadCase) -> tuple[Result, PadSolutionState | None]:
             *missed_but_for_own(checks, replaced),
             *warnings_about_kept_limits(films, held),
             *warnings_about_one_temperature(case, held, values),
-            *about_synchronous_verdict(values, least_decrement(case)[0]),
+            *about_synchronous_verdict(values, [least_decrement(one)[0] for one in (case, usual)]),
         ),
         not_checked=(
             *checks_not_made(case, values, bounds),

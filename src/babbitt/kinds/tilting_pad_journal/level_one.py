@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 from babbitt.core.notices import Notice
 from babbitt.core.result import Bound, Check, Matrix
@@ -82,16 +82,19 @@ def cross_coupling_not_checked(case: PadCase, values: Mapping[str, float]) -> It
         yield Notice("C408")
 
 
-def about_synchronous_verdict(values: Mapping[str, float], least: float) -> Iterator[Notice]:
-    """Synchronously reduced coefficients that would come to the other verdict."""
+def about_synchronous_verdict(values: Mapping[str, float], least: Iterable[float]) -> Iterator[Notice]:
+    """Synchronously reduced coefficients that would come to the other verdict by one of the least decrements."""
     if "log_decrement_anticipated" not in values:
         return
-    verdicts = {
-        values.get(f"{prefix}cross_coupling_ratio", math.inf) >= LEAST_RATIO
-        and values[f"{prefix}log_decrement_anticipated"] >= least
+    full, reduced = (
+        [
+            values.get(f"{prefix}cross_coupling_ratio", math.inf) >= LEAST_RATIO
+            and values[f"{prefix}log_decrement_anticipated"] >= one
+            for one in least
+        ]
         for prefix in ("", "synchronous_")
-    }
-    if len(verdicts) > 1:
+    )
+    if full != reduced:
         yield Notice("W414", values={
             "ratio": values.get("synchronous_cross_coupling_ratio", SOUGHT[1]),
             "decrement": values["synchronous_log_decrement_anticipated"],

@@ -101,6 +101,11 @@ class BearingMetal:
     origin: str = ""
     stands_for: BearingMetal | None = None
 
+    @property
+    def without_own_limits(self) -> BearingMetal:
+        """The metal that this one stands for; itself where a case gives it no limits."""
+        return self if self.stands_for is None else self.stands_for
+
     def limits(self, character: LoadCharacter) -> LoadLimits:
         """Limits under a character of load.
 

@@ -25,6 +25,7 @@ from babbitt.design.cooling import STILL_AIR_COEFFICIENT, heat_transfer_coeffici
 from babbitt.kinds.journal.case.journal import JournalBearing
 from babbitt.kinds.journal.case.machine import SeveralBearings, SingleBearing
 from babbitt.kinds.journal.case.mean_clearance import warnings_about_mean_clearance
+from babbitt.kinds.journal.case.oil_system import OilSystemInput
 from babbitt.kinds.journal.case.operating_point import OperatingPoint, stating
 from babbitt.kinds.journal.case.turned_supply import warnings_about_turned_supply
 from babbitt.properties.lubricants import Lubricant
@@ -73,8 +74,8 @@ def inputs(bearing: JournalBearing, shared: SingleBearing | SeveralBearings) -> 
     if lubricant is None or width is None:
         raise ValueError("a case that was not validated: the bearing has no lubricant or no width")
     supply = merged(bearing.supply, shared.supply)
-    if isinstance(shared, SeveralBearings) and shared.oil_system is not None:
-        supply = shared.oil_system.supply_of(bearing.name, supply)
+    if (system := _oil_system(shared)) is not None:
+        supply = system.supply_of(bearing.name, supply)
     return Inputs(
         bearing,
         lubricant.lubricant(),
@@ -88,9 +89,14 @@ def inputs(bearing: JournalBearing, shared: SingleBearing | SeveralBearings) -> 
         else (),
         tuple(warnings_about_turned_supply(bearing, width)),
         ()
-        if every_clearance(bearing, shared)
+        if every_clearance(bearing, shared) or system is not None
         else tuple(warnings_about_mean_clearance(bearing, asks_for_clearances(bearing, shared))),
     )
+
+
+def _oil_system(shared: SingleBearing | SeveralBearings) -> OilSystemInput | None:
+    """What feeds the bearing and is balanced at the limits of clearances, too."""
+    return shared.oil_system if isinstance(shared, SeveralBearings) else None
 
 
 def every_clearance(bearing: JournalBearing, shared: SingleBearing | SeveralBearings) -> bool:

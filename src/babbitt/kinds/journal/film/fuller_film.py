@@ -50,9 +50,12 @@ def warnings_of_fuller_film(
 
 
 def misses_a_limit(result: Result) -> bool:
-    """Whether the film that a result is held against misses a limit, or is not found; not what questions it."""
+    """Whether the film that a result is held against misses a limit, or is not found; not what else questions it.
+
+    A limit that is kept as the case sets it alone is missed, too (W219).
+    """
     told = (one for notice in result.warnings if notice.variant == "fuller" for one in notice.values["told"])
-    return any(one.variant != "questioned" for one in told)
+    return any(one.variant != "questioned" or "W219" in one.values["codes"] for one in told)
 
 
 def _worse(result: Result, found: Result) -> Iterator[Notice]:

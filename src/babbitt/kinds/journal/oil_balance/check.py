@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
+from functools import cache
 
 from babbitt.core.notices import Notice
 from babbitt.core.result import Bound, Check, Matrix, Outcome, Result
@@ -22,6 +23,7 @@ from babbitt.kinds.journal.oil_balance.network import (
     header_of,
 )
 from babbitt.kinds.journal.oil_balance.proposals import Proposal, proposed
+from babbitt.numerics.roots import Root
 
 __all__ = ["METHOD", "oil_balance_solutions"]
 
@@ -92,55 +94,75 @@ Told = dict[int, tuple[Notice, ...]]
 """What stands against the system (0) and against its bearings (from 1)."""
 
 
+Found = FedBearing | UnsolvedBearingError | None
+"""A bearing; which one has no operating point; None where the system has no balance."""
+
+
 def _against(problem: OilSystemProblem, mean: Balance) -> Iterator[tuple[Notice, Told]]:
     """Clearances at their limits in words, each with what then stands against the system and its bearings."""
     count = len(problem.calculations)
     for limit, which in enumerate(("all_least", "all_greatest")):
-        found = _balance(problem.at_limits(count * (limit,)))
-        no_film: Told = {0: (Notice("W174", "no_film"),)}
-        yield Notice("W174", which), no_film if found is None else _told(mean, enumerate(found.bearings))
+        yield Notice("W174", which), _told(mean, _all_of(problem.at_limits(count * (limit,))))
     if len(problem.with_limits) > 1:
+        beside = _beside(problem)
         for limit, which in enumerate(("own_least", "own_greatest")):
-            alone = [(place, _fed_beside(problem, place, limit)) for place in problem.with_limits]
-            yield Notice("W174", which), _told(mean, alone)
+            yield Notice("W174", which), _told(mean, ((one, beside(one, limit)) for one in problem.with_limits))
 
 
-def _balance(problem: OilSystemProblem) -> Balance | None:
-    """The balance of a system; None where none is found."""
+def _all_of(problem: OilSystemProblem) -> Iterator[tuple[int, Found]]:
+    """All bearings of a system in balance, by their place."""
     try:
         found = balanced(problem)
-    except UnsolvedBearingError:
-        return None
-    return found if found.error <= BALANCED else None
+    except UnsolvedBearingError as error:
+        names = [one.problem.name for one in problem.calculations]
+        yield names.index(error.solution.result.name), error
+        return
+    yield from enumerate(found.bearings) if found.error <= BALANCED else [(0, None)]
 
 
-def _fed_beside(problem: OilSystemProblem, place: int, limit: int) -> FedBearing | None:
-    """A bearing at its first (0) or second (1) limit beside all others at the other; None where none is found."""
-    count = len(problem.calculations)
-    mixed = problem.at_limits([limit if one == place else 1 - limit for one in range(count)])
-    try:
-        header = header_of(mixed, OTHER_CLEARANCES)
-        found = fed(mixed.calculations[place], problem.system.lines[place], header.value)
-    except UnsolvedBearingError:
-        return None
-    return found if header.converged else None
+def _beside(problem: OilSystemProblem) -> Callable[[int, int], Found]:
+    """To find the bearing of a place at its first (0) or second (1) limit beside all others at the other."""
+
+    @cache
+    def header(limits: tuple[int, ...]) -> Root:
+        return header_of(problem.at_limits(limits), OTHER_CLEARANCES)
+
+    def found(place: int, limit: int) -> Found:
+        limits = tuple(limit if one == place else 1 - limit for one in range(len(problem.calculations)))
+        try:
+            pressure = header(limits)
+            one = problem.at_limits(limits).calculations[place]
+            return fed(one, problem.system.lines[place], pressure.value) if pressure.converged else None
+        except UnsolvedBearingError as error:
+            return error
+
+    return found
 
 
-def _told(mean: Balance, found: Iterable[tuple[int, FedBearing | None]]) -> Told:
-    """What stands against bearings, by their place, and against the system whose lines deliver them too little."""
-    starved: list[Notice] = []
+def _told(mean: Balance, found: Iterable[tuple[int, Found]]) -> Told:
+    """What stands against bearings, by their place, and against the system.
+
+    That is lines that deliver less than a film draws, and that the system has no balance for want of another film.
+    """
+    of_system: list[Notice] = []
     told: Told = {}
     for place, after in found:
         before = mean.bearings[place].solution.result
-        if after is None:
+        if isinstance(after, FedBearing):
+            told[place + 1] = standing_against(after.solution.result, before)
+            if not (supply := _supply_check(after.ratio)).ok:
+                of_system.append(_of_bearing(before.name, missed_limit(supply, "W174")))
+        elif after is None:
+            of_system.append(Notice("W174", "no_film"))
+        elif after.solution.result.name == before.name:
             told[place + 1] = (Notice("W174", "no_film"),)
-            continue
-        told[place + 1] = standing_against(after.solution.result, before)
-        supply = _supply_check(after.ratio)
-        if not supply.ok:
-            missed = missed_limit(supply, "W174")
-            starved.append(Notice("W174", "of_bearing", {"bearing": before.name, "told": missed}))
-    return {0: tuple(starved), **told}
+        else:
+            of_system.append(_of_bearing(after.solution.result.name, Notice("W174", "no_film")))
+    return {0: tuple(dict.fromkeys(of_system)), **told}
+
+
+def _of_bearing(name: str, told: Notice) -> Notice:
+    return Notice("W174", "of_bearing", {"bearing": name, "told": told})
 
 
 def _solution(problem: OilSystemProblem, outcome: Outcome, failure: Notice) -> Solution:
