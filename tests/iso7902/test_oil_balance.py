@@ -360,7 +360,7 @@ def test_a_bearing_without_film_is_named_and_no_other_is_questioned_for_it():
         for result in answer(case).results
     )  # fmt: skip
     assert of_a == [("all_least", None), ("own_least", None)]
-    assert of_system == [("own_greatest", "A")]
+    assert of_system == [("one_greatest", "A")]
     assert not of_b
 
 

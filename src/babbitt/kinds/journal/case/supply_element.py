@@ -80,9 +80,8 @@ class SlotElement(Part):
     def element(self, diameter: float, span: int) -> SupplyElement:
         """Give the supply element of the calculation in a bore of that diameter (m) and span (deg)."""
         size, number = equivalent_holes(self.length, self.width)
-        return Holes(
-            size, Arrangement(self.place), number, edge_of_place(self.place, self.extent_in(diameter), span)
-        )
+        edge = edge_of_place(self.place, self.extent_in(diameter), span)
+        return Holes(size, Arrangement(self.place), number, edge, self.length)
 
 
 class PocketElement(Part):

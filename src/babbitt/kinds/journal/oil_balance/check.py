@@ -82,12 +82,14 @@ def _held_at_limits(
     if not problem.with_limits or not any(one.result.within_limits for one in solutions):
         return solutions
     against = tuple(_against(problem, mean))
-    return tuple(
-        replace(one, result=with_missed(one.result, ((at, told.get(place, ())) for at, told in against)))
-        if one.result.within_limits
-        else one
-        for place, one in enumerate(solutions)
-    )
+
+    def held(place: int, solution: Solution) -> Solution:
+        if not solution.result.within_limits:
+            return solution
+        told = ((at[min(place, 1)], told.get(place, ())) for at, told in against)
+        return replace(solution, result=with_missed(solution.result, told))
+
+    return tuple(held(place, one) for place, one in enumerate(solutions))
 
 
 Told = dict[int, tuple[Notice, ...]]
@@ -98,15 +100,17 @@ Found = FedBearing | UnsolvedBearingError | None
 """A bearing; which one has no operating point; None where the system has no balance."""
 
 
-def _against(problem: OilSystemProblem, mean: Balance) -> Iterator[tuple[Notice, Told]]:
-    """Clearances at their limits in words, each with what then stands against the system and its bearings."""
+def _against(problem: OilSystemProblem, mean: Balance) -> Iterator[tuple[tuple[Notice, Notice], Told]]:
+    """Clearances at their limits in words to system and bearing, each with what then stands against them."""
     count = len(problem.calculations)
-    for limit, which in enumerate(("all_least", "all_greatest")):
-        yield Notice("W174", which), _told(mean, _all_of(problem.at_limits(count * (limit,))))
+    for limit, both in enumerate((Notice("W174", "all_least"), Notice("W174", "all_greatest"))):
+        yield (both, both), _told(mean, _all_of(problem.at_limits(count * (limit,))))
     if len(problem.with_limits) > 1:
         beside = _beside(problem)
-        for limit, which in enumerate(("own_least", "own_greatest")):
-            yield Notice("W174", which), _told(mean, ((one, beside(one, limit)) for one in problem.with_limits))
+        least = Notice("W174", "one_least"), Notice("W174", "own_least")
+        greatest = Notice("W174", "one_greatest"), Notice("W174", "own_greatest")
+        for limit, at in enumerate((least, greatest)):
+            yield at, _told(mean, ((one, beside(one, limit)) for one in problem.with_limits))
 
 
 def _all_of(problem: OilSystemProblem) -> Iterator[tuple[int, Found]]:
