@@ -3,8 +3,9 @@
 A code is a table with ``title``, ``meaning`` and ``remedy``, ``effect`` where a warning does not just question the
 result, ``subject`` of a check that a bearing cannot be passed without, and ``message``, the sentence of a result:
 a text, or a table with one for each variant. Messages of several codes stand in the table ``shared``; a kind may
-add messages to a code of all kinds. Line breaks count as spaces. English is complete; other languages give the
-texts that they have, by the same keys. A ``{placeholder}`` names a value of the notice:
+add messages to a code of all kinds. Line breaks count as spaces, an empty line parts paragraphs of a meaning.
+English is complete; other languages give the texts that they have, by the same keys.
+A ``{placeholder}`` names a value of the notice:
 
 - ``{load}``, the name of a quantity: the number with its unit, as in tables;
 - ``{limit:film_reynolds_number}``, ``{depth:um}``: shown like that quantity, or in a unit of
@@ -128,12 +129,16 @@ def _read(folder: Traversable, language: str) -> tuple[dict[str, dict[str, str]]
         for variant, text in ({"": said} if isinstance(said, str) else said).items():
             messages[code, variant] = _one_line(text)
         if code != SHARED and table:
-            entries[code] = {key: _one_line(text) for key, text in table.items()}
+            entries[code] = {key: _paragraphs(text) for key, text in table.items()}
     return entries, messages
 
 
 def _one_line(text: str) -> str:
     return " ".join(text.split())
+
+
+def _paragraphs(text: str) -> str:
+    return "\n\n".join(map(_one_line, text.split("\n\n")))
 
 
 def _explanation(
