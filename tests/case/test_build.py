@@ -160,11 +160,11 @@ HOLE = 5.0 / 200.0
     [
         (
             {"kind": "hole", "diameter": "5 mm", "place": "opposite"},
-            Holes(0.005, Arrangement.OPPOSITE, 1.0, math.pi - HOLE),
+            Holes(0.005, Arrangement.OPPOSITE, 1.0, math.pi - HOLE, 0.005),
         ),
         (
             {"kind": "hole", "diameter": "5 mm", "place": "side", "number": 3},
-            Holes(0.005, Arrangement.SIDE, 3.0, math.pi / 2.0 - HOLE),
+            Holes(0.005, Arrangement.SIDE, 3.0, math.pi / 2.0 - HOLE, 0.015),
         ),
         (
             {"kind": "pocket", "width": "70 mm", "place": "both_sides"},

@@ -148,13 +148,14 @@ def test_a_film_that_is_questioned_with_temperatures_of_its_own_alone_is_told():
     assert said.values["codes"] == ("W172",)
 
 
-@pytest.mark.parametrize(("code", "counts"), [("W219", True), ("W172", False)])
+@pytest.mark.parametrize(("code", "counts"), [("W219", True), ("W129", True), ("W172", False)])
 def test_a_limit_that_the_film_keeps_as_the_case_sets_it_alone_is_missed(code, counts):
     """What passes by the standard alone is not told what else questions its film alone."""
     result, case = solve(parse_case(LEVEL))["A"], calculations(parse_case(LEVEL))[0].problem
     hot = Notice("W219", "missed_bush", {"value": 400.0, "limit": 388.15, "check": "C108"})
+    beyond = Notice("W129", "surfaces", {"minimum_film_thickness": 1e-6, "roughness": 2e-6})
     near = Notice("W172", "kept", {"kept": (), "uncertain": 6.0})
-    said = {"W219": Notice("W219", "kept", {"told": (hot,)}), "W172": near}[code]
+    said = {"W129": beyond, "W219": Notice("W219", "kept", {"told": (hot,)}), "W172": near}[code]
 
     def questioned(case):
         found = film_by_its_model(case).result

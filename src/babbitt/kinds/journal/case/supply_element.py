@@ -52,7 +52,8 @@ class HoleElement(Part):
     def element(self, diameter: float, span: int) -> SupplyElement:
         """Give the supply element of the calculation in a bore of that diameter (m) and span (deg)."""
         edge = edge_of_place(self.place, self.extent_in(diameter), span)
-        return Holes(self.diameter, Arrangement(self.place), float(self.number), edge)
+        taken = self.number * self.diameter
+        return Holes(self.diameter, Arrangement(self.place), float(self.number), edge, taken)
 
 
 class SlotElement(Part):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 
-from babbitt.core.notices import InputError, Notice
+from babbitt.core.notices import Effect, InputError, Notice
 from babbitt.core.result import Check, Result
 from babbitt.design.conditions import PrescribedLoad
 from babbitt.design.missed_limit import missed_limit
@@ -50,12 +50,16 @@ def warnings_of_fuller_film(
 
 
 def misses_a_limit(result: Result) -> bool:
-    """Whether the film that a result is held against misses a limit, or is not found; not what else questions it.
+    """Whether the film that a result is held against misses a limit, has no verdict, or is not found.
 
-    A limit that is kept as the case sets it alone is missed, too (W219).
+    A limit that is kept as the case sets it alone is missed, too (W219). Other remarks do not count.
     """
     told = (one for notice in result.warnings if notice.variant == "fuller" for one in notice.values["told"])
-    return any(one.variant != "questioned" or "W219" in one.values["codes"] for one in told)
+    return any(one.variant != "questioned" or any(map(_counts, one.values["remarks"])) for one in told)
+
+
+def _counts(remark: Notice) -> bool:
+    return remark.code == "W219" or remark.effect is Effect.NO_VERDICT
 
 
 def _worse(result: Result, found: Result) -> Iterator[Notice]:

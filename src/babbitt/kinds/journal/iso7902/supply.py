@@ -171,15 +171,15 @@ class Holes:
     """One hole, or two at ±90°: `number` counts the holes at each place.
 
     `edge` is the angle in rad from the downstream edge of a hole to the load; None where the place says no more:
-    at its middle, or where the arc ends. `slot_length` is the length in m along the shaft of the slot that these
-    holes stand for (`equivalent_holes`); zero for holes.
+    at its middle, or where the arc ends. `axial_extent` is the width in m that the holes of one place take
+    side by side, or the slot that they stand for (`equivalent_holes`); None where that is not known.
     """
 
     diameter: float
     arrangement: Arrangement
     number: float = 1.0
     edge: float | None = None
-    slot_length: float = 0.0
+    axial_extent: float | None = None
 
     def edge_before_load(self, span: float) -> float:
         """Where the journal draws the loaded film of that span from it; angles in rad, that before the load."""

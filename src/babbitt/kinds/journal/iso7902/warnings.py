@@ -250,8 +250,8 @@ def _of_supply(case: DesignCase, film: SuppliedFilm) -> Iterator[Notice]:
                 yield Notice("W196", values={"lies": lies})
             else:
                 yield Notice("W103", "narrow", {"lies": lies})
-    if isinstance(element, Holes):
-        share = element.slot_length / case.bearing.width
+    if isinstance(element, Holes) and element.axial_extent is not None:
+        share = element.axial_extent / case.bearing.width
         if share > LOGARITHM_UP_TO:
             yield Notice("W103", "slot", {"share": share, "most": LOGARITHM_UP_TO})
 

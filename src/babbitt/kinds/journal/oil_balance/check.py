@@ -118,8 +118,7 @@ def _all_of(problem: OilSystemProblem) -> Iterator[tuple[int, Found]]:
     try:
         found = balanced(problem)
     except UnsolvedBearingError as error:
-        names = [one.problem.name for one in problem.calculations]
-        yield names.index(error.solution.result.name), error
+        yield from ((place, error) for place in range(len(problem.calculations)))
         return
     yield from enumerate(found.bearings) if found.error <= BALANCED else [(0, None)]
 
@@ -144,9 +143,9 @@ def _beside(problem: OilSystemProblem) -> Callable[[int, int], Found]:
 
 
 def _told(mean: Balance, found: Iterable[tuple[int, Found]]) -> Told:
-    """What stands against bearings, by their place, and against the system.
+    """What stands against bearings, by their place, and against the system, whose lines deliver too little.
 
-    That is lines that deliver less than a film draws, and that the system has no balance for want of another film.
+    Without a film of one bearing the system has no balance, and the others are not solved either.
     """
     of_system: list[Notice] = []
     told: Told = {}
@@ -158,10 +157,11 @@ def _told(mean: Balance, found: Iterable[tuple[int, Found]]) -> Told:
                 of_system.append(_of_bearing(before.name, missed_limit(supply, "W174")))
         elif after is None:
             of_system.append(Notice("W174", "no_film"))
-        elif after.solution.result.name == before.name:
-            told[place + 1] = (Notice("W174", "no_film"),)
         else:
-            of_system.append(_of_bearing(after.solution.result.name, Notice("W174", "no_film")))
+            lacking = after.solution.result
+            lacks = Notice("W174", "no_need" if lacking.outcome.solved else "no_film")
+            of_system.append(_of_bearing(lacking.name, lacks))
+            told[place + 1] = (lacks if lacking.name == before.name else of_system[-1],)
     return {0: tuple(dict.fromkeys(of_system)), **told}
 
 
