@@ -88,7 +88,8 @@ def test_a_question_without_an_answer_takes_the_old_one_away(error):
             raise error
 
     page = Workbench.__new__(Workbench)
-    page._settled, page._questions, page._shown = Asked(), count(1), 0
+    page._settled, page._questions, page._shown, page._awaited = Asked(), count(1), 0, 0
+    page._computing, page._parts = Recorder(), (part := Recorder(),)
     page.document, page.found = CaseDocument(JOURNAL), Answer(case_hash="of an older case")
     page._view, page._drawing, page._results = view, drawing, results = Recorder(), Recorder(), Recorder()
     with contextlib.suppress(ValueError):
@@ -98,6 +99,8 @@ def test_a_question_without_an_answer_takes_the_old_one_away(error):
     assert name == "fail"
     assert "ended" in why
     assert drawing.calls == results.calls == [("fade",)]
+    assert [name for name, *_ in part.calls] == ["classes", "classes"]
+    assert page._awaited == 0
 
 
 @pytest.mark.parametrize("value", ["nan", "inf", "1e400", "-inf"])

@@ -11,8 +11,11 @@ from babbitt.app.answer import Answer, Shown, Table
 from babbitt.app.answer_markup import cards_markup, findings_markup, verdict_markup
 from babbitt.app.parts import icon_button, rows_of_table, show_faults, show_table
 from babbitt.app.words import word
+from babbitt.core.result import Verdict
 
 __all__ = ["AnswerView", "DrawingView", "ResultsView"]
+
+NO_SOLUTION = Verdict.NO_SOLUTION.key
 
 
 class AnswerView:
@@ -29,9 +32,9 @@ class AnswerView:
         self._chosen = chosen
         self._bearings = ui.select({}, label=word("bearing"), on_change=self._choose).props("dense")
         self._bearings.classes("w-full").set_visibility(False)
-        self._verdict = _markup("").props('role="status"')
+        self._verdict = _markup("verdict").props('role="status"')
         self._faults = ui.column().classes("w-full")
-        self._cards, self._findings = _markup(""), _markup("")
+        self._cards, self._findings = _markup("cards"), _markup("")
 
     def _choose(self, event: Any) -> None:
         if event.value is not None and event.value != self._place:
@@ -84,7 +87,8 @@ class DrawingView:
         """Draw a bearing."""
         self._picture.classes(remove="stale")
         self._picture.content = shown.picture
-        self._said.text = word("not_to_scale" if shown.picture else "no_picture")
+        nothing = "no_picture" if shown.verdict_key != NO_SOLUTION else "not_drawn"
+        self._said.text = word("not_to_scale" if shown.picture else nothing)
         self._moves.set_visibility(shown.moves)
 
     def fade(self) -> None:

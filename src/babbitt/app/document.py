@@ -104,8 +104,9 @@ class CaseDocument:
     def choose(self, path: Path, way: str) -> None:
         """Give a part in another way, `TEXT` in words; a clearance remains the same gap."""
         kind = "" if way == TEXT else way
-        chosen: Any = {"kind": kind} if kind else ""
-        if path[-1] == "clearance" and self.has(path):
+        before = self._at(path) if self.has(path) else None
+        chosen: Any = {"kind": kind} if kind else before.get("kind", "") if isinstance(before, Mapping) else ""
+        if path[-1] == "clearance" and before is not None:
             bearing = self._at(path[:-1])
             chosen = restated(bearing.get("clearance"), kind, bearing.get("diameter"))
         self.change(path, chosen)

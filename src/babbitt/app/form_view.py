@@ -67,6 +67,8 @@ class FormView:
         items = self.document.items
         with self._box:
             self._units()
+            if not items:
+                ui.label(word("no_form")).classes("small")
             for heading, under in sections_of(items, sections(), word("section_other")).items():
                 is_open = heading in self._open
                 section = ui.expansion(heading, value=is_open, on_value_change=self._keep(heading))
@@ -155,10 +157,8 @@ class FormView:
             self._text(entry, as_text(entry.value), _number if entry.is_number else _word)
 
     def _text(self, entry: Entry, value: str, read: Callable[[str], Any]) -> None:
-        found = ui.input(
-            entry.label, value=value, placeholder=entry.example,
-            on_change=lambda e: self._take(entry.path, read(e.value or "")),
-        )  # fmt: skip
+        found = ui.input(entry.label, value=value, placeholder=entry.example)
+        _on_typed(found, lambda: self._take(entry.path, read(found.value or "")))
         self._known(entry, found)
         if names := suggestions(entry.path):
             options = "".join(f"<option>{escape(name)}</option>" for name in names)
@@ -194,7 +194,7 @@ class FormView:
             chosen = event.value
             taken()
 
-        field.on_value_change(lambda _: taken())
+        _on_typed(field, taken)
         select.on_value_change(converted)
         self._shows[entry.path] = show
         self._known(entry, field)
@@ -268,6 +268,28 @@ class FormView:
         """Tell of a change of the document since it was another text."""
         if self.document.text != before:
             self._changed()
+
+
+def _on_typed(field: ui.input, take: Callable[[], None]) -> None:
+    """Take what is typed; a field that is emptied when it is left, for most are filled anew."""
+    is_held = False
+
+    def entered() -> None:
+        nonlocal is_held
+        is_held = True
+
+    def left() -> None:
+        nonlocal is_held
+        is_held = False
+        changed()
+
+    def changed() -> None:
+        if not is_held or (field.value or "").strip():
+            take()
+
+    field.on_value_change(lambda _: changed())
+    field.on("focus", entered)
+    field.on("blur", left)
 
 
 def _explain(control: ui.element, says: str) -> None:

@@ -69,7 +69,7 @@ class Slider:
         picked = [path for path in self._picked if path in entries] or first_picked(entries)
         with self._box:
             ui.select(
-                {path: path_name(path) for path in entries},
+                {path: path_name(path, self.document.given) for path in entries},
                 value=picked, multiple=True, label=word("pick_field"), on_change=self._pick,
             ).props("dense use-chips").classes("w-full")  # fmt: skip
             for path in picked:
@@ -83,7 +83,7 @@ class Slider:
         number, unit = shown_in(self._system(), *split(as_text(entry.value), entry.units), entry.units)
         value = float(number)
         first, last = sorted((value / SPAN, value * SPAN)) if value else (-1.0, 1.0)
-        says = path_name(entry.path)
+        says = path_name(entry.path, self.document.given)
         with ui.row().classes("slider"):
             ui.label(says).classes("name")
             found = ui.slider(min=first, max=last, step=_step(last - first), value=value).classes("grow")

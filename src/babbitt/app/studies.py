@@ -31,6 +31,7 @@ __all__ = [
     "block_of",
     "first_axis",
     "kinds_of",
+    "replaces_fit",
     "sizes_of",
     "studied",
     "study_file",
@@ -157,7 +158,7 @@ def block_of(kind: str, axes: Sequence[Axis], samples: int = 1000) -> dict[str, 
 def asked_text(given: Mapping[str, Any], block: Mapping[str, Any]) -> str:
     """The text of a case with a study; a clearance that varies as a number takes the place of a fit."""
     asked = with_changed(given, ("study",), dict(block))
-    if MEAN in block.get("vary", {}) and MEAN.partition(".")[2] not in given.get("clearance", {}):
+    if any(replaces_fit(given, path) for path in block.get("vary", {})):
         asked = with_value(asked, MEAN, _mean_of(given) or block["vary"][MEAN]["range"][0])
     return case_text(asked)
 
@@ -165,9 +166,14 @@ def asked_text(given: Mapping[str, Any], block: Mapping[str, Any]) -> str:
 def with_value(given: Mapping[str, Any], path: str, value: str) -> dict[str, Any]:
     """What a case gives with a value that a study found; a mean clearance takes the place of a fit."""
     steps = path_in(path)
-    if path == MEAN and steps[-1] not in given.get("clearance", {}):
+    if replaces_fit(given, path):
         return with_changed(given, steps[:1], {"kind": "relative", steps[1]: value})
     return with_changed(given, steps, value)
+
+
+def replaces_fit(given: Mapping[str, Any], path: str) -> bool:
+    """Whether a value takes the place of a fit, or of sizes, and of their tolerances."""
+    return path == MEAN and "mean" not in given.get("clearance", {})
 
 
 def _mean_of(given: Mapping[str, Any]) -> str:

@@ -9,7 +9,7 @@ from typing import Any
 
 from nicegui import ui
 
-from babbitt.app.document import CaseDocument
+from babbitt.app.document import CaseDocument, path_in
 from babbitt.app.parts import LongWork, Question, show_faults, show_figures, show_table, tell_ended
 from babbitt.app.solver import Ended, Questions
 from babbitt.app.studies import (
@@ -21,6 +21,7 @@ from babbitt.app.studies import (
     block_of,
     first_axis,
     kinds_of,
+    replaces_fit,
     sizes_of,
     studied,
     study_file,
@@ -38,6 +39,9 @@ FILES = {".csv": "as_csv", ".xlsx": "as_workbook", ".pdf": "as_pdf", ".html": "a
 """Endings of files of a study, each with its word."""
 
 MOST_SAMPLES = 100_000
+
+STAYS = 15_000
+"""Milliseconds that a message stays which is to be read."""
 
 
 class StudiesView:
@@ -98,7 +102,7 @@ class StudiesView:
         self.draw()
 
     def _fields(self) -> None:
-        names = {path: path_name(path.split(".")) for path in self._known}
+        names = {path: path_name(path_in(path), self.document.given) for path in self._known}
         fewest, most = NEEDS[self._kind]
         if not self._axes and fewest:
             first = first_axis(self.document.given, self._known)
@@ -202,10 +206,12 @@ class StudiesView:
     def _take(self, path: str, text: str) -> None:
         """Put a value into the case; the range that was asked for stays beside its answer."""
         if self._may_take():
-            axes = self._axes
+            axes, loses_fit = self._axes, replaces_fit(self.document.given, path)
             self._put(case_text(with_value(self.document.given, path, text)), text)
             self._axes = axes
             self.draw()
+            if loses_fit:
+                ui.notify(word("without_fit"), type="warning", timeout=STAYS)
 
     def _take_design(self, text: str, name: str) -> None:
         if self._may_take():

@@ -60,12 +60,27 @@ def field_name(name: str) -> str:
     return known or told(name.replace("_", " ").capitalize())
 
 
-def path_name(path: Iterable[str | int]) -> str:
-    """A field with those that it stands in.
+def path_name(path: Iterable[str | int], given: Any = None) -> str:
+    """A field with those that it stands in; parts of a list by their names in the case, else counted from 1.
 
     >>> path_name(["supply", "temperature"])
     'supply temperature'
+    >>> path_name(["bearings", 1, "load"]), path_name(["bearings", 0, "load"], {"bearings": [{"name": "Pinion"}]})
+    ('bearings 2 load', 'bearings Pinion load')
     """
-    if page_language() == ENGLISH:
-        return " ".join(map(str, path)).replace("_", " ")
-    return ", ".join(field_name(str(step)) for step in path)
+    in_english, within, steps = page_language() == ENGLISH, given, []
+    for step in path:
+        within = _within(within, step)
+        if isinstance(step, int):
+            name = within.get("name") if isinstance(within, Mapping) else None
+            steps.append(str(name or step + 1))
+        else:
+            steps.append(step.replace("_", " ") if in_english else field_name(step))
+    return (" " if in_english else ", ").join(steps)
+
+
+def _within(given: Any, step: str | int) -> Any:
+    try:
+        return given[step]
+    except (LookupError, TypeError):
+        return None

@@ -72,7 +72,7 @@ class Workbench:
             for one in (service.drafts, service.solver, service.slow)
         )
         self._quick, self._settled = Latest(self._drafts), Latest(self._solver)
-        self._questions, self._shown = count(1), 0
+        self._questions, self._shown, self._awaited = count(1), 0, 0
         self.document = CaseDocument(text)
         self.found = Answer()
         self.place, self._is_picked = 0, False
@@ -97,13 +97,15 @@ class Workbench:
         with ui.element("div").classes("bench"):
             with _section("case", "form"):
                 self._case()
-            with _section("bearing", "bearing"):
+            with _section("bearing", "bearing") as drawn:
                 self._compiling = ui.label("").classes("small").props('role="status"')
                 self._drawing = DrawingView()
             with _section("more", "more"):
                 self._tabs()
-            with _section("answer", "results"):
+            with _section("answer", "results") as answered:
+                self._computing = ui.label("").classes("computing").props('role="status"')
                 self._view = AnswerView(self._chosen)
+        self._parts = drawn, answered
         ui.on("turned", self._turned, args=["field", "angle"])
         ui.on("linked", self._linked)
         ui.timer(0.0, self._begin, once=True)
@@ -290,6 +292,7 @@ class Workbench:
         mine, latest = next(self._questions), self._quick if quick else self._settled
         if quick:
             self._settled.withdraw()
+        self._await(0 if quick else mine)
         try:
             found = await latest.ask(answer, self.document.text, quick)
         except Ended as ended:
@@ -300,6 +303,9 @@ class Workbench:
             if mine > self._shown:
                 self._fail(word("died"))
             raise
+        finally:
+            if mine == self._awaited:
+                self._await(0)
         if found is None or mine < self._shown:
             return
         self._shown = mine
@@ -312,6 +318,13 @@ class Workbench:
         with suppress(Ended):  # the design that was kept stays as it was shown
             if await self._designs.follow(self._system()):
                 self._show()
+
+    def _await(self, question: int) -> None:
+        """Mark what is shown as not yet that of the case while a question about it is asked; 0 for none."""
+        self._awaited = question
+        self._computing.text = word("working") if question else ""
+        for part in self._parts:
+            part.classes(**{"add" if question else "remove": "pending"})
 
     def _show(self) -> None:
         if not (self.found.bearings or self.found.faults):
