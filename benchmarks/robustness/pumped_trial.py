@@ -142,8 +142,8 @@ def differences(name: str, one: tuple[Result, ...], other: tuple[Result, ...], c
             if key == "attitude_angle" and name == "mirrored":  # counted from the load in one sense of rotation
                 a, b = abs(a), abs(b)
             rolled = first.kind == "jacking_pocket" and key in OF_THE_PLACE
-            same = SAME_WARM if warm or key in SLOPES else ROLLED if rolled else LOST_AT_ONCE.get(key, SAME)
-            allowed = max(same * abs(a), SMALL.get(key, 0.0))
+            same = SAME_WARM if warm or key in SLOPES else ROLLED if rolled else SAME
+            allowed = max(max(same, LOST_AT_ONCE.get(key, 0.0)) * abs(a), SMALL.get(key, 0.0))
             if not abs(a - b) <= allowed:
                 yield f"{name}: {key} {a!r} and {b!r}"
 

@@ -13,6 +13,7 @@ from babbitt.kinds.shaft_line.impedance import respond
 from babbitt.kinds.shaft_line.line import Rod, Seating, ShaftLine
 from babbitt.kinds.shaft_line.model import LineOperation, state_of
 from babbitt.kinds.shaft_line.natural import undamped_frequencies
+from babbitt.kinds.shaft_line.pads import FilmPads
 from babbitt.kinds.shaft_line.resonance import resonances_of
 from babbitt.kinds.shaft_line.response import THRUST, pad_forces, response_peaks, static_force
 from babbitt.kinds.shaft_line.sweeps import barred_ranges, speed_sweep
@@ -40,6 +41,18 @@ def test_many_frequencies_at_once_are_the_equations_of_one(lobes, ring, seat):
             runout = np.exp(-1j * lobes * pads.phases) * (1.0 + (pads.wobble(nu) if lobes == 1.0 else 0.0))
         known = respond(of, pads, float(nu), 1.0 if lobes == THRUST else 0j, runout).forces
         assert forces == pytest.approx(known, rel=1e-10, abs=1e-12 * float(np.abs(known).max()))
+
+
+def test_a_pad_without_a_film_leaves_those_of_the_others():
+    """Of ten pads under a large tilt one carried nothing, and the line was a "Singular matrix"."""
+    pads = state_of(duty(), FILMS).pads
+    lost, *others = pads.share.states
+    nothing = replace(lost, stiffness=np.zeros((3, 3)), damping=np.zeros((3, 3)))
+    without = FilmPads(replace(pads.share, states=(nothing, *others)))
+    at = np.array([13.0, 300.0])
+    for found, known in ((without.films(at), pads.films(at)), (without.wobbles(at), pads.wobbles(at))):
+        assert not found[:, 0].any()
+        assert found[:, 1:] == pytest.approx(known[:, 1:], rel=1e-12)
 
 
 def test_one_mass_on_given_pads_peaks_as_the_textbook_says():

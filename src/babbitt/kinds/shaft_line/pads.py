@@ -197,5 +197,7 @@ class FilmPads:
         states, inertia = self.share.states, self.bearing.inertia
         film = np.array([one.stiffness for one in states]) + 1j * nu * np.array([one.damping for one in states])
         free = list(self.bearing.pad.free_tilts)
-        moving = film - nu**2 * np.diag([0.0, inertia.radial, inertia.along])
-        return film, moving[..., free, :][..., free], free
+        moving = (film - nu**2 * np.diag([0.0, inertia.radial, inertia.along]))[..., free, :][..., free]
+        lost = ~film.any(axis=(0, 2, 3))  # pads without a film carry nothing as they tilt
+        moving[:, lost] = np.eye(len(free))
+        return film, moving, free
