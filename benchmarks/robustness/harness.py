@@ -24,6 +24,7 @@ from babbitt.case.problems import CaseError
 from babbitt.core.notices import InputError
 from babbitt.core.result import Outcome as Ending
 from babbitt.core.result import Result
+from babbitt.reynolds.stability.whirl_checks import JUMPS, LOST
 from babbitt.solving import solve
 
 __all__ = ["Family", "Outcome", "faults_of", "in_other_units", "reordered"]
@@ -62,9 +63,10 @@ BY_DIFFERENCES = {
     **{f"damping {part}": 2e-3 for part in ("size", "trace", "skew")},
     **dict.fromkeys(("critical_mass", "least_stable_mass", "whirl_frequency_ratio"), 1e-2),
     "threshold_speed": 5e-2,
+    "inlet_flow": 1e-4,
 }
 """Of bores that give way: differences of films, in which a node more or less is wet (damping by 1.4e-3 of one of
-94 on draft grids); confirmed to a hundredth.
+94 on draft grids, the flow into where the film begins by 1.2e-5); confirmed to a hundredth.
 Where the reserve of stability that they give crosses zero moves by more (1.2 % in 1 of 190 on draft grids; this
 bound is that of thermal films, `OF_THERMAL_FILMS`)."""
 OF_THERMAL_FILMS = {"threshold_speed": 5e-2}
@@ -232,11 +234,12 @@ def changes(
 
 
 def left_open(name: str, *results: Result) -> bool:
-    """Whether one of the results says that films in a bore that gives way leave a speed open.
+    """Whether one of the results says that films leave a speed open.
 
-    Its search met a film that is off its neighbours, at a speed at which the other did not look (1 of 90).
+    In a bore that gives way its search met a film that is off its neighbours, or found none, at a speed at which
+    the other did not look (1 of 60).
     """
-    return any("leave open" in one.missing.get(name, "") for one in results)
+    return any(one.missing.get(name) in (JUMPS, LOST) for one in results)
 
 
 def lost_beyond_validity(first: Result, second: Result) -> bool:

@@ -21,7 +21,7 @@ from babbitt.reynolds.frame import LoadFrame
 from babbitt.reynolds.model import DRAFT, Cavitation, JournalFilm, grooved_bore
 from babbitt.reynolds.stability.rotor import RIGID, critical_mass_of_rotor, growth_rates, stable_masses_of_rotor
 from babbitt.reynolds.stability.routh import NO_MASS, StableMasses, stable_masses, whirl_frequency
-from babbitt.reynolds.stability.whirl_checks import JUMPS, STABLE, missing_thresholds
+from babbitt.reynolds.stability.whirl_checks import JUMPS, LOST, STABLE, missing_thresholds
 from babbitt.reynolds.stability.whirl_limits import ElasticWhirl, Threshold, Whirl, crossing, stability_excess
 
 entries = st.integers(-100, 100).map(lambda tenths: 0.1 * tenths)
@@ -165,8 +165,8 @@ def test_a_threshold_is_not_told_where_films_are_missing_beside_it():
         return math.nan if 101.0 < speed < 124.0 else excess(speed)
 
     assert crossing(excess, 100.0).speed == pytest.approx(115.0, rel=1e-4)
-    assert crossing(with_a_hole, 100.0) == Threshold()
-    assert crossing(lambda speed: math.nan, 100.0) == Threshold()
+    assert crossing(with_a_hole, 100.0) == Threshold(is_lost=True)
+    assert crossing(lambda speed: math.nan, 100.0) == Threshold(is_lost=True)
     assert math.isnan(stability_excess(math.nan))  # a film that is not found is not stable
 
 
@@ -206,6 +206,8 @@ def test_where_films_that_give_way_go_to_and_fro_there_is_no_threshold(wave, fou
     stable = StableMasses(0.0, 2.0)
     whirl = Whirl(stable, 0.5, 1.0, Threshold(), ElasticWhirl(stable, Threshold(jumps=True)))
     assert missing_thresholds(whirl) == {"threshold_speed": STABLE, "threshold_speed_elastic": JUMPS}
+    lost = Whirl(stable, 0.5, 1.0, Threshold(is_lost=True))
+    assert missing_thresholds(lost) == {"threshold_speed": LOST}
 
 
 @pytest.mark.parametrize("last_digits", [1e-15, -3e-15])

@@ -10,7 +10,7 @@ import numpy as np
 
 from babbitt.core.notices import Notice
 from babbitt.core.result import Bound, Check
-from babbitt.reynolds.stability.whirl_limits import Whirl
+from babbitt.reynolds.stability.whirl_limits import Threshold, Whirl
 
 __all__ = [
     "CarriesRotor",
@@ -25,6 +25,7 @@ __all__ = [
 STABLE = "the rotor is stable at this speed; no threshold was found up to ten times it"
 WHIRLING = "the rotor whirls at this speed; no threshold was found down to a tenth of it"
 JUMPS = "the rotor's stability changes in a jump, at a speed that films in a bore that gives way leave open"
+LOST = "no film was found at a speed on the way to the threshold, which therefore stays open"
 """Why there is no threshold speed."""
 
 
@@ -71,10 +72,16 @@ def missing_thresholds(whirl: Whirl) -> dict[str, str]:
     if whirl.elastic is not None:
         found["threshold_speed_elastic"] = (whirl.elastic.stable, whirl.elastic.threshold)
     return {
-        name: JUMPS if threshold.jumps else STABLE if stable.reserve(whirl.rotor_mass) >= 1.0 else WHIRLING
+        name: _why_unknown(threshold, stable.reserve(whirl.rotor_mass) >= 1.0)
         for name, (stable, threshold) in found.items()
         if threshold.speed is None
     }
+
+
+def _why_unknown(threshold: Threshold, is_stable: bool) -> str:
+    if threshold.is_lost:
+        return LOST
+    return JUMPS if threshold.jumps else STABLE if is_stable else WHIRLING
 
 
 def without_critical_mass(whirl: Whirl | None) -> Notice | None:

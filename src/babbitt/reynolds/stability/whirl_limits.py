@@ -48,12 +48,13 @@ Assumption: a soft bore whose thresholds in two frames differ by 2 % rises by 0.
 class Threshold:
     """Where stability changes over the speed, rad/s, or why no such speed is known.
 
-    `speed` is None where no speed within the search changes what the journal does, and where it `jumps`: the films
-    then leave open at which speed.
+    `speed` is None where no speed within the search changes what the journal does, where it `jumps`, for the films
+    then leave open at which speed, and where a film on the way there `is_lost`: none was found.
     """
 
     speed: float | None = None
     jumps: bool = False
+    is_lost: bool = False
 
 
 @dataclass(frozen=True)
@@ -118,7 +119,7 @@ def crossing(excess: Callable[[float], float], speed: float, blur: float = 0.0) 
 
     here = seen(speed)
     if math.isnan(here):
-        return Threshold()
+        return Threshold(is_lost=True)
     step = SEARCH_STEP if here > 0.0 else 1.0 / SEARCH_STEP
     near = speed
     last = speed * (FASTEST if here > 0.0 else 1.0 / FASTEST)
@@ -126,11 +127,11 @@ def crossing(excess: Callable[[float], float], speed: float, blur: float = 0.0) 
         far = min(near * step, last) if here > 0.0 else max(near * step, last)
         there = seen(far)
         if math.isnan(there):
-            return Threshold()
+            return Threshold(is_lost=True)
         if here * there <= 0.0:
             root = find_root(seen, min(near, far), max(near, far), relative=SPEED_TOLERANCE)
             if not root.converged:
-                return Threshold()
+                return Threshold(is_lost=any(map(math.isnan, looked.values())))
             beside = (seen(root.value * (1.0 - SPEED_TOLERANCE)), seen(root.value * (1.0 + SPEED_TOLERANCE)))
             way = [looked[at] for at in sorted(looked) if min(near, far) <= at <= max(near, far)]
             rises = max(after - before for before, after in pairwise(way))
