@@ -2,10 +2,18 @@
 
 import re
 
-from browsing import IN_BROWSER, opened, section, tab, until
+from browsing import IN_BROWSER, opened, section, tab, text_of, until
 from page_cases import FILM, JOURNAL, changed
 
 pytestmark = IN_BROWSER
+
+WATCH_PENDING = """() => {
+  window.seen = [];
+  const answer = document.querySelector('.answer');
+  const look = () => window.seen.push(document.querySelector('.answer.pending .computing')?.innerText ?? '');
+  new MutationObserver(look).observe(answer, {attributes: true, childList: true, subtree: true});
+}"""
+"""Keep what the page says while an answer is computed."""
 
 REMARK = "The case has changed since this was computed."
 
@@ -51,6 +59,32 @@ def test_numbers_of_a_case_that_was_wrong_are_faint_until_it_is_mended(page):
     until(page, lambda: page.locator(".results.stale").count() == 1)
     page.get_by_label("Diameter", exact=True).fill("120")
     until(page, lambda: not page.locator(".results.stale").count())
+
+
+def test_an_answer_that_is_being_computed_is_faint_until_it_is_there(page):
+    """A load of 900 kN stood beside "pass" for 14 s."""
+    opened(page, changed(FILM, method={"kind": "film", "thermal": "full"}))
+    pending = page.locator(".answer.pending")
+    until(page, lambda: not pending.count())
+    page.evaluate(WATCH_PENDING)
+    page.get_by_label("Diameter", exact=True).fill("121")
+    until(page, lambda: page.evaluate("window.seen.includes('Working ...')"))
+    until(page, lambda: not pending.count())
+
+
+def test_comments_of_a_field_that_is_filled_anew_remain(page):
+    """It was taken out as soon as it was empty, and came back at the end of the text."""
+    opened(page, JOURNAL.replace("diameter: 120 mm", "diameter: 120 mm  # of the drawing"))
+    diameter = page.get_by_label("Diameter", exact=True)
+    diameter.fill("")
+    page.wait_for_timeout(1000)
+    diameter.fill("130")
+    until(page, lambda: "diameter: 130 mm  # of the drawing" in text_of(page))
+
+
+def test_a_text_that_is_no_case_has_a_form_that_says_so(page):
+    opened(page, "kind: [journal")
+    page.get_by_text("The text is no case that can be read.").wait_for()
 
 
 def test_a_field_that_the_method_does_not_read_says_so(page):

@@ -181,6 +181,13 @@ def test_a_fit_in_short_is_that_of_its_classes():
     assert document.given["lubricant"] == ""
 
 
+def test_a_method_in_short_is_its_name():
+    """It was no word at all, which no method is called."""
+    document = CaseDocument("kind: journal\nmethod: {kind: film, thermal: full}\n")
+    document.choose(("method",), TEXT)
+    assert document.given["method"] == "film"
+
+
 def test_sizes_of_a_large_bearing_come_back_as_they_were():
     given = {"kind": "deviations", "bore": ["0 um", "35.5 um"], "journal": ["-72.25 um", "-60.75 um"]}
     document = CaseDocument(json.dumps({"kind": "journal", "diameter": "1200 mm", "clearance": given}))

@@ -112,6 +112,7 @@ def test_words_are_those_of_the_language_that_is_written():
         assert next(iter(sections())) == "Geometrie"
         assert field_name("no_such_field") == "No such field"
         assert path_name(["supply", "temperature"]) == "Zuführung, Temperatur"
+        assert path_name(["grooves", 0, "angle"]).split(", ")[1] == "1"
         cards = cards_markup(answer(JOURNAL).bearings[0].cards)
     assert ">bestanden<" in cards
     assert 'class="card pass"' in cards

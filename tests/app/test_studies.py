@@ -15,6 +15,7 @@ from babbitt.app.studies import (
     block_of,
     first_axis,
     kinds_of,
+    replaces_fit,
     sizes_of,
     studied,
     study_file,
@@ -198,6 +199,13 @@ def test_sizes_are_offered_only_in_the_unit_in_which_they_were_asked_for(tmp_pat
     found = studied(asked_text(given, listed), str(tmp_path / "progress"))
     assert sizes_of(found.study) is None
     assert any("at uneven steps" in note for table in found.tables for note in table.remarks)
+
+
+def test_a_number_takes_the_place_of_a_fit_and_says_so():
+    fit, number = {"clearance": "H7/d8"}, {"clearance": {"kind": "relative", "mean": "1.5 permille"}}
+    assert replaces_fit(fit, "clearance.mean")
+    assert not replaces_fit(fit, "load")
+    assert not replaces_fit(number, "clearance.mean")
 
 
 def test_a_study_of_a_fit_begins_with_its_mean_clearance():

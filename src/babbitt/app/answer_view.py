@@ -32,9 +32,9 @@ class AnswerView:
         self._chosen = chosen
         self._bearings = ui.select({}, label=word("bearing"), on_change=self._choose).props("dense")
         self._bearings.classes("w-full").set_visibility(False)
-        self._verdict = _markup("verdict").props('role="status"')
+        self._verdict = _markup("").props('role="status"')
         self._faults = ui.column().classes("w-full")
-        self._cards, self._findings = _markup("cards"), _markup("")
+        self._cards, self._findings = _markup(""), _markup("")
 
     def _choose(self, event: Any) -> None:
         if event.value is not None and event.value != self._place:
