@@ -56,7 +56,7 @@ SLOPES = {
     "threshold_speed",
 }
 """By differences of values or of stiffnesses, whose round-off is larger."""
-WIDER = {"load_capacity": 2e-4, "edge_inertia": 1e-8}
+WIDER = {"load_capacity": 2e-4, "edge_inertia": 5e-9}
 """Where a film is lost at once, before its gap is the least one, the last load that keeps it is the one from which
 the search still finds it: 7e-5 apart in 1 of 94 rings. The inertia is over the lowest pressure of all recesses, of
 which the round-off of the others is a larger part (1.7e-9 in 1 of 94)."""

@@ -181,6 +181,17 @@ def test_a_fit_in_short_is_that_of_its_classes():
     assert document.given["lubricant"] == ""
 
 
+def test_the_way_back_keeps_every_letter():
+    """Compressed: also what no text may hold, which the reader refuses."""
+    texts = ["kind: journal  # ψ, µm\n", "name: \ud800\n", ""]
+    document = CaseDocument(texts[0])
+    for text in texts[1:]:
+        document.write(text)
+    for text in reversed(texts):
+        assert document.text == text
+        document.undo()
+
+
 def test_a_method_in_short_is_its_name():
     """It was no word at all, which no method is called."""
     document = CaseDocument("kind: journal\nmethod: {kind: film, thermal: full}\n")
