@@ -14,6 +14,7 @@ import pytest
 
 from babbitt.case import kinds, parse_case, template
 from babbitt.cli import program
+from babbitt.core.notices import explanations
 from babbitt.export import mirrored, read_ansys, read_csv, read_json, read_ross, read_xltrc2
 from babbitt.solving import solve
 
@@ -493,6 +494,8 @@ def test_a_sweep_leaves_cells_empty_where_there_is_no_film(run, tmp_path):
     assert status == 3
     assert "load 90 MN, Grooved: no film can carry this load" in " ".join(out.split())
     _, row = csv.DictReader((tmp_path / "load.csv").read_text().splitlines())
+    for code in row["codes"].split():
+        assert f"{code} {explanations()[code].title}" in " ".join(out.split())
     assert row["status"] in ("overloaded", "not_converged")
     assert row["minimum_film_thickness_m"] == ""
 
@@ -553,6 +556,7 @@ def test_values_of_a_sweep_may_be_negative(run, tmp_path):
         (("load", "1 kN", "--csv", "x.svg", "--plot", "x.svg"), "another output"),
         (("load", "1 kN", "--csv", "none/x.csv"), "does not exist"),
         (("load", "1 kN", "speed"), "'speed' has none"),
+        (("--field", "load", "--from", "1 kN"), "no option --field"),
         (("load", "1 kN", "load", "2 kN"), "named twice"),
         (("load", "1 kN:9 kN:30", "speed", "1 rpm:9 rpm:30"), "900 rows"),
         (("load", "-1 kN:9 kN:3:log"), "equal ratios"),

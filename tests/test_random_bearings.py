@@ -6,6 +6,8 @@ The same families run by the thousand in `benchmarks/robustness/bearings.py`.
 import pytest
 from bearings import FAMILIES
 
+pytestmark = pytest.mark.solves_anew
+
 NUMBER = {
     "iso7902": 133, "long film": 100, "segments": 5, "film, grooved": 5, "film, pockets": 3, "film, lobed": 2,
     "film, turbulent": 3, "film, thermal": 2, "film, elastic": 1, "pad": 16, "ring": 4, "journal": 5,

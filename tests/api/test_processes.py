@@ -57,6 +57,7 @@ def test_every_way_to_start_a_process_gives_the_same_bits(tmp_path):
     assert len(found["main"]) == 7
 
 
+@pytest.mark.solves_anew
 def test_threads_give_the_same_bits():
     cases = [FILM.replace(load=load) for load in (5e3, 10e3, 20e3, 40e3)]
     alone = [case.solve() for case in cases]

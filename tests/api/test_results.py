@@ -403,6 +403,7 @@ def test_many_results_are_shown_in_few_lines() -> None:
         assert max(map(len, repr(shown).splitlines())) < 200
 
 
+@pytest.mark.solves_anew
 def test_the_same_case_solved_twice_gives_equal_results() -> None:
     assert BearingResult(solved(**ISO7902).solutions[0]) == result_of("iso7902")
 

@@ -45,6 +45,10 @@ def test_coefficients_are_those_of_the_command(tmp_path):
     assert found.name == "coefficients.json"
     assert json.loads(found.content) == json.loads((tmp_path / "out.json").read_text())
     assert found.remarks[0].startswith("5 speeds; ")
+    (table,) = found.tables
+    place = table.heads.index("k_xy MN/m")
+    stiffness = np.array(json.loads(found.content)["tables"][0]["stiffness_N_per_m"])
+    assert [1e6 * float(row[place]) for row in table.rows] == pytest.approx(stiffness[:, 0, 1], rel=1e-3)
 
 
 def test_a_clockwise_journal_is_seen_from_the_other_end(tmp_path):

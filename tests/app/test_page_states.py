@@ -13,9 +13,10 @@ from babbitt.app.document import CaseDocument
 from babbitt.app.form import quantities
 from babbitt.app.service import Service
 from babbitt.app.solver import Ended
-from babbitt.app.studies import axes_of
+from babbitt.app.studies import axes_of, with_value
 from babbitt.app.studies_view import StudiesView
 from babbitt.app.workbench import Workbench
+from babbitt.case.with_units import case_text
 from babbitt.core.kind import kinds
 
 JOURNAL = kinds()["journal"].read_template()
@@ -117,6 +118,7 @@ def test_an_axis_follows_its_value_in_the_case_and_keeps_what_was_typed_else():
     """The fit of a tolerance is that of the case; ends of a load that did not change stay as typed."""
     view = StudiesView.__new__(StudiesView)
     view.document, view._kind, view._known = CaseDocument(JOURNAL), "tolerance", {}
+    view._system, view._computed = (lambda: "si"), []
     view._axes = dict.fromkeys(("clearance", "load"))
     view._follow()
     assert view._axes["clearance"].law_of == "H7/d8"
@@ -125,3 +127,24 @@ def test_an_axis_follows_its_value_in_the_case_and_keeps_what_was_typed_else():
     view._follow()
     assert view._axes["clearance"].law_of == "H7/e7"
     assert view._axes["load"].first == "1 kN"
+
+
+def test_the_range_of_a_study_stays_when_its_value_is_taken_and_taken_back():
+    """A number takes the place of the fit and undo brings it back: both are cases of which the study was asked."""
+    view = StudiesView.__new__(StudiesView)
+    view.document, view._kind, view._known = CaseDocument(JOURNAL), "size", {}
+    view._system, view._computed, view._samples = (lambda: "si"), [], 0
+    view._axes = {"clearance.mean": None}
+    view._follow()
+    view._set("clearance.mean", last="8 permille")
+    view._asked()
+    view.document.take(case_text(with_value(view.document.given, "clearance.mean", "4 permille")))
+    view._computed.append(view.document.without_study)
+    for move in (lambda: None, view.document.undo):
+        move()
+        view._follow()
+        assert view._axes["clearance.mean"].last == "8 permille"
+    view.document.change(("clearance", "journal"), "e7")  # another case
+    view._known = {}
+    view._follow()
+    assert view._axes["clearance.mean"].last == "3 permille"

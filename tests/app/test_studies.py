@@ -92,6 +92,16 @@ def test_fields_on_offer_are_those_that_studies_take(kind):
             assert low[1] in quantity.kind.everyday, axis
 
 
+def test_ranges_are_in_the_units_of_the_page():
+    """Where the page shows US units; values that a study finds are then offered in these, too."""
+    document = CaseDocument(TEMPLATES["journal"])
+    metric, inches = (axes_of(document, "size", system)["diameter"] for system in ("si", "us"))
+    (low, unit), (first, mm) = (one.first.split() for one in (inches, metric))
+    assert (unit, mm) == ("in", "mm")
+    assert 25.4 * float(low) == pytest.approx(float(first), rel=1e-5)
+    assert axes_of(document, "size", "us")["load"].first.endswith(" lbf")
+
+
 def test_a_study_begins_with_the_load():
     document = CaseDocument(TEMPLATES["journal"])
     assert first_axis(document.given, axes_of(document, "sweep")) == "load"

@@ -39,6 +39,34 @@ def test_finds_any_root_of_a_cubic(root, below, above):
     assert found == pytest.approx(root, abs=1e-12)
 
 
+@pytest.mark.parametrize("side", [-1.0, 1.0])
+@pytest.mark.parametrize(("function", "low", "high"), FUNCTIONS)
+def test_a_place_beyond_a_bound_changes_no_root(function, low, high, side):
+    place = (low if side < 0.0 else high) + 0.3 * side * (high - low)
+    found = find_root(function, low, high, 1e-12, beyond=(place, function(place)))
+    assert found.converged
+    assert found.value == pytest.approx(find_root(function, low, high, 1e-12).value, abs=2e-5)
+
+
+@pytest.mark.parametrize("side", [-1.0, 1.0])
+@pytest.mark.parametrize("curvature", [-0.1, 0.0, 0.1])
+def test_a_place_beyond_a_bound_spares_halving(curvature, side):
+    """The first step goes near the root of a function that bends little, where it otherwise halves."""
+
+    def bent(x):
+        return x + curvature * x * x
+
+    low, high = -0.9, 1.2
+    place = (low if side < 0.0 else high) + 0.3 * side
+    first = []
+    for beyond in (None, (place, bent(place))):
+        looked = []
+        find_root(lambda x, looked=looked: looked.append(x) or bent(x), low, high, 1e-12, beyond=beyond)
+        first.append(abs(looked[2]))  # behind both bounds
+    assert first[0] == pytest.approx(0.15)
+    assert first[1] < 0.06
+
+
 def test_a_root_at_a_bound_and_none():
     assert bracketed_root(lambda x: x, 0.0, 1.0) == 0.0
     with pytest.raises(ValueError, match="different signs"):

@@ -51,15 +51,15 @@ def relative(page: Path) -> str:
 
 
 @pytest.fixture
-def workplace(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+def workplace(tmp_path: Path) -> Iterator[Path]:
     """A folder with the examples, both as in the repository and at hand."""
     for file in (ROOT / "examples").iterdir():
         if file.suffix in (".yaml", ".py"):
             shutil.copy(file, tmp_path)
     shutil.copytree(ROOT / "examples", tmp_path / "examples", ignore=shutil.ignore_patterns("__pycache__"))
-    monkeypatch.chdir(tmp_path)
-    monkeypatch.delenv("COLUMNS", raising=False)
-    return tmp_path
+    with contextlib.chdir(tmp_path), pytest.MonkeyPatch.context() as patch:
+        patch.delenv("COLUMNS", raising=False)
+        yield tmp_path
 
 
 @contextlib.contextmanager

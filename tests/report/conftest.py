@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import replace
 
 import pytest
@@ -17,10 +18,12 @@ FAR = Notice("S001", "carries_little", {"reached": 330.0, "asked": ""})
 
 
 @pytest.fixture(autouse=True)
-def hand_made_kind(monkeypatch: pytest.MonkeyPatch) -> None:
+def hand_made_kind() -> Iterator[None]:
     """The kind of results built by hand."""
     kind.find_kind("journal")
-    monkeypatch.setitem(kind._REGISTERED, KIND.name, KIND)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setitem(kind._REGISTERED, KIND.name, KIND)
+        yield
 
 
 @pytest.fixture

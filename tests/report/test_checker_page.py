@@ -74,6 +74,7 @@ def test_pads_are_known_again_by_their_inputs_row_by_row(kind):
     assert content(solve(parse_case(template("journal"))))["checker"]["given"] == []
 
 
+@pytest.mark.usefixtures("no_images")
 def test_all_inputs_of_each_bearing_stand_there_and_what_they_share_once():
     """Of a machine it had only diameter, width, clearance, load, speed and supply."""
     made = content(solve(load_case(EXAMPLES / "marine_reverse_gear.yaml")))

@@ -227,6 +227,7 @@ def test_names_of_every_kind_reach_the_report_as_strings_only():
         assert name in data["bearings"][0]["assumptions"]
 
 
+@pytest.mark.solves_anew
 def test_equal_input_gives_equal_bytes():
     one, other = (content(solved("Twice", GEAR[0]), Level.FULL) for _ in range(2))
     assert one == other

@@ -56,6 +56,7 @@ NAMED = ("bearing", "bearings", "references", "verdict", "level", "words", "case
 def _few_points():
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(figures, "POINTS", 5)
+        patch.setattr("matplotlib.figure.Figure.savefig", lambda *_, **__: None)
         yield
 
 

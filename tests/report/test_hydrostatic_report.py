@@ -173,6 +173,7 @@ def test_an_unsolved_bearing_has_no_calculation():
     assert hydrostatic_calculation(machine.problems[0], machine.results[0]) == ()
 
 
+@pytest.mark.usefixtures("no_images")
 @pytest.mark.parametrize("name", ["pad", "journal, film", "ring", "jacking, strips"])
 def test_the_calculation_is_in_the_report(name):
     machine = solve(parse_case(CASES[name]))

@@ -139,6 +139,7 @@ def test_the_reverse_gear_lacks_no_word_and_has_the_same_numbers(gear, english, 
     assert says_the_same(english, gear, language) > 2000
 
 
+@pytest.mark.usefixtures("no_images")
 @pytest.mark.parametrize("name", OTHER_CASES)
 def test_other_kinds_lack_no_word_and_have_the_same_numbers(name):
     machine = solve(OTHER_CASES[name]())
@@ -188,10 +189,11 @@ RECESSED = ("hydrostatic_pad", "hydrostatic_thrust_ring", "hydrostatic_journal",
 
 
 @pytest.fixture
-def words_alone(monkeypatch):
+def words_alone(no_images):
     """Curves are the same in every language, and pictures take most of the time."""
-    monkeypatch.setattr(sweeps, "over_gap", cache(sweeps.over_gap))
-    monkeypatch.setattr("matplotlib.figure.Figure.savefig", lambda *_, **__: None)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(sweeps, "over_gap", cache(sweeps.over_gap))
+        yield
 
 
 @pytest.mark.parametrize("method", ["film", "quick"])
@@ -244,6 +246,7 @@ OF_KINDS = {
 """Examples of kinds of bearings beside the reverse gear."""
 
 
+@pytest.mark.usefixtures("no_images")
 @pytest.mark.parametrize(
     ("kind", "example"), [(kind, name) for kind, names in OF_KINDS.items() for name in ("", *names)]
 )

@@ -177,6 +177,7 @@ def test_pads_mark_what_their_case_leaves_out():
     assert marked(parse_case(written)) == found - {"Pivot, from the leading edge"}
 
 
+@pytest.mark.usefixtures("no_images")
 def test_the_direction_of_a_load_that_follows_from_a_shaft_is_neither_given_nor_a_default():
     """It stood twice: as given, and as one that the case leaves out."""
     machine = solve(load_case(EXAMPLES / "helical_gear_shaft.yaml"))

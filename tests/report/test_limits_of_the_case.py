@@ -45,6 +45,7 @@ def test_a_thrust_bearing_has_the_general_temperature_beside_that_of_the_case():
     assert found.general[0] == pytest.approx(373.15)
 
 
+@pytest.mark.usefixtures("no_images")
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_every_language_prints_both(language):
     machine = solve(parse_case(SAID + OWN))

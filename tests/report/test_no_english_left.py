@@ -59,11 +59,6 @@ def film(more: str, turbulence: str = "turbulence: laminar"):
     return parse_case(f"{FILM.replace('TURBULENCE', turbulence)}{more}\nassumptions:{said}\n")
 
 
-@pytest.fixture
-def words_alone(monkeypatch):
-    monkeypatch.setattr("matplotlib.figure.Figure.savefig", lambda *_, **__: None)
-
-
 def english_left(lines) -> list[str]:
     titles = r"(Ng, Pan, |Constantinescu, ).*"  # of publications
     return [one for one in lines if ENGLISH.search(re.sub(titles, "", one))]
@@ -79,7 +74,7 @@ def english_left(lines) -> list[str]:
     ],
     ids=["lobes and turbulence", "tapers and asperities", "heat"],
 )
-def test_inputs_and_assumptions_of_films_have_words(more, turbulence, language, words_alone):
+def test_inputs_and_assumptions_of_films_have_words(more, turbulence, language, no_images):
     machine = solve(film(more, turbulence))
     (part,) = chapters(machine.solutions)
     with written_in(language) as missing:
@@ -92,7 +87,7 @@ def test_inputs_and_assumptions_of_films_have_words(more, turbulence, language, 
 
 
 @pytest.mark.parametrize("language", OTHERS)
-def test_what_a_case_assumes_stays_in_its_words(language, words_alone):
+def test_what_a_case_assumes_stays_in_its_words(language, no_images):
     machine = solve(film(""))
     with written_in(language):
         made = content(machine, Level.STANDARD)
@@ -108,7 +103,7 @@ NAMES = ("laminar film", "oil film too hot", "film, Reynolds", "ISO VG 46; gener
 
 @pytest.mark.parametrize("language", OTHERS)
 @pytest.mark.parametrize("name", NAMES)
-def test_the_name_and_the_source_of_an_oil_stay(language, name, words_alone):
+def test_the_name_and_the_source_of_an_oil_stay(language, name, no_images):
     oil = f'{{kind: two_points, name: "{name}", nu40: 46 mm2/s, nu100: 6.8 mm2/s, source: "{name}"}}'
     machine = solve(
         parse_case(FILM.replace("TURBULENCE", "").replace("lubricant: ISO VG 46", f"lubricant: {oil}"))

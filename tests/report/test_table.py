@@ -114,6 +114,20 @@ def test_eleven_equal_misses_do_not_flood(reverse_gear):
     assert "all 11 bearings" in lines[0]
 
 
+def test_messages_of_one_code_stand_beside_the_bearings_that_they_are_of(reverse_gear):
+    """Few are all told; of many one, with the bearing that it is of. An oil system counts as no bearing."""
+    said = [Notice("W141", values={"side_inflow": litres / 6e4}) for litres in (1.0, 2.0, 3.0, 4.0)]
+    warned = [replace(one, warnings=(notice,)) for one, notice in zip(reverse_gear.results, said, strict=False)]
+    lines = [
+        line for line in shown(replace(reverse_gear, results=tuple(warned[:3]))).splitlines() if "W141" in line
+    ]
+    assert [line.strip().split("[")[1] for line in lines] == [f"{one.name}]" for one in warned[:3]]
+    whole = shown(replace(reverse_gear, results=(*warned, replace(warned[0], name="Oil system of gear"))), 300)
+    (line,) = (line for line in whole.splitlines() if "W141" in line)
+    assert f"{warned[0].name}, for example: " in line
+    assert line.strip().endswith("[all 4 bearings; Oil system of gear]")
+
+
 def test_a_missed_recommendation_is_listed_and_changes_no_verdict(reverse_gear, good):
     advice = Check("C109", "outlet_temperature", 350.0, 343.15, Bound.AT_MOST, "advice", advisory=True)
     advised = replace(good, checks=(*good.checks, advice))

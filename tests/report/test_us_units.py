@@ -226,6 +226,7 @@ KINDS = ["journal", "thrust", "screw_heel", "hydrostatic_pad", "hydrostatic_jour
          "overhung_coupling", "tilting_pad_journal"]  # fmt: skip
 
 
+@pytest.mark.usefixtures("no_images")
 @pytest.mark.parametrize("kind", KINDS)
 def test_no_unit_of_the_si_is_left_in_a_report(kind):
     machine = solve(parse_case(template(kind)))

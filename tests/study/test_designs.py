@@ -74,6 +74,7 @@ def test_results_are_those_of_each_case_and_differences_follow():
     assert [cell.split()[0] for cell in said["Governing check"]] == [one.governing_check.code for one in alone]
 
 
+@pytest.mark.solves_anew
 def test_the_same_design_twice_differs_in_nothing():
     found = designs(FIRST, FIRST)
     assert found.changed == ()

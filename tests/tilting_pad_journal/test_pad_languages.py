@@ -102,6 +102,7 @@ BEARINGS = {
 """Changes and fields of bearings that reach what the examples do not."""
 
 
+@pytest.mark.usefixtures("no_images")
 @pytest.mark.parametrize("bearing", BEARINGS)
 def test_no_word_is_lacking(bearing):
     changes, fields = BEARINGS[bearing]

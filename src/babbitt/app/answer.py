@@ -94,6 +94,8 @@ class Card:
         Of the limit that is used up, 1 where it is reached; NaN without a limit.
     word : str
         pass, missed or fail; empty without a limit.
+    is_advice : bool
+        Whether the limit is a recommendation or a screening indicator.
     """
 
     label: str
@@ -103,6 +105,7 @@ class Card:
     margin: str = ""
     share: float = math.nan
     word: str = ""
+    is_advice: bool = False
 
 
 @dataclass(frozen=True)
@@ -323,6 +326,7 @@ def _checked(check: Check, result: Result) -> Card:
         margin(check),
         used_share(check),
         verdicts.check_word(check).value,
+        check.advisory,
     )
 
 

@@ -20,6 +20,9 @@ __all__ = ["cards_markup", "findings_markup", "verdict_markup"]
 ICONS = {"pass": "check_circle", "remarks": "info", "fail": "cancel", "no_verdict": "help", "no_solution": "error"}
 """Of verdicts, so that none differs by colour alone."""
 
+SYMBOL = re.compile(r"(?<![\w.`'])([^\W\d_]{1,2}[\u0304\u2032]?)_([A-Za-z0-9]+(?:,[a-z0-9]+)*)(?!\w)")
+"""A symbol within a text: one or two letters and what stands below them; names of fields are longer words."""
+
 Element = ElementTree.Element
 
 
@@ -74,7 +77,8 @@ def _card(card: Card, before: Card | None) -> Element:
         bar = _within(made, "bar", attributes={"role": "img", "aria-label": _used(card)})
         _within(bar, "used", attributes={"style": f"width: {100.0 * used:.0f}%"})
         line = _within(made, "line small")
-        _within(line, "word", word("advice_missed") if card.word == "missed" else told(card.word))
+        advice = word("advice_missed" if card.word == "missed" else "advice_kept")
+        _within(line, "word", advice if card.is_advice else told(card.word))
         _within(line, "", f"{card.limit} ({card.margin})")
     return made
 
@@ -94,11 +98,22 @@ def _used(card: Card) -> str:
 
 def _finding(finding: Finding) -> Element:
     made = _part("finding grave" if finding.grave else "finding", tag="details")
-    _within(made, "", f"{finding.code} {finding.title}".strip(), "summary")
-    _within(made, "", finding.message)
+    _written(_within(made, "", tag="summary"), f"{finding.code} {finding.title}".strip())
+    _written(_within(made, ""), finding.message)
     if finding.remedy:
-        _within(made, "", f"{word('what_to_do')}: {finding.remedy}")
+        _written(_within(made, ""), f"{word('what_to_do')}: {finding.remedy}")
     return made
+
+
+def _written(outer: Element, text: str) -> None:
+    """A text, its symbols with their subscripts."""
+    outer.text, *parts = re.split(SYMBOL, text)
+    for stem, lower, after in zip(parts[::3], parts[1::3], parts[2::3], strict=True):
+        if len(outer):
+            outer[-1].tail = f"{outer[-1].tail or ''}{stem}"
+        else:
+            outer.text += stem
+        _within(outer, "", lower, "sub").tail = after
 
 
 def _part(style: str, text: str = "", tag: str = "div", attributes: dict[str, str] | None = None) -> Element:

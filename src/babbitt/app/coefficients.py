@@ -3,22 +3,26 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import product
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import numpy as np
 
-from babbitt.app.answer import NAME, Fault, faults_of, read
+from babbitt.app.answer import NAME, Fault, Table, faults_of, read
 from babbitt.app.document import CaseDocument
 from babbitt.app.form import as_text, quantities
 from babbitt.app.progress import followed
 from babbitt.app.units import split
 from babbitt.case import CaseError, located
+from babbitt.core.language import translated
 from babbitt.core.notices import InputError
+from babbitt.core.quantities import QUANTITIES
 from babbitt.core.units import QuantityError, si
 from babbitt.export import FORMATS, CoefficientTable, export, mirrored
 from babbitt.export.frame import declaration
-from babbitt.report.questioned_coefficients import left_out_lines, table_lines
+from babbitt.export.numbers import rounded_rpm
+from babbitt.report.questioned_coefficients import code_lines, format_lines, left_out_lines
 from babbitt.study.table_target import chosen_problem
 
 __all__ = ["FEWEST", "CoefficientFile", "Speeds", "coefficient_file", "first_speeds"]
@@ -43,11 +47,12 @@ class Speeds:
 
 @dataclass(frozen=True)
 class CoefficientFile:
-    """What is wrong with a case, or a file for a rotor program and what to know of it."""
+    """What is wrong with a case, or a file for a rotor program, its coefficients and what to know of it."""
 
     faults: tuple[Fault, ...] = ()
     name: str = ""
     content: bytes = b""
+    tables: tuple[Table, ...] = ()
     remarks: tuple[str, ...] = ()
 
 
@@ -95,8 +100,24 @@ def coefficient_file(
         file = Path(folder) / name
         export(table, file, format_name)
         return CoefficientFile(
-            (), name, file.read_bytes(), (*left_out_lines(run), *_remarks(table, turned, format_name))
-        )
+            (), name, file.read_bytes(), (shown_coefficients(table),),
+            (*left_out_lines(run), *_remarks(table, turned, format_name)),
+        )  # fmt: skip
+
+
+def shown_coefficients(table: CoefficientTable) -> Table:
+    """Stiffness and damping over speed in the engineer's units, with the codes that question them."""
+    heads, columns = ["rpm"], [[f"{rounded_rpm(float(speed)):.6g}" for speed in table.speeds]]
+    for name, matrices in (("stiffness", table.stiffness), ("damping", table.damping)):
+        unit = QUANTITIES[f"{name}_xx"].suited(*map(float, matrices.flat))
+        for (i, first), (j, second) in product(enumerate("xy"), repeat=2):
+            quantity = QUANTITIES[f"{name}_{first}{second}"]
+            heads.append(f"{quantity.symbol} {unit.display.label}")
+            columns.append([unit.format(float(value)) for value in matrices[:, i, j]])
+    if any(table.warnings):
+        heads.append(translated("questioned by"))
+        columns.append([" ".join(codes) for codes in table.warnings])
+    return Table("", tuple(heads), tuple(zip(*columns, strict=True)))
 
 
 def _remarks(table: CoefficientTable, turned: bool, format_name: str) -> list[str]:
@@ -104,7 +125,7 @@ def _remarks(table: CoefficientTable, turned: bool, format_name: str) -> list[st
     said = [f"{table.speeds.size} speeds; {declaration(table.frame)}; temperatures: {table.temperatures}"]
     if turned:
         said.append("The bearing is seen from the other end of the shaft: build the rotor from that end.")
-    return [*said, *table_lines(table, format_name)]
+    return [*said, *code_lines(table), *format_lines(table, format_name)]
 
 
 def _spaced(speeds: Speeds) -> list[float]:

@@ -10,7 +10,7 @@ from nicegui import ui
 
 from babbitt.app.coefficients import FEWEST, CoefficientFile, Speeds, coefficient_file, first_speeds
 from babbitt.app.document import CaseDocument
-from babbitt.app.parts import LongWork, Question, show_faults
+from babbitt.app.parts import LongWork, Question, show_faults, show_table
 from babbitt.app.solver import Questions
 from babbitt.app.words import told, word
 from babbitt.export import FORMATS
@@ -72,6 +72,8 @@ class CoefficientsView:
 
     def _show(self, found: CoefficientFile) -> None:
         show_faults(found.faults)
+        for table in found.tables:
+            show_table(table)
         for line in found.remarks:
             ui.label(line).classes("small")
         if found.content:

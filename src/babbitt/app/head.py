@@ -49,7 +49,7 @@ class Head:
         with ui.header().classes("head"):
             for section in ("form", "results", "more"):  # page.js goes there without another address
                 ui.link(word(f"skip_{section}"), f"#{section}").classes("skip")
-            ui.html(word("title"), tag="h1", sanitize=False).classes("title")
+            ui.html(word("title"), tag="h1", sanitize=False).classes("title").props('id="tools" tabindex="-1"')
             with self._menu(word("new"), "note_add"):
                 for name, kind in kinds().items():
                     self._entry(translated(kind.description), partial(self._template, name))

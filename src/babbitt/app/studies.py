@@ -10,7 +10,7 @@ from babbitt.app.answer import NAME, Fault, Figure, Table, faults_of, read
 from babbitt.app.document import CaseDocument, path_in, with_changed
 from babbitt.app.form import Item, as_text, quantities
 from babbitt.app.progress import FileWatch
-from babbitt.app.units import from_si, split
+from babbitt.app.units import SYSTEMS, from_si, shown_in, split
 from babbitt.app.words import told
 from babbitt.case import CaseError, located
 from babbitt.case.with_units import case_text
@@ -98,12 +98,12 @@ def kinds_of(given: Mapping[str, Any]) -> tuple[str, ...]:
     return (*own, *(name for name in NEEDS if name not in without))
 
 
-def axes_of(document: CaseDocument, kind: str) -> dict[str, Axis]:
+def axes_of(document: CaseDocument, kind: str, system: str = SYSTEMS[0]) -> dict[str, Axis]:
     """The fields that a study of a case may vary, by their paths, each with the values to begin with."""
     if kind not in NEEDS or NEEDS[kind][1] == 0:
         return {}
     given, tolerance = document.given, kind == "tolerance"
-    found = {axis.path: axis for axis in _numbers(document.items, NARROW if tolerance else WIDE)}
+    found = {axis.path: axis for axis in _numbers(document.items, NARROW if tolerance else WIDE, system)}
     clearance = given.get("clearance")
     if isinstance(clearance, Mapping) and {"bore", "journal"} <= clearance.keys():
         fit = f"{clearance['bore']}/{clearance['journal']}"
@@ -132,9 +132,10 @@ def first_axis(given: Mapping[str, Any], known: Iterable[str]) -> str:
     return next((path for path in paths if path.rpartition(".")[2] in usual), paths[0])
 
 
-def _numbers(items: tuple[Item, ...], factor: float) -> Iterator[Axis]:
+def _numbers(items: tuple[Item, ...], factor: float, system: str) -> Iterator[Axis]:
     for entry in quantities(items):
         number, unit = split(as_text(entry.value), entry.units)
+        number, unit = shown_in(system, number, unit, entry.units)
         if entry.options or not (value := float(number)):
             continue
         first, last = sorted((value / factor, value * factor))

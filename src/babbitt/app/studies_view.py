@@ -54,10 +54,14 @@ class StudiesView:
         Of long work.
     changed : callable
         Called when the study was put into the case.
+    system : callable
+        Name of the system of units of the page.
     """
 
-    def __init__(self, document: CaseDocument, solver: Questions, changed: Callable[[], None]) -> None:
-        self.document, self._solver, self._changed = document, solver, changed
+    def __init__(
+        self, document: CaseDocument, solver: Questions, changed: Callable[[], None], system: Callable[[], str]
+    ) -> None:
+        self.document, self._solver, self._changed, self._system = document, solver, changed, system
         self._kind, self._samples = "sweep", 1000
         self._known: dict[str, Axis] = {}
         self._axes: dict[str, Axis] = {}
@@ -88,10 +92,11 @@ class StudiesView:
                 )  # fmt: skip
 
     def _follow(self) -> None:
-        """Take the axes of the case."""
-        before, self._known = self._known, axes_of(self.document, self._kind)
+        """Take the axes of the case; those of a study stay for its case and for its answers."""
+        before, self._known = self._known, axes_of(self.document, self._kind, self._system())
+        stay = self.document.without_study in self._computed
         self._axes = {
-            path: self._axes[path] if before.get(path) == axis else axis
+            path: self._axes[path] if stay or before.get(path) == axis else axis
             for path, axis in self._known.items()
             if path in self._axes
         }
@@ -204,12 +209,10 @@ class StudiesView:
             ui.label(word("scan_ends")).classes("small")
 
     def _take(self, path: str, text: str) -> None:
-        """Put a value into the case; the range that was asked for stays beside its answer."""
+        """Put a value into the case."""
         if self._may_take():
-            axes, loses_fit = self._axes, replaces_fit(self.document.given, path)
+            loses_fit = replaces_fit(self.document.given, path)
             self._put(case_text(with_value(self.document.given, path, text)), text)
-            self._axes = axes
-            self.draw()
             if loses_fit:
                 ui.notify(word("without_fit"), type="warning", timeout=STAYS)
 

@@ -159,7 +159,7 @@ class Workbench:
         )
 
     def _studies_tab(self) -> None:
-        self._studies = StudiesView(self.document, self._slow, self._set_elsewhere)
+        self._studies = StudiesView(self.document, self._slow, self._set_elsewhere, self._system)
 
     def _coefficients_tab(self) -> None:
         self._coefficients = CoefficientsView(self.document, self._slow, self._bearing_shown)
@@ -370,6 +370,8 @@ class Workbench:
 def _section(style: str, name: str) -> ui.element:
     """A part of the page, which the links that skip can go to by its name."""
     part = ui.element("section").classes(style)
+    with part:
+        ui.link(word("skip_tools"), "#tools").classes("skip")
     return part.props(f'aria-label="{word(name)}" id="{name}" tabindex="-1"')
 
 

@@ -241,6 +241,12 @@ def sweep(
     from babbitt.study.sweep_values import values_of
     from babbitt.study.workers import Alone, Processes
 
+    if unknown := [one for one in fields if one.startswith("--")]:
+        raise InputError(
+            "E005",
+            f"sweep has no option {unknown[0]}; PATH and VALUES stand one after the other, "
+            "such as: load '1 kN:10 kN:10' (babbitt sweep --help lists the options)",
+        )
     if len(fields) % 2:
         raise InputError("E005", f"sweep takes each PATH with its VALUES; '{fields[-1]}' has none")
     given = [values_of(values) for values in fields[1::2]]

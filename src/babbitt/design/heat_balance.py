@@ -241,7 +241,7 @@ def _coolest(search: _Search[FilmT], coolest: float, policy: SearchPolicy, ceili
             low += policy.step
     if surplus <= 0.0 and low > coolest:
         return search.unsolved(Outcome.NO_LUBRICANT_DATA, low)
-    before = (low, surplus)
+    earlier, before = None, (low, surplus)
     while surplus > 0.0:
         high = min(low + step, ceiling)
         coarse = step > policy.fine_step
@@ -264,9 +264,10 @@ def _coolest(search: _Search[FilmT], coolest: float, policy: SearchPolicy, ceili
                 return search.closed_in(before[0], dip)
         if following > 0.0 and high >= ceiling:
             return search.unsolved(Outcome.THERMAL_RUNAWAY, high)
+        earlier = before if before[0] < low else None
         before, low, surplus = (low, surplus), high, following
         step = min(step * policy.growth, largest)
-    return search.closed_in(before[0], low)
+    return search.closed_in(before[0], low, earlier)
 
 
 def at_prescribed_temperature(temperature: float, film_at: Callable[[float], FilmT]) -> Equilibrium[FilmT]:
@@ -329,12 +330,12 @@ class _Search(Generic[FilmT]):
                 break
         return good
 
-    def closed_in(self, low: float, high: float) -> Equilibrium[FilmT]:
-        """Root of the surplus between two temperatures that enclose it."""
+    def closed_in(self, low: float, high: float, beyond: tuple[float, float] | None = None) -> Equilibrium[FilmT]:
+        """Root of the surplus between two temperatures that enclose it; `beyond` as of `find_root`."""
         if low == high:  # the coolest film already gives away all its heat
             return Equilibrium(Outcome.CONVERGED, self._film(low), self._evaluations, low)
         try:
-            root = find_root(self.surplus, low, high, self._policy.tolerance, most_steps=MOST_STEPS)
+            root = find_root(self.surplus, low, high, self._policy.tolerance, most_steps=MOST_STEPS, beyond=beyond)
         except NoFilmError as failure:
             return self.ended(failure, low)
         outcome = Outcome.CONVERGED if root.converged else Outcome.NOT_CONVERGED

@@ -62,10 +62,12 @@ def find_root(
     absolute: float = 0.0,
     relative: float = 0.0,
     most_steps: int = MOST_HALVINGS,
+    beyond: tuple[float, float] | None = None,
 ) -> Root:
     """Root of a function between two bounds, with the verdict on its tolerance.
 
-    Tolerances below the round-off of the root are raised to it.
+    Tolerances below the round-off of the root are raised to it. A place beyond a bound and the value there, of the
+    sign at that bound, spare the first step, which otherwise halves.
 
     Raises
     ------
@@ -83,6 +85,10 @@ def find_root(
         raise ValueError(f"the function is {lower} at {low} and {upper} at {high}; it needs different signs there")
     newest, opposite, oldest = high, low, low
     at_newest, at_opposite, at_oldest = upper, lower, lower
+    if beyond is not None:
+        oldest, at_oldest = beyond
+        if oldest < low:
+            newest, opposite, at_newest, at_opposite = low, high, lower, upper
     relative = max(relative, 4.0 * sys.float_info.epsilon)
     for _ in range(most_steps + 1):
         best, at_best = (newest, at_newest) if abs(at_newest) < abs(at_opposite) else (opposite, at_opposite)

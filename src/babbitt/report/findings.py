@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from itertools import chain
 
 from babbitt.core.check_text import comparison
 from babbitt.core.language import translated
@@ -11,12 +12,15 @@ from babbitt.core.notices import Effect, Notice, Subject, explanations
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Check, Result
 from babbitt.report.meanings import remark_on_zero
-from babbitt.report.names import listed, shortened
+from babbitt.report.names import listed, shortened, shown_name
 from babbitt.report.text import plain_text
 from babbitt.report.us_words import OF_RESULTS, in_us_units
 
 ASSUMED_METAL = "the bearing metal is assumed, and its limits decide nothing (materials: bearing_metal)"
 """Why a check that was made leaves its subject without a verdict."""
+
+MESSAGES_TOLD = 3
+"""Of a code of a warning that touches verdicts; of one with more messages the first is told as an example."""
 
 
 @dataclass(frozen=True)
@@ -98,17 +102,18 @@ def no_verdict(results: Sequence[Result]) -> tuple[Group, ...]:
 
 
 def remarks(results: Sequence[Result]) -> tuple[Group, ...]:
-    """Warnings that question a result, one group a code."""
+    """Warnings that question a result."""
     return _warned(results, Effect.QUESTIONS_RESULT)
 
 
 def information(results: Sequence[Result]) -> tuple[Group, ...]:
-    """Warnings that change no verdict, one group a code."""
+    """Warnings that change no verdict."""
     return _warned(results, Effect.INFORMATION)
 
 
 def _warned(results: Sequence[Result], effect: Effect) -> tuple[Group, ...]:
-    return _gathered(results, lambda result: [one for one in result.warnings if one.effect is effect])
+    most = 1 if effect is Effect.INFORMATION else MESSAGES_TOLD
+    return _gathered(results, lambda result: [one for one in result.warnings if one.effect is effect], most)
 
 
 def lacking(results: Sequence[Result]) -> Iterator[Group]:
@@ -171,19 +176,28 @@ def not_checked(results: Sequence[Result]) -> tuple[Group, ...]:
     )
 
 
-def _gathered(results: Sequence[Result], notices_of: Callable[[Result], Iterable[Notice]]) -> tuple[Group, ...]:
-    found: dict[str, list[tuple[Result, str]]] = {}
+def _gathered(
+    results: Sequence[Result], notices_of: Callable[[Result], Iterable[Notice]], most: int = 1
+) -> tuple[Group, ...]:
+    """One group a code, or a message where a code has at most so many; of more the first is an example."""
+    found: dict[str, dict[str, list[Result]]] = {}
     for result in results:
         for notice in notices_of(result):
-            found.setdefault(notice.code, []).append((result, in_us_units(plain_text(notice.message), OF_RESULTS)))
+            message = in_us_units(plain_text(notice.message), OF_RESULTS)
+            found.setdefault(notice.code, {}).setdefault(message, []).append(result)
     groups = []
-    for code, notices in sorted(found.items()):
-        messages = list(dict.fromkeys(message for _, message in notices))
-        message = messages[0] if len(messages) == 1 else translated("for example: {message}", message=messages[0])
-        explanation = explanations()[code]
-        concerned = {id(result): result.name for result, _ in notices}
-        names = tuple(concerned.values())
-        groups.append(Group(code, explanation.title, names, _names(results), message, explanation.remedy))
+    for code, told in sorted(found.items()):
+        if len(told) > most:
+            message, concerned = next(iter(told.items()))
+            example = translated(
+                "{name}, for example: {message}", name=shown_name(concerned[0].name), message=message
+            )
+            told = {example: list(chain.from_iterable(told.values()))}
+        title, remedy = explanations()[code].title, explanations()[code].remedy
+        for number, (message, concerned) in enumerate(told.items(), 1):
+            names = tuple(result.name for result in results if any(result is one for one in concerned))
+            last = remedy if number == len(told) else ""  # what to do stands once, behind all of a code
+            groups.append(Group(code, title, names, _names(results), message, last))
     return tuple(groups)
 
 

@@ -92,7 +92,14 @@ def listed(names: Sequence[str], of: Sequence[str]) -> str:
     >>> both = [ResultName("A", clearance="minimum"), ResultName("A", clearance="mean")]
     >>> listed(both, [*both, "B"])
     'A (minimum, mean clearance)'
+    >>> machine = ["Oil system of Pump", "A", "B"]
+    >>> listed(machine, machine)
+    'all 2 bearings; Oil system of Pump'
     """
+    systems = [name for name in names if name.startswith(OIL_SYSTEM)]
+    if systems and len(names) > len(systems):
+        bearings, all_bearings = ([one for one in ones if not one.startswith(OIL_SYSTEM)] for ones in (names, of))
+        return f"{listed(bearings, all_bearings)}; {_joined(systems)}"
     if _is_whole(names, of):
         return translated("all {bearings}", bearings=counted_results(of))
     left_out = [name for name in of if name not in names]

@@ -10,7 +10,7 @@ from babbitt.core.notices import Effect, explanations
 from babbitt.export import OVER_FREQUENCY, CoefficientTable
 from babbitt.export.numbers import rounded_rpm
 
-__all__ = ["left_out_lines", "table_lines", "warnings_lines"]
+__all__ = ["code_lines", "format_lines", "left_out_lines", "table_lines", "warnings_lines"]
 
 
 def left_out_lines(run: Any) -> list[str]:
@@ -23,6 +23,11 @@ def left_out_lines(run: Any) -> list[str]:
 def table_lines(table: CoefficientTable, format_name: str) -> Iterator[str]:
     """Warnings of a table, and what of it the format or its temperatures do not show."""
     yield from warnings_lines(table)
+    yield from format_lines(table, format_name)
+
+
+def format_lines(table: CoefficientTable, format_name: str) -> Iterator[str]:
+    """What of a table the format or its temperatures do not show."""
     if table.over_frequency is not None and format_name not in OVER_FREQUENCY:
         yield (
             f"{format_name} has no axis of frequency: the coefficients written are synchronous; ross3, csv and "
@@ -40,6 +45,11 @@ def warnings_lines(table: CoefficientTable) -> Iterator[str]:
     for speed, codes in zip(table.speeds, table.warnings, strict=False):  # no warnings at all: none for any speed
         if codes:
             yield f"{rounded_rpm(float(speed)):.6g} rpm: {' '.join(codes)}"
+    yield from code_lines(table)
+
+
+def code_lines(table: CoefficientTable) -> Iterator[str]:
+    """What each code of the warnings of a table says."""
     for code in dict.fromkeys(code for codes in table.warnings for code in codes):
         known = explanations()[code]
         yield f"{code}  {known.title}{' (no verdict)' if known.effect is Effect.NO_VERDICT else ''}"

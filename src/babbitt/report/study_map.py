@@ -193,7 +193,7 @@ def _caption(study: Study, own: Columns, of: str, second: str) -> str:
     across, up = (plain_text(one["path"]) for one in study.inputs)
     said = [
         translated(
-            "Region{of} within all limits (white) over {across} and {up}, with contours of the governing margin "
+            "Region{of} within all limits (blank) over {across} and {up}, with contours of the governing margin "
             "in percent. Bold: margin zero; broken: of a single limit, by its code",
             of=of,
             across=across,

@@ -17,6 +17,7 @@ from babbitt.export.unit_names import static_column
 from babbitt.report.bearing_table import STYLES, engineers_table
 from babbitt.report.columns import ABSENT, Column, column_of, footnote
 from babbitt.report.findings import not_checked
+from babbitt.report.study_values import check_title
 from babbitt.report.sweep_columns import sweep_columns
 from babbitt.report.table import NAME_WIDTH, console_for, fitting, measured
 from babbitt.report.text import plain_text
@@ -31,7 +32,7 @@ NOT_REPORTED = ("wall_time", "iterations")
 def print_sweep(sweep: CaseSweep, to: Console | None = None, chosen: Sequence[str] = ()) -> None:
     """Print one line a row and bearing: results in the engineer's units, margin, governing check, verdict, codes.
 
-    A verdict counts only what was checked, so the checks that were not made stand below.
+    What the codes mean stands below, and the checks that were not made, since a verdict counts only those made.
 
     Parameters
     ----------
@@ -52,6 +53,8 @@ def print_sweep(sweep: CaseSweep, to: Console | None = None, chosen: Sequence[st
         to.print(
             Text(f"Left out for want of width: {', '.join(column.heading for column in hidden)}", style="dim")
         )
+    if codes := dict.fromkeys(code for result in results for code in codes_of(result)):
+        to.print(Text("; ".join(map(check_title, codes)), style="dim"))
     for row, result in rows:
         if result.verdict is Verdict.NO_SOLUTION:
             of = zip(sweep.fields, sweep.texts(row), strict=True)

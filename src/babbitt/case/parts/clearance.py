@@ -13,7 +13,7 @@ from babbitt.case.parts.fields import Name
 from babbitt.case.shorthand import Shorthand
 from babbitt.core.notices import InputError
 from babbitt.core.units import QuantityError, bare_number, read, si, written
-from babbitt.properties.fits import Clearance, Deviations, SizeLimits, tolerance_limits
+from babbitt.properties.fits import Clearance, Deviations, SizeLimits, letter_and_grade, tolerance_limits
 
 RelativeValue = Annotated[float, si("1", "0.01 permille", "50 permille")]
 RadialValue = Annotated[float, si("m", "0.05 um", "500 mm", sample="60 um")]
@@ -96,6 +96,11 @@ class FitClearance(Part):
     kind: Literal["fit"] = Field(description="From ISO 286 tolerance classes about the diameter.")
     bore: Name = Field(description="Tolerance class of the bore, such as H7.")
     journal: Name = Field(description="Tolerance class of the journal, such as d8.")
+
+    @rule
+    def _classes_included(self) -> Iterator[Issue]:
+        yield from refused(("bore",), lambda: letter_and_grade(self.bore))
+        yield from refused(("journal",), lambda: letter_and_grade(self.journal))
 
     @property
     def has_limits(self) -> bool:

@@ -19,6 +19,9 @@ from babbitt.core.quantities.display import SI
 __all__ = ["TITLED", "Notice", "quantity_shown", "retold"]
 
 
+RANGE = ("least", "most")
+"""Names of the ends of the range to which a value is held."""
+
 COMPARED = re.compile(rf"({PLACEHOLDER.pattern}) [<>] ({PLACEHOLDER.pattern})")
 """Two values of which one lies beyond the other."""
 
@@ -78,6 +81,8 @@ class Notice:
 
         >>> Notice("W169", values={"starts": 5, "least": 20}).message
         '5 starts < 20'
+        >>> Notice("W193", values={"relative_clearance": 10.002e-3, "least": 1e-4, "most": 1e-2}).message
+        'ψ = 10.002 ‰ lies outside 0.100 ‰ to 10.000 ‰'
         """
         said = words(language()).message(self.code, self.variant)
         apart = dict(self._told_apart(said))
@@ -86,16 +91,16 @@ class Notice:
         )
 
     def _told_apart(self, said: str) -> Iterator[tuple[str, str]]:
-        """Placeholders beside < or > whose numbers read alike, with the digits that show the difference."""
-        for found in COMPARED.finditer(said):
-            value, other = (self.values[name] for name in found.group(2, 5))
-            first, second = (measure or name for name, measure in (found.group(2, 3), found.group(5, 6)))
+        """Placeholders of values that are compared and read alike, with the digits that show the difference."""
+        for place, other_place in _compared(said):
+            value, other = self.values[place[1]], self.values[other_place[1]]
+            first, second = place[2] or place[1], other_place[2] or other_place[1]
             if not all(isinstance(one, int | float) for one in (value, other)):
                 continue
             if _shown(value, first) == _shown(other, first):
                 texts = (quantity_shown(first) or PLAIN).told_apart(value, other)
                 alike = second == first or quantity_shown(second) is not None
-                yield from zip(found.group(1, 4)[: 1 + alike], texts, strict=False)
+                yield from zip((place[0], other_place[0])[: 1 + alike], texts, strict=False)
 
     def sentence(self, chosen: str = ENGLISH) -> str:
         """The same in a language of its own."""
@@ -105,6 +110,16 @@ class Notice:
     def plain_values(self) -> dict[str, Any]:
         """The values for JSON: clauses as their values, several as a list, null for what is not finite."""
         return {name: _plain(value) for name, value in self.values.items()}
+
+
+def _compared(said: str) -> Iterator[tuple[re.Match[str], re.Match[str]]]:
+    """Placeholders on both sides of < or >; the first one of a message and the ends of its range."""
+    places = {place[0]: place for place in PLACEHOLDER.finditer(said)}
+    for found in COMPARED.finditer(said):
+        yield places[found[1]], places[found[4]]
+    value = next((place for place in places.values() if place[1] not in RANGE), None)
+    if value is not None:
+        yield from ((value, place) for place in places.values() if place[1] in RANGE)
 
 
 def retold(code: str, sentence: str) -> str | None:

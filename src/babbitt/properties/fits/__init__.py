@@ -5,7 +5,7 @@ from babbitt.properties.fits.clearance import (
     Clearance,
     RelativeClearance,
 )
-from babbitt.properties.fits.iso286 import standard_tolerance, tolerance_limits
+from babbitt.properties.fits.iso286 import letter_and_grade, standard_tolerance, tolerance_limits
 from babbitt.properties.fits.operating import REFERENCE_TEMPERATURE, operating_relative_clearance
 from babbitt.properties.fits.sizes import Deviations, SizeLimits
 
@@ -16,6 +16,7 @@ __all__ = [
     "Deviations",
     "RelativeClearance",
     "SizeLimits",
+    "letter_and_grade",
     "operating_relative_clearance",
     "standard_tolerance",
     "tolerance_limits",

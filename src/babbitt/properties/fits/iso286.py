@@ -132,7 +132,7 @@ def tolerance_limits(tolerance_class: str, nominal: float) -> Deviations:
     >>> round(f7.lower * 1e6), round(f7.upper * 1e6)
     (-50, -25)
     """
-    letter, grade = _parse(tolerance_class)
+    letter, grade = letter_and_grade(tolerance_class)
     what = f"tolerance class {letter}{grade}"
     width = _tables().standard_tolerances[grade].at(nominal, what)
     if letter in ("js", "JS"):
@@ -146,8 +146,17 @@ def tolerance_limits(tolerance_class: str, nominal: float) -> Deviations:
     return Deviations(-distance - width, -distance)
 
 
-def _parse(tolerance_class: str) -> tuple[str, int]:
-    """Letter and grade of a class that is included."""
+def letter_and_grade(tolerance_class: str) -> tuple[str, int]:
+    """Letter and grade of a tolerance class.
+
+    Raises
+    ------
+    InputError
+        E005 for a class that is not included.
+
+    >>> letter_and_grade("H7")
+    ('H', 7)
+    """
     match = _CLASS.fullmatch(tolerance_class)
     if match:
         letter, grade = match[1], int(match[2])

@@ -121,7 +121,7 @@ def crossing(excess: Callable[[float], float], speed: float, blur: float = 0.0) 
     if math.isnan(here):
         return Threshold(is_lost=True)
     step = SEARCH_STEP if here > 0.0 else 1.0 / SEARCH_STEP
-    near = speed
+    near, earlier = speed, None
     last = speed * (FASTEST if here > 0.0 else 1.0 / FASTEST)
     while near != last:
         far = min(near * step, last) if here > 0.0 else max(near * step, last)
@@ -129,14 +129,22 @@ def crossing(excess: Callable[[float], float], speed: float, blur: float = 0.0) 
         if math.isnan(there):
             return Threshold(is_lost=True)
         if here * there <= 0.0:
-            root = find_root(seen, min(near, far), max(near, far), relative=SPEED_TOLERANCE)
+            root = find_root(seen, min(near, far), max(near, far), relative=SPEED_TOLERANCE, beyond=earlier)
             if not root.converged:
                 return Threshold(is_lost=any(map(math.isnan, looked.values())))
-            beside = (seen(root.value * (1.0 - SPEED_TOLERANCE)), seen(root.value * (1.0 + SPEED_TOLERANCE)))
-            way = [looked[at] for at in sorted(looked) if min(near, far) <= at <= max(near, far)]
-            rises = max(after - before for before, after in pairwise(way))
-            if blur > 0.0 and (not max(map(abs, beside)) <= LARGEST_STEP or rises > LARGEST_RISE):
+            if blur > 0.0 and _is_rough(seen, looked, (min(near, far), root.value, max(near, far))):
                 return Threshold(jumps=True)
             return Threshold(root.value)
-        near, here = far, there
+        earlier, near, here = (near, here), far, there
     return Threshold()
+
+
+def _is_rough(
+    seen: Callable[[float], float], looked: dict[float, float], ends: tuple[float, float, float]
+) -> bool:
+    """Whether values that were looked at jump at a root, or rise on the way to it; low end, root, high end."""
+    low, root, high = ends
+    beside = (seen(root * (1.0 - SPEED_TOLERANCE)), seen(root * (1.0 + SPEED_TOLERANCE)))
+    way = [looked[at] for at in sorted(looked) if low <= at <= high]
+    rises = max(after - before for before, after in pairwise(way))
+    return not max(map(abs, beside)) <= LARGEST_STEP or rises > LARGEST_RISE

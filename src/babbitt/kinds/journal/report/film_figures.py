@@ -95,7 +95,7 @@ def _at_rest(case: FilmCase, state: FilmState, remark: str = "") -> Iterator[Pai
     field = field_of(state.solution, case.load_angle - math.pi)
     yield (
         "pressure-map",
-        "Pressure (above) and film thickness (below) over the unrolled bore. White: grooves, pockets and holes; "
+        "Pressure (above) and film thickness (below) over the unrolled bore. Blank: grooves, pockets and holes; "
         "hatched within the broken line: the film is ruptured; crosses: highest pressure, thinnest film." + remark,
         film_maps.unrolled(case, state.solution, field),
         True,
@@ -120,7 +120,7 @@ def _temperatures(case: FilmCase, state: FilmState) -> Iterator[Painted]:
     yield (
         "temperature-map",
         f"Temperature over the unrolled bore, mean across the gap (above), and across the gap {cut} "
-        "(below; upwards: the journal). Cross: the hottest place. White: grooves, pockets and holes, with "
+        "(below; upwards: the journal). Cross: the hottest place. Blank: grooves, pockets and holes, with "
         "their mixing temperature; hatched: the film is ruptured.",
         film_temperature.unrolled(case, thermal, field),
         True,

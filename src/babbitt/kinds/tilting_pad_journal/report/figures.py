@@ -43,7 +43,7 @@ def _painted(case: PadCase, state: PadSolutionState) -> Iterator[Painted]:
     yield (
         "bearing",
         "Journal among its pads, seen along the shaft, to scale but for the films, which are drawn "
-        f"{enlarged:.0f} times too thick. Outside: pressure in the middle of every pad and its load. White pads "
+        f"{enlarged:.0f} times too thick. Outside: pressure in the middle of every pad and its load. Blank pads "
         "carry nothing.",
         seen_along.seen_along_shaft(case, films),
         False,
