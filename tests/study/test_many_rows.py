@@ -120,7 +120,7 @@ def assert_same(many, one):
     for name, expected in one.items():
         if expected.dtype == object:
             assert many[name].tolist() == expected.tolist(), name
-        elif name.startswith(("margin", "kelvin")):  # a difference of two numbers
+        elif name.startswith(("margin", "advisory", "kelvin")):  # a difference of two numbers
             assert_allclose(many[name], expected, rtol=1e-12, atol=1e-12, err_msg=name)
         else:
             assert_allclose(many[name], expected, rtol=1e-12, err_msg=name)

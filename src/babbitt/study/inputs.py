@@ -12,14 +12,13 @@ from numpy.typing import NDArray
 
 from babbitt.case.case_file import CaseFile
 from babbitt.case.named_files import NamedFiles, TableError
-from babbitt.case.parts.clearance import FitClearance
 from babbitt.case.parts.study import StudyBlock, Vary
 from babbitt.case.variation import variation_of
 from babbitt.core.files.spreadsheet import read_rows
 from babbitt.core.notices import InputError
 from babbitt.core.units import KINDS, SiNumber
 from babbitt.core.units.kinds import kind_of
-from babbitt.properties.fits import tolerance_limits
+from babbitt.properties.fits import Clearance, tolerance_limits
 from babbitt.properties.lubricants import Lubricant, viscosity_index
 from babbitt.study.fields import (
     NUMERIC_FORMS,
@@ -259,7 +258,7 @@ def _fit(case: CaseFile, path: str, field: str, given: Vary, meaning: str) -> In
     if not stroke or diameter is None:
         raise refused(path, f"'{given.fit}' is no fit; write bore and journal class as in H7/e8")
     try:
-        FitClearance(kind="fit", bore=bore.strip(), journal=journal.strip()).at_20_degrees(diameter)
+        Clearance.from_tolerance_classes(diameter, bore.strip(), journal.strip())
         zones = [tolerance_limits(one.strip(), diameter) for one in (bore, journal)]
     except InputError as error:
         raise refused(path, error.message) from None
