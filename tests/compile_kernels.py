@@ -4,8 +4,8 @@
 
 Workers that begin with an empty cache would each compile the same kernels. The halves take about the same time and
 have few kernels in common: bearings with temperatures or misalignment, whose films differ across the width, and
-batches; tilting pads, and then films of grooved bores, which find some of what they need compiled by the first
-half.
+tilting pads on the finest grid; tilting pads on the usual one, batches, and films of grooved bores, which find some
+of what they need compiled by the first half.
 """
 
 from __future__ import annotations
@@ -49,9 +49,9 @@ HALVES: tuple[tuple[Fields, ...], ...] = (
 )
 
 
-def compile_pads() -> None:
-    """Solve a bearing of tilting pads on both grids across half a pad; on flexures at a place, and behind a search
-    that ends too soon and goes on along the load; with its temperatures on the usual grid."""
+def compile_pads(unknowns: int) -> None:
+    """Solve a bearing of tilting pads with so many unknowns across half a pad; of 4 also on flexures at a place, and
+    behind a search that ends too soon and goes on along the load, and with its temperatures."""
     from babbitt.reynolds.model import Resolution
     from babbitt.reynolds.tilting_pads.model import TiltingPad, TiltingPadBearing
     from babbitt.reynolds.tilting_pads.pad_heat import PadHeat
@@ -60,9 +60,10 @@ def compile_pads() -> None:
 
     pads = tuple(TiltingPad(angle, 1.2, 1e-4, 6e-5, 0.02, 0.55) for angle in (0.8, 2.4, 4.0, 5.6))
     bearing = TiltingPadBearing(0.1, 0.07, 0.02, 300.0, pads)
-    for unknowns in (4, 6):
-        solve_tilting_pads(bearing, (0.0, -5e3), Resolution(unknowns, 24))
-        fold_of(bearing, 0, Resolution(unknowns, 24))
+    solve_tilting_pads(bearing, (0.0, -5e3), Resolution(unknowns, 24))
+    fold_of(bearing, 0, Resolution(unknowns, 24))
+    if unknowns != 4:
+        return
     flexed = replace(bearing, pads=tuple(replace(pad, rotational_stiffness=1e4) for pad in pads))
     solve_tilting_pads(flexed, (0.0, -5e3), Resolution(4, 24), max_steps=1)
     tilting_pads_at(flexed, (0.0, 0.0), Resolution(4, 24))
@@ -86,12 +87,13 @@ def compile_half(half: int) -> None:
 
     gc.set_threshold(100_000)  # else a tenth of the time is spent in search of garbage
     if half == 1:
-        compile_pads()
+        compile_pads(4)
+        compile_batch()
     for changes in HALVES[half]:
         fields = {name: value for name, value in (BEARING | changes).items() if value is not None}
         solve(case_from_dict(fields))
     if half == 0:
-        compile_batch()
+        compile_pads(6)
 
 
 def main() -> int:

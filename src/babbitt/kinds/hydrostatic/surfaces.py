@@ -12,7 +12,7 @@ from babbitt.kinds.hydrostatic.geometry import AnnularPad, CircularPad, Recessed
 from babbitt.kinds.hydrostatic.lines import Grid, across, between
 from babbitt.reynolds.lands.axial import AxialMesh
 from babbitt.reynolds.recess.recess_film import FilmScales, RecessSurface
-from babbitt.reynolds.surface._surface_film import Surface, counted
+from babbitt.reynolds.surface._surface_film import Surface
 from babbitt.reynolds.surface.mesh_lines import within
 from babbitt.reynolds.surface.unwrapped_mesh import gauss_angles
 
@@ -230,7 +230,7 @@ def film_surface(
     held = recess != -1
     ones = np.ones_like(gap)
     return Surface(
-        **counted(mesh.nodes.size, mesh.points.size, lever.shape[0]),
+        nodes=mesh.nodes.size, points=mesh.points.size, motions=lever.shape[0],
         step=np.diff(theta), shape_a=shape_a, shape_b=shape_b, lever=lever, gap_a=gap, gap_b=gap.copy(),
         opening_a=np.zeros_like(gap), opening_b=np.zeros_like(gap),
         viscosity=ones, drag=ones.copy(), turbulence=np.zeros(0), radius=radius, share=weights * radius,

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 
 from babbitt.reynolds._compiling import compiled, inlined
 from babbitt.reynolds.oil._turbulent_oil import stirred
-from babbitt.reynolds.surface._surface_film import Counted, gap_at
+from babbitt.reynolds.surface._surface_film import gap_at
 
 Array = NDArray[float64]
 
@@ -32,7 +32,7 @@ class Columns(NamedTuple):
     column: NDArray[int64]  # of every node, (nodes,)
     supply: NDArray[int64]  # supply that a cell belongs to, or -1, (lines, columns)
     side: NDArray[int64]  # 1 where a node lies on a side edge, (nodes,)
-    layers: Counted  # as many zeros as layers, see ``counted``; few numbers of them are known to the compiler
+    layers: tuple[int, ...] | NDArray[int64]  # as many zeros as layers; the usual number is known to the compiler
     layer: Array  # their thickness, (layers,), summing to 1
     size: Array  # share of the width of every column, (columns,)
 
@@ -107,7 +107,7 @@ def spread_viscosity(surface, columns, viscosity, flows):
             for k in range(layers):
                 flows.shear_profile[i, c, k] *= total_s
                 flows.pressure_profile[i, c, k] *= total_p
-        for q in range(len(surface.points)):
+        for q in range(surface.points):
             c = columns.column[surface.node[q]]
             if surface.viscosity[i, q] < 1e9:  # grooves are plugged
                 surface.viscosity[i, q], surface.drag[i, q] = effective[c], drag[c]
@@ -141,7 +141,7 @@ def mean_gaps(surface, at, columns, flows):
     weight = np.zeros((lines, columns.size.size))
     for i in range(surface.step.size):
         after = i + 1 if i + 1 < lines else 0
-        for q in range(len(surface.points)):
+        for q in range(surface.points):
             c, share = columns.column[surface.node[q]], surface.share[q]
             ha, hb = gap_at(surface, at, i, q)
             flows.gap[i, c] += share * ha
@@ -161,7 +161,7 @@ def shear_intervals(surface, work, at, columns, flows, warmth):
     for i in range(surface.step.size):
         after = i + 1 if i + 1 < lines else 0
         flows.stir[i] = 0.0
-        for q in range(len(surface.points)):
+        for q in range(surface.points):
             j = surface.node[q]
             c, share = columns.column[j], surface.share[q]
             ha, hb = gap_at(surface, at, i, q)
@@ -198,7 +198,7 @@ def flow_between_lines(surface, film, work, columns, flows, warmth):
     lines, worked = surface.held.shape[0], 0.0
     for i in range(surface.step.size):
         after = i + 1 if i + 1 < lines else 0
-        for j in range(len(surface.nodes)):
+        for j in range(surface.nodes):
             c = columns.column[j]
             drop = work.pressure[i, j] - work.pressure[after, j]
             flux, push = film.couette[i, j] * work.fill[i, j], film.conductance[i, j] * drop
@@ -215,13 +215,13 @@ def flow_between_lines(surface, film, work, columns, flows, warmth):
 @inlined
 def flow_across(surface, film, work, columns, flows, warmth):
     """Flows across the width and over the sides, the heat of all flows and the liquid fraction of the cells."""
-    nodes = len(surface.nodes)
+    nodes = surface.nodes
     leaving, part = np.empty(nodes), np.empty(nodes)
     for j in range(nodes):
         part[j] = column_share(surface, j)
     for i in range(surface.held.shape[0]):
         leaving[:] = 0.0
-        for q in range(len(surface.points)):
+        for q in range(surface.points):
             gradient = 0.0
             for b in range(nodes):
                 gradient += surface.slope[q, b] * work.pressure[i, b]
@@ -253,7 +253,7 @@ def stirring(surface, i, q, gap):
 def column_share(surface, j):
     """Share of the width of a node."""
     total = 0.0
-    for q in range(len(surface.points)):
+    for q in range(surface.points):
         if surface.node[q] == j:
             total += surface.share[q]
     return total

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from babbitt.reynolds.lands.axial import AxialMesh, element_axial_mesh
 from babbitt.reynolds.model import END_DAM, Cavitation
-from babbitt.reynolds.surface._surface_film import Surface, SurfaceWork, counted, liquid
+from babbitt.reynolds.surface._surface_film import Surface, SurfaceWork, liquid
 from babbitt.reynolds.surface.unwrapped_mesh import gauss_angles
 
 if TYPE_CHECKING:
@@ -50,7 +50,9 @@ def sector_surface(pad: SectorPad, theta: Array, mesh: AxialMesh, height: float,
     ones = np.ones((theta.size - 1, radius.size))
     law = np.zeros(0) if pad.turbulence is None else pad.turbulence.kernel_row(unit_reynolds(pad, height))
     return Surface(
-        **counted(mesh.nodes.size, radius.size, 3),
+        nodes=mesh.nodes.size,
+        points=radius.size,
+        motions=3,
         step=np.diff(theta),
         shape_a=np.array([np.ones_like(a), np.cos(a), np.sin(a)]),
         shape_b=np.array([np.ones_like(b), np.cos(b), np.sin(b)]),

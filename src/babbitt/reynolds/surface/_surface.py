@@ -15,8 +15,13 @@ dh = -shape_d lever_d.
 from __future__ import annotations
 
 import numpy as np
+from numpy import int64
 
 from babbitt.reynolds._compiling import inlined, inner, spliced
+
+FIVE, SEVEN = (0,) * 5, (0,) * 7
+"""As long as half of a symmetric bearing has nodes on the usual grid, without and with pressure in its grooves:
+the compiler unrolls loops over them."""
 
 LOSS = 1e-13
 """Share of its oil that a streamer of a closed ring loses from line to line.
@@ -28,7 +33,7 @@ Streamers that no supply reaches could circle with any amount of oil; this lets 
 @inner
 def couple_lines(surface, film, work):
     """Kind of every node, and the diagonal coupling between each line and the line before it."""
-    lines, nodes = surface.held.shape[0], len(surface.nodes)
+    lines, nodes = surface.held.shape[0], surface.nodes
     for i in range(lines):
         for j in range(nodes):
             held, wet = surface.held[i, j], work.wet[i, j]
@@ -52,8 +57,8 @@ def couple_lines(surface, film, work):
 @inner
 def fill_lines(surface, film, work):
     """Diagonal block and right-hand sides (pressure, adjoints) of every line, into ``inverse`` and ``swept``."""
-    lines, nodes = surface.held.shape[0], len(surface.nodes)
-    motions = len(surface.motions)
+    lines, nodes = surface.held.shape[0], surface.nodes
+    motions = surface.motions
     block, right = work.inverse, work.swept
     block[:] = 0.0
     right[:] = 0.0
@@ -72,7 +77,7 @@ def fill_lines(surface, film, work):
                     for b in range(nodes):
                         block[i, a, b] = stretch * uniform[a, b] if work.holds[i, b] else 0.0
         elif active:
-            for q in range(len(surface.points)):
+            for q in range(surface.points):
                 conduct = surface.kappa * surface.share[q] * film.cubed[i, q]
                 for a in range(nodes):
                     part = conduct * surface.slope[q, a]
@@ -104,9 +109,9 @@ def fill_lines(surface, film, work):
 @inner
 def across_at_unit_gap(surface):
     """Flow across of every node for the pressure of every other where int h^3 is one all over the width."""
-    nodes = len(surface.nodes)
+    nodes = surface.nodes
     operator = np.zeros((nodes, nodes))
-    for q in range(len(surface.points)):
+    for q in range(surface.points):
         for a in range(nodes):
             for b in range(nodes):
                 operator[a, b] += surface.share[q] * surface.slope[q, a] * surface.slope[q, b]
@@ -117,7 +122,7 @@ def across_at_unit_gap(surface):
 def even(surface, film, i):
     """Whether int h^3 of a line is the same all over the width."""
     unequal = 0
-    for q in range(1, len(surface.points)):
+    for q in range(1, surface.points):
         unequal += film.cubed[i, q] != film.cubed[i, 0]
     return unequal == 0
 
@@ -133,22 +138,32 @@ def solve_surface(surface, film, work):
     """
     couple_lines(surface, film, work)
     fill_lines(surface, film, work)
-    factor_lines(surface, work)
-    count = 1 + len(surface.motions)
+    none, one, count = int64(0), int64(1), 1 + surface.motions  # plain 0 and 1 would be types of their own
     if surface.cyclic:
-        sweep_lines(surface, work, 0, 1)
+        factor_lines(surface, work, work.counts[0])
+        sweep_lines(surface, work, work.counts[0], none, one)
         factor_border(surface, work)
         add_border(surface, work)
         bind_adjoints(surface, work)
-        sweep_lines(surface, work, 1, count)
+        sweep_lines(surface, work, work.counts[0], one, count)
+    elif surface.nodes == len(FIVE):
+        factor_lines(surface, work, FIVE)
+        sweep_lines(surface, work, FIVE, none, count)
+    elif surface.nodes == len(SEVEN):
+        factor_lines(surface, work, SEVEN)
+        sweep_lines(surface, work, SEVEN, none, count)
     else:
-        sweep_lines(surface, work, 0, count)
+        factor_lines(surface, work, work.counts[0])
+        sweep_lines(surface, work, work.counts[0], none, count)
 
 
 @inner
-def factor_lines(surface, work):
-    """Blocks S_i = D_i - L_i S_i-1^-1 U_i of the lines (from line 1 in a ring), inverted in place."""
-    lines, nodes = work.wet.shape[0], len(surface.nodes)
+def factor_lines(surface, work, across):
+    """Blocks S_i = D_i - L_i S_i-1^-1 U_i of the lines (from line 1 in a ring), inverted in place.
+
+    ``across`` is as long as there are nodes across the width: of `FIVE` and `SEVEN` the compiler knows it.
+    """
+    lines, nodes = work.wet.shape[0], len(across)
     first = 1 if surface.cyclic else 0
     block = work.inverse
     for i in range(first, lines):
@@ -178,9 +193,9 @@ def invert_line(blocks, i, m):
 
 
 @inner
-def sweep_lines(surface, work, begin, end):
+def sweep_lines(surface, work, across, begin, end):
     """Right-hand sides from ``begin`` on (0 the pressure, then adjoints): forward, and back to the first line."""
-    lines, nodes = work.wet.shape[0], len(surface.nodes)
+    lines, nodes = work.wet.shape[0], len(across)
     first = 1 if surface.cyclic else 0
     inverse, swept, solution = work.inverse, work.swept, work.solution
     for i in range(first + 1, lines):
@@ -221,7 +236,7 @@ def multiply(left, right, product, size):
 @inner
 def factor_border(surface, work):
     """Into ``border`` V, the answer of all lines to line 0; the inverse of G in place of the block of line 0."""
-    lines, nodes = work.wet.shape[0], len(surface.nodes)
+    lines, nodes = work.wet.shape[0], surface.nodes
     last, v, carried = lines - 1, work.border, np.empty((nodes, nodes))
     v[:] = 0.0
     for a in range(nodes):  # column of line 0: rows of line 1 and of the last line
@@ -250,7 +265,7 @@ def factor_border(surface, work):
 @inner
 def add_border(surface, work):
     """Pressure of line 0, and what the other lines answer to it."""
-    lines, nodes = work.wet.shape[0], len(surface.nodes)
+    lines, nodes = work.wet.shape[0], surface.nodes
     right, u = work.swept[0, 0], work.solution[0]
     for a in range(nodes):
         right[a] -= work.upper[1, a] * u[1, a] + work.lower[0, a] * u[lines - 1, a]
@@ -268,8 +283,8 @@ def add_border(surface, work):
 @inner
 def bind_adjoints(surface, work):
     """Adjoints of line 0, and the right-hand sides of the other lines less their answer to it."""
-    lines, nodes = work.wet.shape[0], len(surface.nodes)
-    for r in range(1, 1 + len(surface.motions)):
+    lines, nodes = work.wet.shape[0], surface.nodes
+    for r in range(1, 1 + surface.motions):
         right, zeta = work.swept[r], work.solution[r, 0]
         for i in range(1, lines):
             for a in range(nodes):

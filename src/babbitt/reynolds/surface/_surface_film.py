@@ -28,28 +28,12 @@ from babbitt.reynolds.oil._turbulent_oil import thickened
 Array = NDArray[float64]
 
 
-Counted = tuple[int, ...] | NDArray[int64]
-UNROLLED = (5, 5, 2)
-
-
-def counted(nodes: int, points: int, motions: int) -> dict[str, Counted]:
-    """How many nodes, points and motions a surface has, as its length tells the compiler.
-
-    In a tuple the compiler knows the number and unrolls its loops: for half of a symmetric bearing on the usual
-    grid. All others share kernels that count as they go.
-    """
-    numbers = {"nodes": nodes, "points": points, "motions": motions}
-    if tuple(numbers.values()) == UNROLLED:
-        return {name: (0,) * number for name, number in numbers.items()}
-    return {name: np.zeros(number, dtype=int64) for name, number in numbers.items()}
-
-
 class Surface(NamedTuple):
     """Nodes of one unrolled film, what is held there, and the gap of the centred runner. a, b: Gauss points."""
 
-    nodes: Counted  # as many zeros as nodes across the width, see ``counted``
-    points: Counted
-    motions: Counted
+    nodes: int  # across the width
+    points: int
+    motions: int
     step: Array  # (n,)
     shape_a: Array  # shape_d at the Gauss points of every interval, (motions, n)
     shape_b: Array
@@ -116,7 +100,7 @@ class SurfaceWork(NamedTuple):
 def new_surface_film(surface: Surface) -> SurfaceFilm:
     """Coefficients for a surface, not filled yet: zero, as a gap that closes leaves them."""
     n, lines = surface.step.size, surface.held.shape[0]
-    nodes, points, d = len(surface.nodes), len(surface.points), len(surface.motions)
+    nodes, points, d = surface.nodes, surface.points, surface.motions
     return SurfaceFilm(
         np.zeros((n, nodes)), np.zeros((n, nodes)), np.zeros((lines, points)), np.zeros((d, n, nodes)),
         np.zeros((d, n, nodes)), np.zeros((d, lines, points)), np.zeros((lines, nodes)),
@@ -126,8 +110,8 @@ def new_surface_film(surface: Surface) -> SurfaceFilm:
 
 def new_surface_work(surface: Surface) -> SurfaceWork:
     """Workspace for a surface, all nodes wet."""
-    lines, nodes = surface.held.shape[0], len(surface.nodes)
-    d = 1 + len(surface.motions)
+    lines, nodes = surface.held.shape[0], surface.nodes
+    d = 1 + surface.motions
     return SurfaceWork(
         np.ones((lines, nodes), np.bool_), np.zeros((d, lines, nodes)), np.zeros((d, lines, nodes)),
         np.zeros((lines, nodes, nodes)), np.ones((lines, nodes), np.bool_), np.ones((lines, nodes), np.bool_),
@@ -147,7 +131,7 @@ def liquid(fill: Array) -> Array:
 def gap_at(surface, at, i, q):
     """Gap at the two Gauss points of interval i, at point q of the width."""
     ha, hb = surface.gap_a[i, q], surface.gap_b[i, q]
-    for d in range(len(surface.motions)):
+    for d in range(surface.motions):
         lift = at[d] * surface.lever[d, q]
         ha -= lift * surface.shape_a[d, i]
         hb -= lift * surface.shape_b[d, i]
@@ -158,7 +142,7 @@ def gap_at(surface, at, i, q):
 def smallest_surface_gap(surface, at):
     """Smallest gap at the Gauss points."""
     smallest = np.inf
-    for q in range(len(surface.points)):
+    for q in range(surface.points):
         for i in range(surface.step.size):
             ha, hb = gap_at(surface, at, i, q)
             smallest = min(smallest, min(ha, hb))
@@ -194,8 +178,8 @@ def surface_coefficients(surface, at, rate, film):
 
     Points of a line where gap and oil are what they are at the point before, and no supply is, share them.
     """
-    n, lines, motions = surface.step.size, surface.held.shape[0], len(surface.motions)
-    points = len(surface.points)
+    n, lines, motions = surface.step.size, surface.held.shape[0], surface.motions
+    points = surface.points
     for array in (film.conductance, film.couette, film.cubed, film.squeeze, film.inlet):
         array[:] = 0.0
     for array in (film.conductance_d, film.couette_d, film.cubed_d, film.load, film.inlet_d):

@@ -22,7 +22,7 @@ def evaluate_surface(surface, film, work, at, rate, smooth, force, stiffness, da
             end_adjoints_at_rupture(surface, film, work)
         solve_surface(surface, film, work)
         for i in range(work.pressure.shape[0]):
-            for j in range(len(surface.nodes)):
+            for j in range(surface.nodes):
                 if again == 0:
                     work.pressure[i, j] = work.solution[0, i, j]
                     work.stiffening[i, j] = 1.0
@@ -39,7 +39,7 @@ def evaluate_surface(surface, film, work, at, rate, smooth, force, stiffness, da
 @inner
 def balance_rows(surface, film, work):
     """Split the solution into pressure and liquid fraction and balance every node; a held node's row is supply."""
-    lines, nodes = surface.held.shape[0], len(surface.nodes)
+    lines, nodes = surface.held.shape[0], surface.nodes
     for i in range(lines):
         for j in range(nodes):
             value = work.solution[0, i, j]
@@ -64,8 +64,8 @@ def balance_rows(surface, film, work):
 @inlined
 def flow_across(surface, film, work, i):
     """Add what a line sends across the width to the balance of its nodes."""
-    nodes = len(surface.nodes)
-    for q in range(len(surface.points)):
+    nodes = surface.nodes
+    for q in range(surface.points):
         gradient = 0.0
         for b in range(nodes):
             gradient += surface.slope[q, b] * work.pressure[i, b]
@@ -78,7 +78,7 @@ def flow_across(surface, film, work, i):
 @inner
 def update_surface(surface, film, work):
     """Semismooth Newton step on the wet set; returns the number of changes."""
-    lines, nodes = surface.held.shape[0], len(surface.nodes)
+    lines, nodes = surface.held.shape[0], surface.nodes
     changed = 0
     for i in range(lines):
         for j in range(nodes):
@@ -94,7 +94,7 @@ def update_surface(surface, film, work):
 @inner
 def end_adjoints_at_rupture(surface, film, work):
     """Conductance from the last wet line to the rupture itself, see ``_endings``."""
-    lines, nodes = surface.held.shape[0], len(surface.nodes)
+    lines, nodes = surface.held.shape[0], surface.nodes
     n = surface.step.size
     for i in range(lines):
         for j in range(nodes):
@@ -116,8 +116,8 @@ def end_adjoints_at_rupture(surface, film, work):
 @inner
 def reduce_surface(surface, film, work, force, stiffness, damping):  # noqa: C901 - one pass over lines and points
     """Forces from the reference pressure; stiffness and damping from the adjoints (``_forces.add_forces``)."""
-    lines, nodes = surface.held.shape[0], len(surface.nodes)
-    n, points, motions = surface.step.size, len(surface.points), len(surface.motions)
+    lines, nodes = surface.held.shape[0], surface.nodes
+    n, points, motions = surface.step.size, surface.points, surface.motions
     adjoint, pressure, fill = work.solution, work.pressure, work.fill
     excess, drop, rise = np.empty((lines, nodes)), np.empty((n, nodes)), np.empty((motions, n, nodes))
     slope = np.empty((1 + motions, lines, points))
@@ -170,19 +170,19 @@ def burst_behind_held(surface, film, work, drop, rise, stiffness):
     lines = surface.held.shape[0]
     for i in range(surface.step.size):
         after = i + 1 if i + 1 < lines else 0
-        for j in range(len(surface.nodes)):
+        for j in range(surface.nodes):
             if surface.held[i, j] and not work.holds[after, j]:
-                for e in range(len(surface.motions)):
+                for e in range(surface.motions):
                     more = work.fill[i, j] * (film.inlet_d[e, i, j] - film.couette_d[e, i, j])
                     more -= drop[i, j] * film.conductance_d[e, i, j]
-                    for d in range(len(surface.motions)):
+                    for d in range(surface.motions):
                         stiffness[d, e] += rise[d, i, j] * more
 
 
 @compiled
 def carry_streamers(surface, film, work):
     """Liquid fraction behind a Reynolds rupture by continuity: flows and friction count only the oil there."""
-    lines, nodes = surface.held.shape[0], len(surface.nodes)
+    lines, nodes = surface.held.shape[0], surface.nodes
     n = surface.step.size
     for j in range(nodes):
         flux = -1.0  # unknown until the column has passed a film

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from babbitt.reynolds.lands.axial import AxialMesh
 from babbitt.reynolds.model import END_DAM, Cavitation, Field, FilmStart, JournalFilm, Land
 from babbitt.reynolds.oil.piezoviscosity import pressure_table, reduced_pressure
-from babbitt.reynolds.surface._surface_film import Surface, counted
+from babbitt.reynolds.surface._surface_film import Surface
 from babbitt.reynolds.surface.mesh_lines import Density, GrooveArc, axial_mesh, groove_arcs, ring_lines, within
 
 __all__ = ["UnwrappedMesh", "build_ring"]
@@ -95,7 +95,7 @@ def build_ring(
     levers = np.ones((motions, mesh.points.size))
     levers[2:] = mesh.points
     surface = Surface(
-        **counted(mesh.nodes.size, mesh.points.size, motions),
+        nodes=mesh.nodes.size, points=mesh.points.size, motions=motions,
         step=theta[1:] - theta[:-1], shape_a=shapes[0], shape_b=shapes[1], lever=levers, gap_a=gap_a, gap_b=gap_b,
         opening_a=np.zeros_like(gap_a), opening_b=np.zeros_like(gap_b),
         viscosity=viscosity, drag=np.ones_like(gap_a), turbulence=turbulence_row(film),

@@ -27,7 +27,7 @@ class PadRing(NamedTuple):
     step: Array  # of every interval; the first of a pad counts double, the one behind its last line nothing
     speed: float
     conserving: bool
-    points: tuple[int, ...]  # one zero: one point stands for the width
+    points: int  # one: it stands for the width
     node: NDArray[int64]  # one zero
     viscosity: Array  # effective, over the unit, (intervals, 1)
     drag: Array  # flow by shear over half the gap, (intervals, 1)

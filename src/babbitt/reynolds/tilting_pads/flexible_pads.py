@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from babbitt.core.result import Outcome
 from babbitt.reynolds.lands.axial import even_axial_mesh, even_axial_operator
 from babbitt.reynolds.lands.profiles import common_profiles
-from babbitt.reynolds.surface._surface_film import Surface, counted, new_surface_film, new_surface_work
+from babbitt.reynolds.surface._surface_film import Surface, new_surface_film, new_surface_work
 from babbitt.reynolds.surface._surface_forces import evaluate_surface
 from babbitt.reynolds.surface.unwrapped_mesh import gauss_angles
 from babbitt.reynolds.tilting_pads.bending_mode import BendingMode
@@ -170,7 +170,7 @@ def surface_of(bearing: TiltingPadBearing, number: int, state: PadState, scales:
     pressure[[0, -1], :-1] = groove
     flat = np.ones_like(gaps[0])
     return Surface(
-        **counted(mesh.nodes.size, mesh.points.size, MOTIONS),
+        nodes=mesh.nodes.size, points=mesh.points.size, motions=MOTIONS,
         step=np.diff(lines), shape_a=shapes[0], shape_b=shapes[1], lever=np.ones((MOTIONS, mesh.points.size)),
         gap_a=gaps[0], gap_b=gaps[1], opening_a=0.0 * flat, opening_b=0.0 * flat, viscosity=flat, drag=flat,
         turbulence=turbulence_rows(bearing, scales)[number], radius=np.ones_like(mesh.share), share=mesh.share,

@@ -317,7 +317,7 @@ def ring_of(bearing: TiltingPadBearing, n: int) -> PadRing:
     step[:, n] = 0.0
     size = step.size
     return PadRing(
-        step.ravel(), 1.0, False, (0,), np.zeros(1, dtype=np.int64), np.ones((size, 1)), np.ones((size, 1))
+        step.ravel(), 1.0, False, 1, np.zeros(1, dtype=np.int64), np.ones((size, 1)), np.ones((size, 1))
     )
 
 
