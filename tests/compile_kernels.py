@@ -4,8 +4,8 @@
 
 Workers that begin with an empty cache would each compile the same kernels. The halves take about the same time and
 have few kernels in common: bearings with temperatures or misalignment, whose films differ across the width, and
-tilting pads on the finest grid; tilting pads on the usual one, batches, and films of grooved bores, which find some
-of what they need compiled by the first half.
+tilting pads on the finest grid; tilting pads on the usual one, batches, and films of grooved bores, which find
+some of what they need compiled by the first half.
 """
 
 from __future__ import annotations
@@ -50,8 +50,8 @@ HALVES: tuple[tuple[Fields, ...], ...] = (
 
 
 def compile_pads(unknowns: int) -> None:
-    """Solve a bearing of tilting pads with so many unknowns across half a pad; of 4 also on flexures at a place, and
-    behind a search that ends too soon and goes on along the load, and with its temperatures."""
+    """Solve a bearing of tilting pads with so many unknowns across half a pad; of 4 also on flexures at a place,
+    and behind a search that ends too soon and goes on along the load, and with its temperatures."""
     from babbitt.reynolds.model import Resolution
     from babbitt.reynolds.tilting_pads.model import TiltingPad, TiltingPadBearing
     from babbitt.reynolds.tilting_pads.pad_heat import PadHeat

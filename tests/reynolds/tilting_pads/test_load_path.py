@@ -93,7 +93,7 @@ def test_a_path_that_ends_at_an_edge_tells_that_an_edge_touches():
 def test_its_kernels_are_compiled_ahead():
     """All that the path calls by itself, in a process that has compiled nothing else."""
     ask = (
-        "import compile_kernels; compile_kernels.compile_pads(); "
+        "import compile_kernels; compile_kernels.compile_pads(4); "
         "from babbitt.reynolds.tilting_pads import load_path; "
         "print([len(one.signatures) for one in (load_path.pads_at, load_path.hold_pads, load_path.pivot_curve)])"
     )
