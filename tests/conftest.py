@@ -36,9 +36,8 @@ class SharedSolutions:
         if not self.active or progress is not no_progress:
             return self._solve(calculation, progress)
         key = pickle.dumps((calculation.problem, calculation.method))
-        if key in self._kept:
-            self._kept.move_to_end(key)
-            return self._kept[key]
+        if (known := self._kept.get(key)) is not None:
+            return known
         found = self._kept[key] = self._solve(calculation, progress)
         if len(self._kept) > MOST_KEPT:
             self._kept.popitem(last=False)

@@ -109,6 +109,7 @@ def test_solve_with_changes_is_replace_and_solve(point):
     assert changed < point.solve().minimum_film_thickness
 
 
+@pytest.mark.solves_anew
 def test_arrays_are_solved_one_by_one(point):
     speeds = np.linspace(100.0, 500.0, 3)
     table = point.solve(speed=speeds)

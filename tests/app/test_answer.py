@@ -1,12 +1,13 @@
 """What the page shows is what `babbitt solve` prints, and no text of a case becomes markup."""
 
 import math
+from dataclasses import replace
 from xml.etree import ElementTree
 
 import pytest
 
-from babbitt.app.answer import answer, read, solved, used_share
-from babbitt.app.answer_markup import verdict_markup
+from babbitt.app.answer import Finding, answer, read, solved, used_share
+from babbitt.app.answer_markup import cards_markup, findings_markup, verdict_markup
 from babbitt.app.document import CaseDocument
 from babbitt.case import CaseError
 from babbitt.core.kind import kinds
@@ -16,6 +17,7 @@ from babbitt.report.verdict import worst_verdict
 from babbitt.solving import solve
 
 JOURNAL = kinds()["journal"].read_template()
+FOOTSTEP = kinds()["screw_heel"].read_template()
 
 
 def film(**changes):
@@ -179,3 +181,25 @@ def test_pictures_have_y_upward_and_escape_their_words():
     line = root[1].get("d")
     assert line == "M0 -0L0 -0.5"
     assert root.get("aria-label") == 'a "quoted" <b>'
+
+
+def test_symbols_of_findings_have_their_subscripts_and_names_stay():
+    said = "T_ex,st = 3 K, h_min and Q_p > Q; clearance_cases; P_1.yaml; Oil AB_46"
+    made = findings_markup([Finding("W1", "ψ_eff <b>", said, "", True)])
+    for symbol in (
+        "T<sub>ex,st</sub> =",
+        "h<sub>min</sub> and",
+        "Q<sub>p</sub> &gt;",
+        "ψ<sub>eff</sub> &lt;b&gt;",
+    ):
+        assert symbol in made
+    assert made.endswith("clearance_cases; P_1.yaml; Oil AB_46</div></details>")
+
+
+def test_a_recommendation_that_is_kept_is_called_so():
+    """It stood as pass beside the word that nothing is held against a limit."""
+    cards = [one for one in answer(FOOTSTEP).bearings[0].cards if one.limit]
+    assert cards
+    assert all(one.is_advice for one in cards)
+    assert cards_markup([replace(cards[0], word="pass")]).count("recommendation kept") == 1
+    assert "recommendation" not in cards_markup([replace(cards[0], word="pass", is_advice=False)])

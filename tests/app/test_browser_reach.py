@@ -68,7 +68,7 @@ def test_the_focus_stays_at_what_is_drawn_anew(page):
     tab(page, "Studies")
     reach(page, "What is asked")
     keeps_focus(page, lambda: take(page, "size"))
-    reach(page, "Fields that vary (1 to 1)")
+    reach(page, "Field that varies")
     keeps_focus(page, lambda: take(page, "speed"))
 
 

@@ -3,6 +3,7 @@
 import asyncio
 import contextlib
 from concurrent.futures import Future
+from dataclasses import replace
 from itertools import count
 
 import pytest
@@ -118,7 +119,7 @@ def test_an_axis_follows_its_value_in_the_case_and_keeps_what_was_typed_else():
     """The fit of a tolerance is that of the case; ends of a load that did not change stay as typed."""
     view = StudiesView.__new__(StudiesView)
     view.document, view._kind, view._known = CaseDocument(JOURNAL), "tolerance", {}
-    view._system, view._computed = (lambda: "si"), []
+    view._system, view._computed, view._case = (lambda: "si"), [], {}
     view._axes = dict.fromkeys(("clearance", "load"))
     view._follow()
     assert view._axes["clearance"].law_of == "H7/d8"
@@ -133,18 +134,23 @@ def test_the_range_of_a_study_stays_when_its_value_is_taken_and_taken_back():
     """A number takes the place of the fit and undo brings it back: both are cases of which the study was asked."""
     view = StudiesView.__new__(StudiesView)
     view.document, view._kind, view._known = CaseDocument(JOURNAL), "size", {}
-    view._system, view._computed, view._samples = (lambda: "si"), [], 0
+    view._system, view._computed, view._samples, view._case = (lambda: "si"), [], 0, {}
     view._axes = {"clearance.mean": None}
     view._follow()
     view._set("clearance.mean", last="8 permille")
     view._asked()
+    view._set("clearance.mean", last="9 permille")  # typed behind the study
+    view._follow()
+    assert view._axes["clearance.mean"].last == "9 permille"
     view.document.take(case_text(with_value(view.document.given, "clearance.mean", "4 permille")))
-    view._computed.append(view.document.without_study)
+    view._computed.append(replace(view._computed[0], case=view.document.without_study))
     for move in (lambda: None, view.document.undo):
         move()
         view._follow()
         assert view._axes["clearance.mean"].last == "8 permille"
-    view.document.change(("clearance", "journal"), "e7")  # another case
-    view._known = {}
+    view.document.change(("clearance",), {"kind": "relative", "mean": "2 permille"})  # another case, and back
     view._follow()
-    assert view._axes["clearance.mean"].last == "3 permille"
+    assert view._axes["clearance.mean"].last == "4 permille"
+    view.document.undo()
+    view._follow()
+    assert view._axes["clearance.mean"].last == "8 permille"

@@ -196,6 +196,7 @@ def test_a_field_of_a_film_is_the_same_in_us_units(film_maps):
             assert 25.4 * np.array(ours.widths) == pytest.approx(np.array(theirs.widths))
 
 
+@pytest.mark.solves_anew
 def test_numbers_for_other_programs_stay_in_si():
     ours, theirs = (json.loads(text)["bearings"] for text in (spoken("us", json_of, JOURNAL), json_of(JOURNAL)))
     for one, other in zip(ours, theirs, strict=True):

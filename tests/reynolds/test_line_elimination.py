@@ -19,6 +19,8 @@ RING = JournalFilm(
     misalignment=(1e-4, -2e-4),
 )  # fmt: skip
 LANDS = replace(RING, lands=grooved_bore((0.0, 2.5), 0.4, 1e5), film_start=FilmStart.GROOVE, pockets=())
+SEVEN = replace(LANDS, misalignment=(0.0, 0.0))
+FIVE = replace(SEVEN, lands=grooved_bore((0.0, 2.5), 0.4))
 AT = np.array([0.3, -0.5])
 CLOSE = 1e-9
 """Of the largest entry: two ways of elimination in double precision."""
@@ -56,11 +58,12 @@ def dense(work):
 
 
 @pytest.mark.parametrize("cavitation", [Cavitation.REYNOLDS, Cavitation.MASS_CONSERVING])
-@pytest.mark.parametrize("film", [RING, LANDS], ids=["ring", "lands"])
+@pytest.mark.parametrize("film", [RING, LANDS, SEVEN, FIVE], ids=["ring", "lands", "seven nodes", "five nodes"])
 def test_pressure_and_adjoints_are_those_of_the_dense_matrix(film, cavitation):
     sample = settled(replace(film, cavitation=cavitation))
     surface, work = sample.ring.surface, sample.work
     assert surface.cyclic == (film is RING)
+    assert film not in (SEVEN, FIVE) or surface.nodes == (7 if film == SEVEN else 5)  # which are unrolled
     assert 0 < work.wet.sum() < work.wet.size  # part of it is ruptured
     fill(surface, sample.film, work)
     matrix, right = dense(work), work.swept.reshape(len(work.swept), -1).copy()

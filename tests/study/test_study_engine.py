@@ -54,12 +54,14 @@ def test_rows_solved_as_arrays_are_those_solved_one_by_one(sliders):
         assert as_arrays["failed_checks"][place] == ("" if result.within_limits else "X102")
 
 
+@pytest.mark.solves_anew
 @pytest.mark.parametrize("rows", [1, 7, 16, 4096])
 def test_the_table_does_not_depend_on_its_chunks(single_sliders, rows):
     made = tolerance()
     same(run_study(made).columns, run_study(with_chunks(made, rows)).columns)
 
 
+@pytest.mark.solves_anew
 def test_the_table_does_not_depend_on_who_computes_or_in_which_order(single_sliders):
     made = with_chunks(tolerance(), 4)
     with ThreadPoolExecutor(3) as pool:

@@ -50,6 +50,7 @@ def table():
     return made.task, rows, solved_one_by_one(made.task, rows)
 
 
+@pytest.mark.solves_anew
 def test_fifty_random_rows_are_those_of_one_bearing(table):
     """Each case read anew and solved as `babbitt solve` does, all limiting speeds included."""
     task, rows, found = table
@@ -62,6 +63,7 @@ def test_fifty_random_rows_are_those_of_one_bearing(table):
         assert found["margin_C101"][place] == margins["C101"]
 
 
+@pytest.mark.solves_anew
 def test_a_row_does_not_depend_on_its_company(table):
     task, rows, found = table
     some = {name: column[17:23] for name, column in rows.items()}

@@ -13,6 +13,7 @@ from xml.etree import ElementTree
 
 from babbitt.app.answer import Answer, Card, Finding, Shown
 from babbitt.app.words import told, word
+from babbitt.core.quantities import QUANTITIES
 from babbitt.report.picture import SUBSCRIPT
 
 __all__ = ["cards_markup", "findings_markup", "verdict_markup"]
@@ -20,8 +21,9 @@ __all__ = ["cards_markup", "findings_markup", "verdict_markup"]
 ICONS = {"pass": "check_circle", "remarks": "info", "fail": "cancel", "no_verdict": "help", "no_solution": "error"}
 """Of verdicts, so that none differs by colour alone."""
 
-SYMBOL = re.compile(r"(?<![\w.`'])([^\W\d_]{1,2}[\u0304\u2032]?)_([A-Za-z0-9]+(?:,[a-z0-9]+)*)(?!\w)")
-"""A symbol within a text: one or two letters and what stands below them; names of fields are longer words."""
+SYMBOLS = {*(one.symbol for one in QUANTITIES.values() if "_" in one.symbol), "h_lim"}
+SYMBOL = re.compile(rf"(?<![\w.`'])({'|'.join(map(re.escape, sorted(SYMBOLS, key=len, reverse=True)))})(?!\w)")
+"""A symbol with a subscript within a text."""
 
 Element = ElementTree.Element
 
@@ -108,12 +110,13 @@ def _finding(finding: Finding) -> Element:
 def _written(outer: Element, text: str) -> None:
     """A text, its symbols with their subscripts."""
     outer.text, *parts = re.split(SYMBOL, text)
-    for stem, lower, after in zip(parts[::3], parts[1::3], parts[2::3], strict=True):
+    for symbol, after in zip(parts[::2], parts[1::2], strict=True):
+        stem, lower, *rest = re.split(SUBSCRIPT, symbol, maxsplit=1)
         if len(outer):
             outer[-1].tail = f"{outer[-1].tail or ''}{stem}"
         else:
             outer.text += stem
-        _within(outer, "", lower, "sub").tail = after
+        _within(outer, "", lower, "sub").tail = "".join((*rest, after))
 
 
 def _part(style: str, text: str = "", tag: str = "div", attributes: dict[str, str] | None = None) -> Element:

@@ -21,7 +21,6 @@ from babbitt.core.quantities import QUANTITIES
 from babbitt.core.units import QuantityError, si
 from babbitt.export import FORMATS, CoefficientTable, export, mirrored
 from babbitt.export.frame import declaration
-from babbitt.export.numbers import rounded_rpm
 from babbitt.report.questioned_coefficients import code_lines, format_lines, left_out_lines
 from babbitt.study.table_target import chosen_problem
 
@@ -107,7 +106,8 @@ def coefficient_file(
 
 def shown_coefficients(table: CoefficientTable) -> Table:
     """Stiffness and damping over speed in the engineer's units, with the codes that question them."""
-    heads, columns = ["rpm"], [[f"{rounded_rpm(float(speed)):.6g}" for speed in table.speeds]]
+    speed = QUANTITIES["angular_speed"]
+    heads, columns = [speed.display.label], [[speed.format(float(one)) for one in table.speeds]]
     for name, matrices in (("stiffness", table.stiffness), ("damping", table.damping)):
         unit = QUANTITIES[f"{name}_xx"].suited(*map(float, matrices.flat))
         for (i, first), (j, second) in product(enumerate("xy"), repeat=2):
@@ -117,7 +117,7 @@ def shown_coefficients(table: CoefficientTable) -> Table:
     if any(table.warnings):
         heads.append(translated("questioned by"))
         columns.append([" ".join(codes) for codes in table.warnings])
-    return Table("", tuple(heads), tuple(zip(*columns, strict=True)))
+    return Table("", tuple(heads), tuple(zip(*columns, strict=True)), words=0)
 
 
 def _remarks(table: CoefficientTable, turned: bool, format_name: str) -> list[str]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any
 
@@ -40,6 +40,17 @@ FILES = {".csv": "as_csv", ".xlsx": "as_workbook", ".pdf": "as_pdf", ".html": "a
 
 MOST_SAMPLES = 100_000
 
+
+@dataclass(frozen=True)
+class Asked:
+    """A case of which a value that a study found may be taken, and what was asked: kind, axes, system of units."""
+
+    case: dict[str, Any]
+    kind: str
+    axes: dict[str, Axis]
+    system: str
+
+
 STAYS = 15_000
 """Milliseconds that a message stays which is to be read."""
 
@@ -66,7 +77,8 @@ class StudiesView:
         self._known: dict[str, Axis] = {}
         self._axes: dict[str, Axis] = {}
         self._study: Any = None
-        self._computed: list[dict[str, Any]] = []  # cases of which a value that was found may be taken
+        self._computed: list[Asked] = []
+        self._case: dict[str, Any] = {}
         self._box = ui.column().classes("w-full")
         self.work = LongWork(solver, word("run_study"), self._asked, self._show)
         ui.button(word("keep_study"), on_click=self._keep).props("flat dense no-caps").tooltip(
@@ -92,14 +104,21 @@ class StudiesView:
                 )  # fmt: skip
 
     def _follow(self) -> None:
-        """Take the axes of the case; those of a study stay for its case and for its answers."""
+        """Take the axes of the case; those of a study that was asked of this case, or whose answer it took."""
         before, self._known = self._known, axes_of(self.document, self._kind, self._system())
-        stay = self.document.without_study in self._computed
+        last, self._case = self._case, self.document.without_study
+        asked = self._asked_of(self._case) if self._case != last else None
+        if asked is not None and (asked.kind, asked.system) == (self._kind, self._system()):
+            self._axes = dict(asked.axes)
+            return
         self._axes = {
-            path: self._axes[path] if stay or before.get(path) == axis else axis
+            path: self._axes[path] if before.get(path) == axis else axis
             for path, axis in self._known.items()
             if path in self._axes
         }
+
+    def _asked_of(self, case: dict[str, Any]) -> Asked | None:
+        return next((one for one in self._computed if one.case == case), None)
 
     def _asks(self, event: Any) -> None:
         self._kind, self._axes = event.value, {}
@@ -112,7 +131,7 @@ class StudiesView:
         if not self._axes and fewest:
             first = first_axis(self.document.given, self._known)
             self._axes = {first: self._known[first]}
-        label = word("vary_fields", fewest=fewest, most=most)
+        label = word("vary_field") if most == 1 else word("vary_fields", fewest=fewest, most=most)
         ui.select(
             names, value=list(self._axes), multiple=True, label=label, on_change=self._picked
         ).props("dense use-chips").classes("w-full")  # fmt: skip
@@ -168,7 +187,7 @@ class StudiesView:
         return self.document.text if block is None else asked_text(self.document.given, block)
 
     def _asked(self) -> Question | None:
-        self._computed = [self.document.without_study]
+        self._computed = [Asked(self.document.without_study, self._kind, dict(self._axes), self._system())]
         return studied, (self._text(),)
 
     def _keep(self) -> None:
@@ -222,7 +241,7 @@ class StudiesView:
 
     def _may_take(self) -> bool:
         """Whether the case is one of which something was found; what was computed of another one stays away."""
-        may = self.document.without_study in self._computed
+        may = self._asked_of(self.document.without_study) is not None
         if not may:
             ui.notify(word("outdated"), type="warning")
         return may
@@ -230,7 +249,7 @@ class StudiesView:
     def _put(self, text: str, name: str) -> None:
         """Put another case on the page and say what of it is new."""
         self.document.take(text)
-        self._computed.append(self.document.without_study)
+        self._computed.append(replace(self._computed[0], case=self.document.without_study))
         self._changed()
         ui.notify(word("taken", name=name))
 

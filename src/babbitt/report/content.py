@@ -322,7 +322,7 @@ def _group(group: Group) -> Data:
     return {
         "code": group.code,
         "title": group.title,
-        "bearings": group.bearings,
+        "bearings": group.bearings if len(group.of) > 1 else "",
         "message": group.message,
         "remedy": group.remedy,
     }

@@ -188,16 +188,13 @@ def _gathered(
     groups = []
     for code, told in sorted(found.items()):
         if len(told) > most:
-            message, concerned = next(iter(told.items()))
-            example = translated(
-                "{name}, for example: {message}", name=shown_name(concerned[0].name), message=message
-            )
+            message, (first, *_) = next(iter(told.items()))
+            example = translated("{name}, for example: {message}", name=shown_name(first.name), message=message)
             told = {example: list(chain.from_iterable(told.values()))}
-        title, remedy = explanations()[code].title, explanations()[code].remedy
-        for number, (message, concerned) in enumerate(told.items(), 1):
+        explanation = explanations()[code]
+        for message, concerned in told.items():
             names = tuple(result.name for result in results if any(result is one for one in concerned))
-            last = remedy if number == len(told) else ""  # what to do stands once, behind all of a code
-            groups.append(Group(code, title, names, _names(results), message, last))
+            groups.append(Group(code, explanation.title, names, _names(results), message, explanation.remedy))
     return tuple(groups)
 
 

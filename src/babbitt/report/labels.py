@@ -11,8 +11,6 @@ SHORT = {
     "diameter": "Bearing diameter",
     "width_ratio": "Relative width",
     "angular_span": "Angular span",
-    "relative_clearance": "Relative clearance at 20 °C",
-    "operating_relative_clearance": "Operating relative clearance",
     "specific_load": "Specific load",
     "angular_speed": "Speed of the journal",
     "hydrodynamic_speed": "Hydrodynamic speed",

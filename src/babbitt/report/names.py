@@ -95,15 +95,23 @@ def listed(names: Sequence[str], of: Sequence[str]) -> str:
     >>> machine = ["Oil system of Pump", "A", "B"]
     >>> listed(machine, machine)
     'all 2 bearings; Oil system of Pump'
+    >>> listed(["A", "B"], machine), listed(machine[:2], machine[:2])
+    ('all 2 bearings', 'A; Oil system of Pump')
     """
     systems = [name for name in names if name.startswith(OIL_SYSTEM)]
-    if systems and len(names) > len(systems):
-        bearings, all_bearings = ([one for one in ones if not one.startswith(OIL_SYSTEM)] for ones in (names, of))
-        return f"{listed(bearings, all_bearings)}; {_joined(systems)}"
+    return "; ".join(filter(None, (_listed(_bearings(names), _bearings(of)), _joined(systems))))
+
+
+def _bearings(names: Sequence[str]) -> list[str]:
+    """Names without those of oil systems."""
+    return [name for name in names if not name.startswith(OIL_SYSTEM)]
+
+
+def _listed(names: Sequence[str], of: Sequence[str]) -> str:
     if _is_whole(names, of):
         return translated("all {bearings}", bearings=counted_results(of))
     left_out = [name for name in of if name not in names]
-    if len(left_out) <= FEW and 2 * len(left_out) < len(names):
+    if 0 < len(left_out) <= FEW and 2 * len(left_out) < len(names):
         return translated("all {bearings} but {others}", bearings=counted_results(of), others=_joined(left_out))
     return _joined(names)
 
@@ -114,7 +122,7 @@ def shortened(names: Sequence[str], of: Sequence[str]) -> str:
     >>> shortened(["A", "B", "C"], ["A", "B", "C", "D"])
     'A; B and 1 more'
     """
-    if _is_whole(names, of) or len(names) <= NAMES_SHOWN:
+    if _is_whole(_bearings(names), _bearings(of)) or len(names) <= NAMES_SHOWN:
         return listed(names, of)
     shown = "; ".join(plain_text(name) for name in names[:NAMES_SHOWN])
     return translated("{shown} and {number} more", shown=shown, number=len(names) - NAMES_SHOWN)

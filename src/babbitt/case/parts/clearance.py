@@ -13,7 +13,14 @@ from babbitt.case.parts.fields import Name
 from babbitt.case.shorthand import Shorthand
 from babbitt.core.notices import InputError
 from babbitt.core.units import QuantityError, bare_number, read, si, written
-from babbitt.properties.fits import Clearance, Deviations, SizeLimits, letter_and_grade, tolerance_limits
+from babbitt.properties.fits import (
+    Clearance,
+    Deviations,
+    SizeLimits,
+    require_hole,
+    require_shaft,
+    tolerance_limits,
+)
 
 RelativeValue = Annotated[float, si("1", "0.01 permille", "50 permille")]
 RadialValue = Annotated[float, si("m", "0.05 um", "500 mm", sample="60 um")]
@@ -99,8 +106,8 @@ class FitClearance(Part):
 
     @rule
     def _classes_included(self) -> Iterator[Issue]:
-        yield from refused(("bore",), lambda: letter_and_grade(self.bore))
-        yield from refused(("journal",), lambda: letter_and_grade(self.journal))
+        of_bore = [*refused(("bore",), lambda: require_hole(self.bore))]  # a fit the wrong way round is one mistake
+        yield from of_bore or refused(("journal",), lambda: require_shaft(self.journal))
 
     @property
     def has_limits(self) -> bool:

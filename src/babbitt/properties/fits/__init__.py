@@ -4,8 +4,10 @@ from babbitt.properties.fits.clearance import (
     LARGEST_RELATIVE_CLEARANCE,
     Clearance,
     RelativeClearance,
+    require_hole,
+    require_shaft,
 )
-from babbitt.properties.fits.iso286 import letter_and_grade, standard_tolerance, tolerance_limits
+from babbitt.properties.fits.iso286 import standard_tolerance, tolerance_limits
 from babbitt.properties.fits.operating import REFERENCE_TEMPERATURE, operating_relative_clearance
 from babbitt.properties.fits.sizes import Deviations, SizeLimits
 
@@ -16,7 +18,8 @@ __all__ = [
     "Deviations",
     "RelativeClearance",
     "SizeLimits",
-    "letter_and_grade",
+    "require_hole",
+    "require_shaft",
     "operating_relative_clearance",
     "standard_tolerance",
     "tolerance_limits",

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from babbitt.core.notices import InputError
 from babbitt.numerics.scalar_or_array import functions_for
-from babbitt.properties.fits.iso286 import tolerance_limits
+from babbitt.properties.fits.iso286 import letter_and_grade, tolerance_limits
 from babbitt.properties.fits.sizes import Deviations, SizeLimits
 
 LARGEST_RELATIVE_CLEARANCE = 0.05
@@ -150,15 +150,9 @@ class Clearance:
             E005 for an unknown class or a hole class on the journal and the reverse, E006 for a size outside
             the tables, E004 for a fit that is not a clearance fit.
         """
-        bore_deviations = tolerance_limits(bore, nominal)
-        journal_deviations = tolerance_limits(journal, nominal)
-        if bore.strip()[0].islower():
-            raise InputError("E005", f"the bore has the shaft tolerance class {bore!r}; use capital letters: H7")
-        if journal.strip()[0].isupper():
-            raise InputError(
-                "E005", f"the journal has the hole tolerance class {journal!r}; use small letters: e8"
-            )
-        return cls.from_deviations(nominal, bore_deviations, journal_deviations)
+        require_hole(bore)
+        require_shaft(journal)
+        return cls.from_deviations(nominal, tolerance_limits(bore, nominal), tolerance_limits(journal, nominal))
 
     @classmethod
     def from_fit(cls, nominal: float, fit: str) -> Clearance:
@@ -197,6 +191,24 @@ class Clearance:
         """
         _require_sensible(self.maximum, diameter)
         return RelativeClearance(self.minimum / diameter, self.mean / diameter, self.maximum / diameter)
+
+
+def require_hole(tolerance_class: str) -> None:
+    """Refuse, with E005, a tolerance class that is not included or no class of a hole."""
+    letter, _ = letter_and_grade(tolerance_class)
+    if letter.islower():
+        raise InputError(
+            "E005", f"the bore has the shaft tolerance class {tolerance_class!r}; use capital letters: H7"
+        )
+
+
+def require_shaft(tolerance_class: str) -> None:
+    """Refuse, with E005, a tolerance class that is not included or no class of a shaft."""
+    letter, _ = letter_and_grade(tolerance_class)
+    if letter.isupper():
+        raise InputError(
+            "E005", f"the journal has the hole tolerance class {tolerance_class!r}; use small letters: e8"
+        )
 
 
 def _require_sensible(clearance: float, diameter: float) -> None:
