@@ -106,7 +106,7 @@ class FitClearance(Part):
 
     @rule
     def _classes_included(self) -> Iterator[Issue]:
-        of_bore = [*refused(("bore",), lambda: require_hole(self.bore))]  # a fit the wrong way round is one mistake
+        of_bore = [*refused(("bore",), lambda: require_hole(self.bore))]  # the wrong way round is one mistake
         yield from of_bore or refused(("journal",), lambda: require_shaft(self.journal))
 
     @property
