@@ -120,6 +120,7 @@ def test_an_axis_follows_its_value_in_the_case_and_keeps_what_was_typed_else():
     view = StudiesView.__new__(StudiesView)
     view.document, view._kind, view._known = CaseDocument(JOURNAL), "tolerance", {}
     view._system, view._computed, view._case = (lambda: "si"), [], {}
+    view._aside = {}
     view._axes = dict.fromkeys(("clearance", "load"))
     view._follow()
     assert view._axes["clearance"].law_of == "H7/d8"
@@ -130,11 +131,33 @@ def test_an_axis_follows_its_value_in_the_case_and_keeps_what_was_typed_else():
     assert view._axes["load"].first == "1 kN"
 
 
+def test_a_field_that_is_wrong_for_a_while_keeps_its_place_in_a_study():
+    """A typing error in the load made the study one of the diameter."""
+    view = StudiesView.__new__(StudiesView)
+    view.document, view._kind, view._known = CaseDocument(JOURNAL), "sweep", {}
+    view._system, view._computed, view._case, view._aside = (lambda: "si"), [], {}, {}
+    view._axes = {"load": None}
+    view._follow()
+    view._set("load", last="30 kN")
+    load = view.document.given["load"]
+    for value in ("12x kN", load):
+        view.document.change(("load",), value)
+        view._follow()
+    assert view._axes["load"].last == "30 kN"
+    view.document.change(("load",), "much")
+    view._follow()
+    assert not view._axes
+    view.document.change(("load",), "20 kN")
+    view._follow()
+    assert view._axes["load"].last == "40 kN"  # that of the new value
+
+
 def test_the_range_of_a_study_stays_when_its_value_is_taken_and_taken_back():
     """A number takes the place of the fit and undo brings it back: both are cases of which the study was asked."""
     view = StudiesView.__new__(StudiesView)
     view.document, view._kind, view._known = CaseDocument(JOURNAL), "size", {}
     view._system, view._computed, view._samples, view._case = (lambda: "si"), [], 0, {}
+    view._aside = {}
     view._axes = {"clearance.mean": None}
     view._follow()
     view._set("clearance.mean", last="8 permille")

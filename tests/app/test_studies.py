@@ -198,6 +198,8 @@ def test_the_size_says_how_its_scan_steps_and_offers_a_value_without_remarks(tmp
     roles = {role: text for text, said in sizes_of(found.study).items() for role in said.split(", ")}
     text = roles["largest margin without remarks"]
     assert text != roles["largest margin"]
+    offered = next(said for said in sizes_of(found.study).values() if "largest margin" in said.split(", "))
+    assert offered.endswith("with remarks")
     (result,) = solved(case_text(with_value(document.given, axis.path, text))).results
     assert result.verdict is Verdict.PASS
 

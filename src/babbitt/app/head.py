@@ -38,14 +38,16 @@ class Head:
     ----------
     document : CaseDocument
     solver : Questions
-    replaced, darken : callable
-        Called when the whole case is another one, and to change between light and dark.
+    replaced, stepped, darken : callable
+        Called when the whole case is another one, when it is an earlier or later one again, and to change between
+        light and dark.
     """
 
     def __init__(
-        self, document: CaseDocument, solver: Questions, replaced: Callable[[], None], darken: Callable[[], None]
-    ) -> None:
-        self.document, self._solver, self._replaced = document, solver, replaced
+        self, document: CaseDocument, solver: Questions, replaced: Callable[[], None],
+        stepped: Callable[[], None], darken: Callable[[], None],
+    ) -> None:  # fmt: skip
+        self.document, self._solver, self._replaced, self._stepped = document, solver, replaced, stepped
         with ui.header().classes("head"):
             for section in ("form", "results", "more"):  # page.js goes there without another address
                 ui.link(word(f"skip_{section}"), f"#{section}").classes("skip")
@@ -93,7 +95,7 @@ class Head:
 
     def _step(self, move: Callable[[], None]) -> None:
         move()
-        self._replaced()
+        self._stepped()
 
     async def _opened(self, event: events.UploadEventArguments) -> None:
         content = await event.file.read()

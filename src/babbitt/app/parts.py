@@ -231,6 +231,6 @@ class LongWork(ui.element):
         finally:
             self._running = None
             self._idle(True)
-        self._said.text = word("done")
+        self._said.text = "" if getattr(found, "faults", ()) else word("done")
         with self._box:
             self._show(found)

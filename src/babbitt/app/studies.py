@@ -200,6 +200,7 @@ def sizes_of(study: Study) -> dict[str, str] | None:
         return None
     unit = str(asked.range[0]).partition(" ")[2]
     found: dict[str, list[str]] = {}
+    questioned: set[str] = set()
     for one in size.intervals:
         offered = (
             (one.lower, True, "from"),
@@ -210,7 +211,10 @@ def sizes_of(study: Study) -> dict[str, str] | None:
         for trial, upward, role in offered:
             text = f"{rounded(from_si(trial.value, unit), upward=upward)} {unit}".strip()
             found.setdefault(text, []).append(told(role))
-    return {text: ", ".join(roles) for text, roles in found.items()}
+            if trial.remarks:
+                questioned.add(text)
+    remarks = told("with remarks")
+    return {text: ", ".join([*roles, remarks] if text in questioned else roles) for text, roles in found.items()}
 
 
 def _without_remarks(size: Size, interval: Interval) -> Iterator[tuple[Trial, bool, str]]:

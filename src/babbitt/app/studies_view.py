@@ -79,6 +79,7 @@ class StudiesView:
         self._study: Any = None
         self._computed: list[Asked] = []
         self._case: dict[str, Any] = {}
+        self._aside: dict[str, tuple[Axis, Axis | None]] = {}  # of fields without a number just now, as they began
         self._box = ui.column().classes("w-full")
         self.work = LongWork(solver, word("run_study"), self._asked, self._show)
         ui.button(word("keep_study"), on_click=self._keep).props("flat dense no-caps").tooltip(
@@ -111,24 +112,26 @@ class StudiesView:
         if asked is not None and (asked.kind, asked.system) == (self._kind, self._system()):
             self._axes = dict(asked.axes)
             return
+        if self._case.get("kind") != last.get("kind"):
+            self._aside = {}
+        of = {path: (axis, before.get(path)) for path, axis in self._axes.items()} | self._aside
+        self._aside = {path: pair for path, pair in of.items() if path not in self._known}
         self._axes = {
-            path: self._axes[path] if before.get(path) == axis else axis
-            for path, axis in self._known.items()
-            if path in self._axes
+            path: of[path][0] if of[path][1] == axis else axis for path, axis in self._known.items() if path in of
         }
 
     def _asked_of(self, case: dict[str, Any]) -> Asked | None:
         return next((one for one in self._computed if one.case == case), None)
 
     def _asks(self, event: Any) -> None:
-        self._kind, self._axes = event.value, {}
+        self._kind, self._axes, self._aside = event.value, {}, {}
         self.work.forget()
         self.draw()
 
     def _fields(self) -> None:
         names = {path: path_name(path_in(path), self.document.given) for path in self._known}
         fewest, most = NEEDS[self._kind]
-        if not self._axes and fewest:
+        if not (self._axes or self._aside) and fewest:
             first = first_axis(self.document.given, self._known)
             self._axes = {first: self._known[first]}
         label = word("vary_field") if most == 1 else word("vary_fields", fewest=fewest, most=most)
@@ -140,7 +143,7 @@ class StudiesView:
 
     def _picked(self, event: Any) -> None:
         most = NEEDS[self._kind][1]
-        chosen = list(event.value)[-most:]  # the last ones count
+        chosen, self._aside = list(event.value)[-most:], {}  # the last ones count
         self._axes = {path: self._axes.get(path, self._known[path]) for path in chosen}
         self.draw()
 

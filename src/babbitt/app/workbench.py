@@ -93,7 +93,7 @@ class Workbench:
 
     def _build(self) -> None:
         self._dark = ui.dark_mode(None)  # as the system has it
-        Head(self.document, self._solver, self._replaced, self._darken)
+        Head(self.document, self._solver, self._replaced, self._all_anew, self._darken)
         with ui.element("div").classes("bench"):
             with _section("case", "form"):
                 self._case()
