@@ -6,6 +6,7 @@ import os
 import signal
 import subprocess
 import sys
+from concurrent.futures import BrokenExecutor
 from pathlib import Path
 from threading import Event
 
@@ -57,6 +58,21 @@ def test_a_process_that_is_killed_costs_its_chunks_only(made, table, monkeypatch
     monkeypatch.setattr(Engine, "_take", killing)
     same(table, run_study(made, workers=hands).columns)
     assert killed
+
+
+def test_a_chunk_that_is_handed_over_when_a_process_is_lost_fails_by_itself(made, table):
+    """The study ended with BrokenProcessPool where a process was lost between two chunks."""
+    hands = Processes(1)
+    rows = {"row": np.arange(1), **{one.path: table[one.path][:1] for one in made.task.inputs}}
+    assert hands.submit(made.task, rows).result()["row"].tolist() == [0]
+    os.kill(next(iter(hands._pool._processes)), signal.SIGKILL)
+    with pytest.raises(BrokenExecutor):
+        while True:
+            hands.submit(made.task, rows).result()
+    assert isinstance(hands.submit(made.task, rows).exception(), BrokenExecutor)
+    assert hands.renew()
+    assert hands.submit(made.task, rows).result()["row"].tolist() == [0]
+    hands.stop()
 
 
 @pytest.mark.thorough

@@ -6,7 +6,7 @@ import multiprocessing
 import signal
 import threading
 from collections.abc import Iterator
-from concurrent.futures import Executor, Future, ProcessPoolExecutor
+from concurrent.futures import BrokenExecutor, Executor, Future, ProcessPoolExecutor
 from contextlib import contextmanager
 from typing import Any, Protocol
 
@@ -75,9 +75,15 @@ class Processes:
         self._pool = self._started()
 
     def submit(self, task: RowTask, rows: Columns) -> Future[Columns]:
-        """Have a chunk computed."""
-        with _ignored_interrupts():  # a process inherits that, and an interrupt goes to all that share a terminal
-            found = self._pool.submit(answered, task, rows)
+        """Have a chunk computed; its future fails where a process was lost already."""
+        try:
+            with (
+                _ignored_interrupts()
+            ):  # a process inherits that, and an interrupt goes to all that share a terminal
+                found = self._pool.submit(answered, task, rows)
+        except BrokenExecutor as error:
+            found = Future()
+            found.set_exception(error)
         self._children |= set(multiprocessing.active_children())
         return found
 
