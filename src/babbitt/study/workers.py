@@ -77,9 +77,7 @@ class Processes:
     def submit(self, task: RowTask, rows: Columns) -> Future[Columns]:
         """Have a chunk computed; its future fails where a process was lost already."""
         try:
-            with (
-                _ignored_interrupts()
-            ):  # a process inherits that, and an interrupt goes to all that share a terminal
+            with _ignored_interrupts():  # inherited by the process; an interrupt goes to all that share a terminal
                 found = self._pool.submit(answered, task, rows)
         except BrokenExecutor as error:
             found = Future()
