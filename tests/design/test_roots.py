@@ -45,7 +45,8 @@ def test_a_place_beyond_a_bound_changes_no_root(function, low, high, side):
     place = (low if side < 0.0 else high) + 0.3 * side * (high - low)
     found = find_root(function, low, high, 1e-12, beyond=(place, function(place)))
     assert found.converged
-    assert found.value == pytest.approx(find_root(function, low, high, 1e-12).value, abs=2e-5)
+    flat = function is FUNCTIONS[-1][0]  # its value is round-off about the triple root
+    assert found.value == pytest.approx(find_root(function, low, high, 1e-12).value, abs=2e-5 if flat else 2e-12)
 
 
 @pytest.mark.parametrize("side", [-1.0, 1.0])

@@ -21,7 +21,7 @@ __all__ = ["cards_markup", "findings_markup", "verdict_markup"]
 ICONS = {"pass": "check_circle", "remarks": "info", "fail": "cancel", "no_verdict": "help", "no_solution": "error"}
 """Of verdicts, so that none differs by colour alone."""
 
-SYMBOLS = {*(one.symbol for one in QUANTITIES.values() if "_" in one.symbol), "h_lim"}
+SYMBOLS = {one.symbol for one in QUANTITIES.values() if "_" in one.symbol}
 SYMBOL = re.compile(rf"(?<![\w.`'])({'|'.join(map(re.escape, sorted(SYMBOLS, key=len, reverse=True)))})(?!\w)")
 """A symbol with a subscript within a text."""
 

@@ -40,6 +40,9 @@ FILES = {".csv": "as_csv", ".xlsx": "as_workbook", ".pdf": "as_pdf", ".html": "a
 
 MOST_SAMPLES = 100_000
 
+STAYS = 15_000
+"""Milliseconds that a message stays which is to be read."""
+
 
 @dataclass(frozen=True)
 class Asked:
@@ -49,10 +52,6 @@ class Asked:
     kind: str
     axes: dict[str, Axis]
     system: str
-
-
-STAYS = 15_000
-"""Milliseconds that a message stays which is to be read."""
 
 
 class StudiesView:

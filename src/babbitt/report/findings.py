@@ -19,8 +19,8 @@ from babbitt.report.us_words import OF_RESULTS, in_us_units
 ASSUMED_METAL = "the bearing metal is assumed, and its limits decide nothing (materials: bearing_metal)"
 """Why a check that was made leaves its subject without a verdict."""
 
-MESSAGES_TOLD = 3
-"""Of a code of a warning that touches verdicts; of one with more messages the first is told as an example."""
+MOST_MESSAGES = 3
+"""Different messages of one code that are listed where it touches verdicts; of more the first is an example."""
 
 
 @dataclass(frozen=True)
@@ -112,7 +112,7 @@ def information(results: Sequence[Result]) -> tuple[Group, ...]:
 
 
 def _warned(results: Sequence[Result], effect: Effect) -> tuple[Group, ...]:
-    most = 1 if effect is Effect.INFORMATION else MESSAGES_TOLD
+    most = 1 if effect is Effect.INFORMATION else MOST_MESSAGES
     return _gathered(results, lambda result: [one for one in result.warnings if one.effect is effect], most)
 
 
@@ -186,14 +186,15 @@ def _gathered(
             message = in_us_units(plain_text(notice.message), OF_RESULTS)
             found.setdefault(notice.code, {}).setdefault(message, []).append(result)
     groups = []
-    for code, told in sorted(found.items()):
-        if len(told) > most:
-            message, (first, *_) = next(iter(told.items()))
+    for code, by_message in sorted(found.items()):
+        if len(by_message) > most:
+            message, (first, *_) = next(iter(by_message.items()))
             example = translated("{name}, for example: {message}", name=shown_name(first.name), message=message)
-            told = {example: list(chain.from_iterable(told.values()))}
+            by_message = {example: list(chain.from_iterable(by_message.values()))}
         explanation = explanations()[code]
-        for message, concerned in told.items():
-            names = tuple(result.name for result in results if any(result is one for one in concerned))
+        for message, concerned in by_message.items():
+            places = set(map(id, concerned))
+            names = tuple(result.name for result in results if id(result) in places)
             groups.append(Group(code, explanation.title, names, _names(results), message, explanation.remedy))
     return tuple(groups)
 

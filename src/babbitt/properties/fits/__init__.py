@@ -18,9 +18,9 @@ __all__ = [
     "Deviations",
     "RelativeClearance",
     "SizeLimits",
+    "operating_relative_clearance",
     "require_hole",
     "require_shaft",
-    "operating_relative_clearance",
     "standard_tolerance",
     "tolerance_limits",
 ]
